@@ -1147,6 +1147,11 @@ class PolypCandidate:
         ...
 
     @property
+    def film_share(self) -> float:
+        """Fraction of the surface coated with contrast, 0 to 1."""
+        ...
+
+    @property
     def height(self) -> float:
         """Height above the surrounding ring, mm."""
         ...

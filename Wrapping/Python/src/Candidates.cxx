@@ -94,6 +94,6 @@ AddCandidates(py::module_ & module)
   AddCandidate(module);
   module.def("find_candidates", Reporting(&Search), ReleaseGil());
   module.def("find_in_other_position", &InOtherPosition, ReleaseGil());
-  module.def("implied_category", &CategoryImplied);
+  module.def("sizes_if_confirmed", &SizesIfConfirmed);
 }
 } // namespace shapeton::python

@@ -100,7 +100,7 @@ class ColonTest(TestCase):
         self.assertTrue(candidates)
         self.assertEqual([c.number for c in candidates], list(range(1, len(candidates) + 1)))
         self.assertTrue(all(np.isfinite(c.uv).all() and np.isnan(c.attenuation) for c in candidates))
-        self.assertIn("implied", colon.implied_category(candidates))
+        self.assertIn("If confirmed: ", colon.sizes_if_confirmed(candidates))
 
     def test_registration_takes_points_to_the_other_wall_and_back(self):
         prone = Examination("prone")

@@ -93,12 +93,15 @@ constexpr double LeastRegistrationConfidence = 0.5;
 ShapetonPolypCandidates_EXPORT void
 WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates);
 
-/** Text with the C-RADS category implied by the sizes of the candidates alone; the actual category ("C0" to "C4") is
- * the reader's decision. C-RADS (Zalis et al., Radiology 2005): C1 no candidate of 6 mm or more, C2 one or two of 6 to
- * 9 mm, C3 at least one of 10 mm or more, or at least three of 6 to 9 mm; C4 requires a reader.
- * \ingroup ShapetonPolypCandidates */
+/** Whether reports list a candidate as a possible polyp: it is neither recognized as something else nor a fragment of
+ * another candidate. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT bool
+IsListedAsPolyp(const PolypCandidate & candidate);
+
+/** "If confirmed: 2 of 10 mm and more, 0 of 6 to 9 mm": the candidates listed as possible polyps by size. The C-RADS
+ * category (Zalis et al., Radiology 2005) is the decision of a reader. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
-                               CategoryImplied(const std::vector<PolypCandidate> & candidates);
+                               SizesIfConfirmed(const std::vector<PolypCandidate> & candidates);
 
 /** One row per candidate; unknown values are empty. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT CsvTable

@@ -261,18 +261,24 @@ MarkupsOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
   return { markup };
 }
 
+bool
+IsListedAsPolyp(const PolypCandidate & candidate)
+{
+  const bool isFragment = candidate.mainCandidate > 0 && candidate.mainCandidate != candidate.number;
+  return candidate.lookalike == PolypLookalike::None && !isFragment;
+}
+
 std::string
-CategoryImplied(const std::vector<PolypCandidate> & candidates)
+SizesIfConfirmed(const std::vector<PolypCandidate> & candidates)
 {
   int medium = 0, large = 0;
   for (const PolypCandidate & one : candidates)
   {
     const PolypSize size = SizeOf(one.diameter);
-    medium += size == PolypSize::From6To9 ? 1 : 0;
-    large += size == PolypSize::From10 || size == PolypSize::From30 ? 1 : 0;
+    const bool      isListed = IsListedAsPolyp(one);
+    medium += isListed && size == PolypSize::From6To9 ? 1 : 0;
+    large += isListed && (size == PolypSize::From10 || size == PolypSize::From30) ? 1 : 0;
   }
-  const std::string category = large > 0 || medium >= 3 ? "C3" : medium > 0 ? "C2" : "C1";
-  return category + ", implied by the sizes of the candidates alone (" + std::to_string(large) + " of 10 mm or more, " +
-         std::to_string(medium) + " of 6 to 9 mm), if all were polyps; only a reader can assign a category";
+  return "If confirmed: " + std::to_string(large) + " of 10 mm and more, " + std::to_string(medium) + " of 6 to 9 mm";
 }
 } // namespace shapeton

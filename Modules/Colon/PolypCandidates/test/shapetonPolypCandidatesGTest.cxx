@@ -1,4 +1,5 @@
 #include "shapetonPolypContent.h"
+#include "shapetonPolypMorphology.h"
 #include "shapetonPolypSearch.h"
 
 #include "shapetonPolypTubes.h"
@@ -546,7 +547,7 @@ TEST(PolypCandidates, AllOfThemTellOnWhichWallTheyAre)
   EXPECT_EQ(shapeton::MeanDistanceToWall(square(0.0), {}), 0.0);
 }
 
-TEST(PolypCandidates, SizesAndCategories)
+TEST(PolypCandidates, SizesIfConfirmedLeaveOutWhatIsNamed)
 {
   EXPECT_EQ(shapeton::SizeOf(5.4), shapeton::PolypSize::AtMost5);
   EXPECT_EQ(shapeton::SizeOf(5.6), shapeton::PolypSize::From6To9);
@@ -556,10 +557,70 @@ TEST(PolypCandidates, SizesAndCategories)
   PolypCandidate medium, large;
   medium.diameter = 7.0;
   large.diameter = 12.0;
-  EXPECT_EQ(shapeton::CategoryImplied({}).substr(0, 11), "C1, implied");
-  EXPECT_EQ(shapeton::CategoryImplied({ medium, medium }).substr(0, 2), "C2");
-  EXPECT_EQ(shapeton::CategoryImplied({ medium, medium, medium }).substr(0, 2), "C3");
-  EXPECT_EQ(shapeton::CategoryImplied({ large }).substr(0, 2), "C3");
+  const auto confirmed = [](int ofLarge, int ofMedium) {
+    return "If confirmed: " + std::to_string(ofLarge) + " of 10 mm and more, " + std::to_string(ofMedium) +
+           " of 6 to 9 mm";
+  };
+  EXPECT_EQ(shapeton::SizesIfConfirmed({}), confirmed(0, 0));
+  EXPECT_EQ(shapeton::SizesIfConfirmed({ medium, large, medium }), confirmed(1, 2));
+  PolypCandidate valve = large, fragment = large;
+  valve.lookalike = shapeton::PolypLookalike::Valve;
+  fragment.number = 2;
+  fragment.mainCandidate = 1;
+  EXPECT_EQ(shapeton::SizesIfConfirmed({ large, valve, fragment }), confirmed(1, 0));
+}
+
+TEST(PolypCandidates, FormIsThatOfTheBody)
+{
+  const auto stalk = [](const Vector3d & p) {
+    const double along = std::clamp(p.z(), -radius - 2.0, -radius + 8.0);
+    return (p - Vector3d(0.0, 0.0, along)).norm() - 1.6;
+  };
+  const auto formOf = [](const std::vector<Body> & bodies) {
+    const shapeton::SurfaceMesh wall = MakeWall(bodies);
+    auto                        candidates = Find(wall);
+    EXPECT_EQ(candidates.size(), 1u);
+    shapeton::MeasureMorphology(
+      wall, [](const Vector3d & p) { return p.x() > 0.0; }, candidates);
+    return candidates.front();
+  };
+  const auto onStalk = formOf({ stalk, Ball(Base(0.0) + 11.0 * Vector3d::UnitZ(), 4.0) });
+  EXPECT_EQ(onStalk.morphology, shapeton::PolypMorphology::Pedunculated);
+  EXPECT_NEAR(onStalk.planeDiameter, 8.0, 0.8);
+  const auto sessile = formOf({ polyp });
+  EXPECT_EQ(sessile.morphology, shapeton::PolypMorphology::Sessile);
+  EXPECT_NEAR(sessile.planeDiameter, 10.0, 1.2);
+  const auto flat = formOf({ Ellipsoid(Base(0.0), 8.0, 2.6) });
+  EXPECT_EQ(flat.morphology, shapeton::PolypMorphology::Flat);
+  EXPECT_EQ(shapeton::MorphologyInWords(flat), "flat");
+  const auto onFold = formOf({ Ellipsoid(Base(8.0), 5.0, 6.0) });
+  EXPECT_EQ(shapeton::MorphologyInWords(onFold), "sessile, on a fold");
+}
+
+TEST(PolypCandidates, FragmentsBelongToTheBestOne)
+{
+  const shapeton::SurfaceMesh wall = MakeWall({});
+  const auto                  headAround = [&](const Vector3d & middle, int number) {
+    PolypCandidate candidate;
+    candidate.number = number;
+    for (int i = 0; i < wall.NumberOfVertices(); ++i)
+    {
+      if ((wall.V.row(i).transpose() - middle).norm() < 3.0)
+      {
+        candidate.vertices.push_back(i);
+      }
+    }
+    return candidate;
+  };
+  std::vector<PolypCandidate> candidates{
+    headAround(Base(0.0), 1), headAround(Base(15.0), 2), headAround(Base(7.0), 3), headAround(Base(-14.0), 4)
+  };
+  shapeton::JoinFragments(wall, candidates);
+  EXPECT_EQ(candidates[1].mainCandidate, 2);
+  EXPECT_EQ(candidates[2].mainCandidate, 1);
+  EXPECT_EQ(candidates[3].mainCandidate, 4);
+  EXPECT_TRUE(shapeton::IsListedAsPolyp(candidates[3]));
+  EXPECT_FALSE(shapeton::IsListedAsPolyp(candidates[2]));
 }
 
 TEST(PolypCandidates, ValveIsNotedByItsPlace)

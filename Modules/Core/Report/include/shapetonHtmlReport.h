@@ -51,6 +51,14 @@ public:
   AddWarnings(const std::vector<std::string> & warnings);
   void
   AddHeading(const std::string & text);
+  /** Adds a heading within a section. */
+  void
+  AddSubheading(const std::string & text);
+  /** Begins content that is hidden until its title is clicked, up to EndDetails(). */
+  void
+  BeginDetails(const std::string & title);
+  void
+  EndDetails();
   void
   AddParagraph(const std::string & text);
   /** Adds a paragraph with a link to another page, relative to this one. */

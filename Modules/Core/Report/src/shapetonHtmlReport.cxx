@@ -186,6 +186,24 @@ HtmlReport::AddHeading(const std::string & text)
 }
 
 void
+HtmlReport::AddSubheading(const std::string & text)
+{
+  m_Body += Element("h3", text);
+}
+
+void
+HtmlReport::BeginDetails(const std::string & title)
+{
+  m_Body += "<details>" + Element("summary", title) + "\n";
+}
+
+void
+HtmlReport::EndDetails()
+{
+  m_Body += "</details>\n";
+}
+
+void
 HtmlReport::AddParagraph(const std::string & text)
 {
   m_Body += Element("p", ReadableText(text));

@@ -226,18 +226,9 @@ SummaryOf(const ColonoscopyReportContent & content)
 {
   const ColonoscopyResults & results = *content.results;
   ColonoscopyFacts facts{ { "Run", content.failure.empty() ? "all stages finished" : "partial: " + content.failure } };
-  for (const auto & [key, value] : content.provenance)
-  {
-    if (key == "input.inputVolume")
-    {
-      facts.emplace_back("Input", value);
-    }
-  }
   AddModelFacts(results.quality, facts);
-  AddMapFacts(results.flatStatistics, facts);
   if (results.IsDone(colonoscopystage::landmarks))
   {
-    facts.emplace_back("Taeniae", TaeniaeInWords(results));
     facts.emplace_back("Flexures", std::to_string(NumberOfFlexures(results.landmarks)) + " of 4 found");
   }
   if (results.IsDone(colonoscopystage::folds))
@@ -247,6 +238,26 @@ SummaryOf(const ColonoscopyReportContent & content)
   if (results.IsDone(colonoscopystage::polyps))
   {
     facts.emplace_back("Polyp candidates", std::to_string(results.polyps.size()));
+  }
+  return facts;
+}
+
+ColonoscopyFacts
+MethodFactsOf(const ColonoscopyReportContent & content)
+{
+  const ColonoscopyResults & results = *content.results;
+  ColonoscopyFacts           facts;
+  for (const auto & [key, value] : content.provenance)
+  {
+    if (key == "input.inputVolume")
+    {
+      facts.emplace_back("Input", value);
+    }
+  }
+  AddMapFacts(results.flatStatistics, facts);
+  if (results.IsDone(colonoscopystage::landmarks))
+  {
+    facts.emplace_back("Taeniae", TaeniaeInWords(results));
   }
   return facts;
 }

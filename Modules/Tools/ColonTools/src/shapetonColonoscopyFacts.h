@@ -7,8 +7,13 @@ namespace shapeton
 {
 using ColonoscopyFacts = ColonoscopyReportContent::Facts;
 
+/** What a reader needs first. */
 ColonoscopyFacts
 SummaryOf(const ColonoscopyReportContent & content);
+
+/** Input, flat map and taeniae. */
+ColonoscopyFacts
+MethodFactsOf(const ColonoscopyReportContent & content);
 
 /** Length, area, distension and folds of each segment. */
 CsvTable

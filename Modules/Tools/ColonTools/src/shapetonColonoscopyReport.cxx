@@ -99,7 +99,7 @@ AddViews(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & 
 void
 AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & results)
 {
-  html.AddHeading("The flat colon");
+  html.AddHeading("Virtual dissection (unfolded view)");
   html.AddParagraph(
     "The wall from the rectum to the cecum, cut open along the colon and unrolled, in rows, as seen from "
     "the lumen. Rulers show the distance along the centerline. The map preserves shapes but not sizes: the bar "
@@ -122,11 +122,10 @@ AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & r
 void
 AddPolyps(HtmlReport & html, const ColonoscopyResults & results)
 {
-  AddPolypCandidateTable(html, results.centerline, results.polyps);
-  for (std::size_t i = 0; i < results.polypPictures.size(); ++i)
-  {
-    html.AddPicture(results.polypPictures[i], CaptionOfPolypPicture(static_cast<int>(i)));
-  }
+  AddPolypCandidates(html, results.centerline, results.polyps, [&](int number) {
+    const auto i = static_cast<std::size_t>(number);
+    return i < results.polypPictures.size() ? results.polypPictures[i] : std::string();
+  });
 }
 
 void
@@ -160,9 +159,11 @@ AddTables(HtmlReport & html, const ColonoscopyResults & results)
 void
 AddProvenance(HtmlReport & html, const ColonoscopyReportContent & content)
 {
-  html.AddHeading("Stages");
+  html.AddSubheading("Methods");
+  html.AddFacts(MethodFactsOf(content));
+  html.AddSubheading("Stages");
   html.AddTable(StageTable(content), "The files are in the folder of the stage, their SHA-256 in stages/STAGE.json");
-  html.AddHeading("Provenance");
+  html.AddSubheading("Provenance");
   html.AddFacts(content.provenance);
 }
 } // namespace
@@ -187,28 +188,31 @@ WriteColonoscopyReport(const ColonoscopyReportContent & content,
                  "Read this examination: flat wall, wall in space, endoluminal view and slices with a linked "
                  "crosshair");
   }
+  if (results.IsDone(colonoscopystage::polyps))
+  {
+    AddPolyps(html, results);
+  }
   if (!results.centerline.curves.empty())
   {
     AddDistension(html, pictures, results);
+  }
+  AddTables(html, results);
+  if (results.flat)
+  {
+    AddFlat(html, pictures, results);
   }
   if (results.wall.F.rows() > 0)
   {
     AddViews(html, pictures, results);
   }
-  if (results.flat)
-  {
-    AddFlat(html, pictures, results);
-  }
-  AddTables(html, results);
-  if (results.IsDone(colonoscopystage::polyps))
-  {
-    AddPolyps(html, results);
-  }
   if (results.pair)
   {
     AddPair(html, pictures, *results.pair);
   }
+  html.AddHeading("Technical details");
+  html.BeginDetails("Methods, stages, files and provenance");
   AddProvenance(html, content);
+  html.EndDetails();
   html.Write(path);
 }
 } // namespace shapeton

@@ -3,18 +3,38 @@
 #include "shapetonColonSegments.h"
 #include "shapetonCommandLine.h"
 #include "shapetonPolypCandidatePictures.h"
+#include "shapetonPolypMorphology.h"
 #include "shapetonScanResolution.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 
 namespace shapeton
 {
 namespace
 {
+constexpr double millimetersPerCm = 10.0;
+
 std::string
 Cell(double value, int digits)
 {
   return std::isfinite(value) ? CsvTable::Rounded(value, digits) : "";
+}
+
+/** Two digits after the point; small scores are not rounded to 0. */
+std::string
+ScoreInWords(double score)
+{
+  constexpr double least = 0.01;
+  return score < least ? "< 0.01" : CsvTable::Rounded(std::round(score / least) * least, 2);
+}
+
+std::string
+DistanceInCm(const PolypCandidate & candidate)
+{
+  return Cell(std::round(candidate.arcLength) / millimetersPerCm, 4);
 }
 
 std::string
@@ -30,42 +50,128 @@ OtherPosition(const PolypCandidate & candidate)
                           : "no candidate";
 }
 
-CsvTable
-TableForReaders(const std::vector<PolypCandidate> & candidates)
+/** "46 (-58 to 155), soft tissue". */
+std::string
+AttenuationInWords(const PolypCandidate & candidate)
 {
-  CsvTable         table({ "Candidate",
-                           "Score",
-                           "Segment",
-                           "From the anal verge (cm)",
-                           "Largest diameter (mm)",
-                           "Size",
-                           "Height (mm)",
-                           "HU inside",
-                           "Inside",
-                           "Other position",
-                           "Remark" });
-  constexpr double millimetersPerCm = 10.0;
+  if (!std::isfinite(candidate.meanAttenuation))
+  {
+    return "";
+  }
+  const auto whole = [](double value) { return std::to_string(std::lround(value)); };
+  return whole(candidate.meanAttenuation) + " (" + whole(candidate.lowAttenuation) + " to " +
+         whole(candidate.highAttenuation) + "), " + NameOf(candidate.tissue);
+}
+
+/** "10 mm, sagittal; 9 mm in 3-D". */
+std::string
+SizeInWords(const PolypCandidate & candidate)
+{
+  const std::string inSpace = std::to_string(std::lround(candidate.diameter)) + " mm";
+  return candidate.plane.empty() ? inSpace
+                                 : std::to_string(std::lround(candidate.planeDiameter)) + " mm, " + candidate.plane +
+                                     "; " + inSpace + " in 3-D";
+}
+
+CsvTable
+TableOfCandidates(const std::vector<PolypCandidate> & candidates)
+{
+  CsvTable table({ "Candidate",
+                   "Score",
+                   "Segment",
+                   "From the anal verge (cm)",
+                   "Largest diameter (mm)",
+                   "Morphology",
+                   "Mean attenuation (HU)",
+                   "Other position",
+                   "Remark" });
   for (const PolypCandidate & one : candidates)
   {
     table.AddRow({ std::to_string(one.number),
-                   CsvTable::Rounded(one.score, 2),
+                   ScoreInWords(one.score),
                    NameOfSegment(one.segment),
-                   Cell(one.arcLength / millimetersPerCm, 4),
-                   Cell(one.diameter, 3),
-                   NameOf(SizeOf(one.diameter)),
-                   Cell(one.height, 2),
-                   Cell(one.attenuation, 3),
-                   NameOf(one.tissue),
+                   DistanceInCm(one),
+                   Cell(std::round(one.diameter), 3),
+                   MorphologyInWords(one),
+                   Cell(std::round(one.meanAttenuation), 4),
                    OtherPosition(one),
                    one.remark });
   }
   return table;
 }
 
+CsvTable
+TableOfLookalikes(const std::vector<PolypCandidate> & candidates)
+{
+  CsvTable table({ "Candidate",
+                   "Recognized as",
+                   "Score",
+                   "Segment",
+                   "From the anal verge (cm)",
+                   "Largest diameter (mm)",
+                   "Mean attenuation (HU)" });
+  for (const PolypCandidate & one : candidates)
+  {
+    const bool isFragment = one.lookalike == PolypLookalike::None;
+    table.AddRow({ std::to_string(one.number),
+                   isFragment ? "part of candidate " + std::to_string(one.mainCandidate) : NameOf(one.lookalike),
+                   ScoreInWords(one.score),
+                   NameOfSegment(one.segment),
+                   DistanceInCm(one),
+                   Cell(std::round(one.diameter), 3),
+                   Cell(std::round(one.meanAttenuation), 4) });
+  }
+  return table;
+}
+
+std::string
+TitleOfCard(const PolypCandidate & candidate)
+{
+  const std::string segment = NameOfSegment(candidate.segment);
+  return "Candidate " + std::to_string(candidate.number) + ": " + (segment.empty() ? "" : segment + ", ") +
+         DistanceInCm(candidate) + " cm from the anal verge";
+}
+
+/** The rows of a card that have a value. */
+std::vector<std::pair<std::string, std::string>>
+FactsOfCard(const PolypCandidate & candidate)
+{
+  std::vector<std::pair<std::string, std::string>> facts{
+    { "Score", ScoreInWords(candidate.score) + ", calibrated on synthetic patients" },
+    { "Largest diameter", SizeInWords(candidate) },
+    { "Height", Cell(std::round(candidate.height), 3) + " mm" },
+    { "Morphology", MorphologyInWords(candidate) },
+    { "Mean attenuation, 5 to 95 % (HU)", AttenuationInWords(candidate) },
+    { "Other position", OtherPosition(candidate) },
+    { "Remark", candidate.remark }
+  };
+  facts.erase(std::remove_if(facts.begin(), facts.end(), [](const auto & fact) { return fact.second.empty(); }),
+              facts.end());
+  return facts;
+}
+
+void
+AddCard(HtmlReport & report, const PolypCandidate & candidate, const PolypPictureFile & pictureOf)
+{
+  report.AddMarkup("<section class=\"card\" id=\"candidate-" + std::to_string(candidate.number) + "\">\n");
+  report.AddSubheading(TitleOfCard(candidate));
+  report.AddFacts(FactsOfCard(candidate));
+  if (const std::string path = pictureOf(candidate.number); !path.empty())
+  {
+    report.AddPicture(path,
+                      "Candidate " + std::to_string(candidate.number) +
+                        ": crops through the center of the head, marked at the borders; the head is blue in the "
+                        "endoluminal and the unfolded view.");
+  }
+  report.AddMarkup("</section>\n");
+}
 } // namespace
 
 void
-AddPolypCandidateTable(HtmlReport & report, const CurveSet & centerline, const std::vector<PolypCandidate> & candidates)
+AddPolypCandidates(HtmlReport &                        report,
+                   const CurveSet &                    centerline,
+                   const std::vector<PolypCandidate> & candidates,
+                   const PolypPictureFile &            pictureOf)
 {
   report.AddHeading("Polyp candidates");
   report.AddNote("For research use; not a diagnosis. A candidate is a location shaped like a polyp. It may be "
@@ -75,48 +181,36 @@ AddPolypCandidateTable(HtmlReport & report, const CurveSet & centerline, const s
     report.AddParagraph("At the resolution of this scan, the colon is " + NotAssessableInWords(below) +
                         ": such polyps are often missing.");
   }
-  if (candidates.empty())
+  std::vector<PolypCandidate> polyps, others;
+  std::partition_copy(
+    candidates.begin(), candidates.end(), std::back_inserter(polyps), std::back_inserter(others), IsListedAsPolyp);
+  if (polyps.empty())
   {
     report.AddParagraph("No candidates at this sensitivity.");
-    return;
   }
-  report.AddTable(TableForReaders(candidates), "Candidates by decreasing score");
-  report.AddParagraph("Category implied by the candidates: " + CategoryImplied(candidates) + ".");
-}
-
-std::string
-CaptionOfPolypPicture(int candidate)
-{
-  return candidate == 0 ? "Candidates on the flat colon"
-                        : "Candidate " + std::to_string(candidate) +
-                            ": on the flat map at four times the resolution, and from the centerline";
-}
-
-void
-AddPolypCandidateSection(HtmlReport &                        report,
-                         const PolypColon &                  colon,
-                         const std::vector<PolypCandidate> & candidates,
-                         const std::string &                 folder,
-                         const OutputPath &                  outputPath)
-{
-  AddPolypCandidateTable(report, colon.centerline, candidates);
-  if (candidates.empty() || !colon.flat)
+  else
   {
-    return;
+    report.AddTable(TableOfCandidates(polyps), "Candidates, highest score first");
+    report.AddParagraph("Scores are probabilities, calibrated on synthetic patients. " + SizesIfConfirmed(candidates) +
+                        ". The category (C-RADS) is the decision of the reader.");
   }
-  const PolypCandidatePictures pictures(colon, candidates);
-  std::vector<PictureFile>     files{ { outputPath(folder + "/polyp-candidates-flat.png"),
-                                        [&] { return pictures.DrawFlatColon(); } } };
-  for (const PolypCandidate & one : candidates)
+  if (const std::string flat = candidates.empty() ? "" : pictureOf(0); !flat.empty())
   {
-    files.push_back({ outputPath(folder + "/polyp-candidate-" + std::to_string(one.number) + ".png"),
-                      [&pictures, &one] { return pictures.DrawCandidate(one); } });
+    report.AddPicture(flat, "Candidates on the virtual dissection (unfolded view)");
   }
-  WritePngs(files);
-  report.AddPicture(files[0].path, CaptionOfPolypPicture(0));
-  for (std::size_t i = 0; i < candidates.size(); ++i)
+  for (const PolypCandidate & one : polyps)
   {
-    report.AddPicture(files[i + 1].path, CaptionOfPolypPicture(candidates[i].number));
+    AddCard(report, one, pictureOf);
+  }
+  if (!others.empty())
+  {
+    report.AddTable(TableOfLookalikes(others), "Recognized as something else, or parts of another candidate");
+    report.BeginDetails("Pictures of these");
+    for (const PolypCandidate & one : others)
+    {
+      AddCard(report, one, pictureOf);
+    }
+    report.EndDetails();
   }
 }
 
@@ -130,10 +224,27 @@ WritePolypCandidateReport(CommandLine &                       commandLine,
   {
     return;
   }
+  std::map<int, std::string> pictures; // by number; 0 is the flat colon
+  if (!candidates.empty() && colon.flat)
+  {
+    const PolypCandidatePictures drawn(colon, candidates);
+    std::vector<PictureFile>     files{ { commandLine.Output(folder + "/polyp-candidates-flat.png"),
+                                          [&] { return drawn.DrawFlatColon(); } } };
+    pictures[0] = files[0].path;
+    for (const PolypCandidate & one : candidates)
+    {
+      files.push_back({ commandLine.Output(folder + "/polyp-candidate-" + std::to_string(one.number) + ".png"),
+                        [&drawn, &one] { return drawn.DrawCard(one); } });
+      pictures[one.number] = files.back().path;
+    }
+    WritePngs(files);
+  }
   HtmlReport report("Polyp candidates of a colon");
   report.AddHead({ { "Candidates", std::to_string(candidates.size()) } }, commandLine.GetWarnings());
-  AddPolypCandidateSection(
-    report, colon, candidates, folder, [&](const std::string & path) { return commandLine.Output(path); });
+  AddPolypCandidates(report, colon.centerline, candidates, [&](int number) {
+    const auto found = pictures.find(number);
+    return found == pictures.end() ? std::string() : found->second;
+  });
   report.AddHeading("Provenance");
   report.AddFacts(commandLine.GetProvenance());
   report.Write(commandLine.Output(folder + "/index.html"));

@@ -3,6 +3,7 @@
 
 #include "ShapetonColonViewsExport.h"
 
+#include "shapetonPerspectiveRendering.h"
 #include "shapetonPicture.h"
 #include "shapetonPolypSearch.h"
 
@@ -28,20 +29,31 @@ public:
   Picture::Pointer
   DrawFlatColon() const;
 
-  /** Relief of the full-resolution wall around the candidate on the flat map. Pixels are at most a quarter of the
-   * pixels of DrawFlatColon(); at most 60 mm of wall are visible. 400 x 300 pixels. */
+  /** Relief of the full-resolution wall around the candidate on the flat map, 60 mm wide, less where the map shrinks
+   * the wall. A head that is too small to be seen, such as one on a stalk, is marked and shown magnified in the lower
+   * right corner. 400 x 300 pixels. */
   Picture::Pointer
   DrawCloseUp(const PolypCandidate & candidate) const;
 
-  /** Endoluminal view of the candidate from the centerline. Among the points of the centerline 15 to 60 mm away, picks
-   * the one with the best view of the apex: not occluded, facing the eye, about 25 mm away. Without a centerline, or if
-   * the candidate is occluded, the eye is above the head, 6 to 25 mm away. */
+  /** Camera of the endoluminal view, which looks at the center of the head. Of the points of the centerline 15 to 60 mm
+   * away, ordered by slant and distance (25 mm is best), and points 6 to 25 mm above the head, takes the first that
+   * sees 40 % of the head, or else the one that sees most of it. */
+  PerspectiveCamera
+  EndoluminalCamera(const PolypCandidate & candidate) const;
+
+  /** Endoluminal view of the candidate, 400 x 300 pixels. */
   Picture::Pointer
   DrawFromWithin(const PolypCandidate & candidate) const;
 
-  /** Close-up and endoluminal view, side by side, with a title. */
+  /** Crops of the CT and of the cleansed CT (rows) in the axial, coronal, sagittal and an oblique plane (columns), each
+   * in a soft-tissue window (-160 to 240 HU) and a colon window (-950 to 550 HU); marks at the borders point to the
+   * center of the head. Null without a CT. */
   Picture::Pointer
-  DrawCandidate(const PolypCandidate & candidate) const;
+  DrawCrops(const PolypCandidate & candidate) const;
+
+  /** The crops, and at their right the endoluminal view and the close-up. */
+  Picture::Pointer
+  DrawCard(const PolypCandidate & candidate) const;
 
 private:
   struct Data;

@@ -49,46 +49,87 @@ CostOf(const Vector3d & eye, const PolypCandidate & candidate)
   return std::abs(std::log(way.norm() / bestDistance)) + costOfSlant * (1.0 - facing);
 }
 
-Vector3d
-EyeAbove(const SurfaceLocator & wall, const PolypCandidate & candidate)
+/** Places for the eye, best first: points of the centerline, then points above the head. */
+std::vector<Vector3d>
+PlacesOfEye(const CurveSet & centerline, const PolypCandidate & candidate)
 {
-  constexpr double distances[] = { 25.0, 20.0, 15.0, 10.0 }; // mm
-  constexpr double shortest = 6.0;                           // mm, even if obstructed
-  for (const double distance : distances)
-  {
-    const Vector3d eye = candidate.apex + distance * candidate.axis;
-    if (IsFree(wall, eye, candidate.apex))
-    {
-      return eye;
-    }
-  }
-  return candidate.apex + shortest * candidate.axis;
-}
-} // namespace
-
-PerspectiveCamera
-ChooseEye(const SurfaceLocator & wall, const CurveSet & centerline, const PolypCandidate & candidate)
-{
-  std::vector<std::pair<double, Eigen::Index>> places;
+  std::vector<std::pair<double, Eigen::Index>> onLine;
   for (Eigen::Index i = 0; i < centerline.V.rows(); ++i)
   {
     const Vector3d eye = centerline.V.row(i).transpose();
     const double   distance = (eye - candidate.apex).norm();
     if (distance >= nearestEye && distance <= farthestEye)
     {
-      places.emplace_back(CostOf(eye, candidate), i);
+      onLine.emplace_back(CostOf(eye, candidate), i);
     }
   }
-  std::sort(places.begin(), places.end());
-  constexpr double  fieldOfView = 70.0;   // degrees
+  std::sort(onLine.begin(), onLine.end());
+  std::vector<Vector3d> places;
+  for (const auto & place : onLine)
+  {
+    places.emplace_back(centerline.V.row(place.second).transpose());
+  }
+  for (const double distance : { 25.0, 20.0, 15.0, 10.0, 6.0 }) // mm
+  {
+    places.emplace_back(candidate.apex + distance * candidate.axis);
+  }
+  return places;
+}
+
+/** Field of view (degrees) in which a head takes a fifth to a half of the picture. */
+double
+FieldOfView(const PolypCandidate & candidate, double distance)
+{
+  constexpr double narrowest = 30.0, widest = 70.0;
+  constexpr double timesHead = 4.0;
+  const double     width = timesHead * std::max(candidate.diameter, candidate.height);
+  const double     degrees = 2.0 * std::atan(0.5 * width / distance) * 180.0 / M_PI;
+  return std::clamp(degrees, narrowest, widest);
+}
+} // namespace
+
+double
+VisibleShareOfHead(const SurfaceMesh &    wall,
+                   const SurfaceLocator & locator,
+                   const PolypCandidate & candidate,
+                   const Vector3d &       eye)
+{
+  constexpr std::size_t samples = 60;
+  const std::size_t     step = std::max<std::size_t>(1, candidate.vertices.size() / samples);
+  int                   all = 0, visible = 0;
+  for (std::size_t i = 0; i < candidate.vertices.size(); i += step)
+  {
+    ++all;
+    visible += IsFree(locator, eye, wall.V.row(candidate.vertices[i]).transpose()) ? 1 : 0;
+  }
+  return all > 0 ? static_cast<double>(visible) / all : 0.0;
+}
+
+PerspectiveCamera
+ChooseEye(const SurfaceMesh &    wall,
+          const SurfaceLocator & locator,
+          const CurveSet &       centerline,
+          const PolypCandidate & candidate)
+{
+  constexpr double  enough = 0.4;         // of the head, whose other side is never visible
   constexpr double  nearlyVertical = 0.9; // cosine of the view and the direction to the head
   PerspectiveCamera camera;
-  camera.focus = candidate.apex;
-  camera.fieldOfView = fieldOfView;
-  const auto best = std::find_if(places.begin(), places.end(), [&](const std::pair<double, Eigen::Index> & place) {
-    return IsFree(wall, centerline.V.row(place.second).transpose(), candidate.apex);
-  });
-  camera.eye = best == places.end() ? EyeAbove(wall, candidate) : Vector3d(centerline.V.row(best->second).transpose());
+  double            greatest = -1.0;
+  for (const Vector3d & place : PlacesOfEye(centerline, candidate))
+  {
+    const double share = VisibleShareOfHead(wall, locator, candidate, place);
+    if (share > greatest)
+    {
+      greatest = share;
+      camera.eye = place;
+    }
+    if (share >= enough)
+    {
+      break;
+    }
+  }
+  camera.focus = candidate.position;
+  camera.fieldOfView = FieldOfView(candidate, (camera.focus - camera.eye).norm());
   const Vector3d look = (camera.focus - camera.eye).normalized();
   camera.up =
     std::abs(look.z()) < nearlyVertical ? Vector3d::UnitZ() : Vector3d(-Vector3d::UnitY()); // head up, or anterior up

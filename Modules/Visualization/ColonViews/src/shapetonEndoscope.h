@@ -7,9 +7,19 @@
 
 namespace shapeton
 {
-/** Camera of PolypCandidatePictures::DrawFromWithin(). */
+/** Camera of PolypCandidatePictures::DrawFromWithin(): it looks at the center of the head. */
 PerspectiveCamera
-ChooseEye(const SurfaceLocator & wall, const CurveSet & centerline, const PolypCandidate & candidate);
+ChooseEye(const SurfaceMesh &    wall,
+          const SurfaceLocator & locator,
+          const CurveSet &       centerline,
+          const PolypCandidate & candidate);
+
+/** Fraction of the surface of a head that is visible from a point. */
+double
+VisibleShareOfHead(const SurfaceMesh &     wall,
+                   const SurfaceLocator &  locator,
+                   const PolypCandidate &  candidate,
+                   const Eigen::Vector3d & eye);
 
 /** Unit vertex normals into the lumen, weighted by face area. */
 VertexMatrix

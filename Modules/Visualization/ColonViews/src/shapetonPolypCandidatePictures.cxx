@@ -1,7 +1,9 @@
 #include "shapetonPolypCandidatePictures.h"
 
+#include "shapetonCandidateCrops.h"
 #include "shapetonEndoscope.h"
 
+#include "shapetonFlatColonLocator.h"
 #include "shapetonFacePlace.h"
 #include "shapetonFlatColonPictures.h"
 #include "shapetonPageColors.h"
@@ -24,11 +26,15 @@ using Eigen::Vector3d;
 
 constexpr unsigned int viewWidth = 400;
 constexpr unsigned int viewHeight = 300;
-constexpr int          heightOfTitle = 34;
+constexpr unsigned int cropSize = 196;
+constexpr int          cardGap = 6;
+constexpr int          cardLabel = 22;
 /** Magnification of the close-up relative to the flat colon. */
 constexpr double magnification = 4.0;
 /** Maximum width of wall in a close-up, mm. */
 constexpr double widestCloseUp = 60.0;
+/** The map shrinks heads on stalks more than any other wall. */
+constexpr double greatestMagnification = 1000.0;
 /** Pixels around the flat colon. */
 constexpr double pixelsAroundFlat = 200.0;
 /** Share of the color `head` on the head of a polyp; the mucosa shines through. */
@@ -37,6 +43,9 @@ const RGBColor   mucosa = MakeColor(232, 164, 144);
 const RGBColor   head = MakeColor(92, 138, 236);
 const RGBColor   ground = MakeColor(18, 19, 25);
 const RGBColor   lightInk = MakeColor(222, 226, 234);
+/** HU; C-RADS (Zalis et al., Radiology 2005) reads the colon with a wide window. */
+constexpr IntensityWindow softTissueWindow{ -160.0, 240.0 };
+constexpr IntensityWindow colonWindow{ -950.0, 550.0 };
 
 /** Same light as on strips: from the left and slightly above. */
 RGBColor
@@ -56,11 +65,11 @@ Lit(const RGBColor & color, const FlatColonFrame & frame, const Vector3d & norma
 
 /** Local scale: mm of wall per mm of the map. The heads of polyps are small on the map. */
 double
-MeanScaleAround(const FlatColonGrid & grid, const FlatPixel & middle)
+MeanScaleAround(const FlatColonGrid & grid, const FlatPixel & middle, int reach)
 {
-  constexpr int reach = 60, step = 10; // pixels
-  double        sum = 0.0;
-  int           number = 0;
+  const int step = std::max(1, reach / 6);
+  double    sum = 0.0;
+  int       number = 0;
   for (int column = std::max(0, middle.column - reach); column <= std::min(grid.Columns() - 1, middle.column + reach);
        column += step)
   {
@@ -77,18 +86,54 @@ MeanScaleAround(const FlatColonGrid & grid, const FlatPixel & middle)
   return number > 0 ? sum / number : 1.0;
 }
 
-/** Bilinear interpolation between pixel centers; NaN outside and in holes. */
-Vector3d
-PointBetweenPixels(const FlatColonGrid & grid, double column, double row)
+/** The flat surface as a mesh in the plane of the map: x is u, y is v. */
+SurfaceMesh
+Unfolded(const SurfaceMesh & flat)
 {
-  const int left = static_cast<int>(std::floor(column)), top = static_cast<int>(std::floor(row));
-  if (left < 0 || left + 1 >= grid.Columns())
+  const SurfaceArray * const uv = FindSurfaceArray(flat.pointArrays, "uv");
+  SurfaceMesh                plane;
+  plane.V = VertexMatrix::Zero(flat.V.rows(), 3);
+  plane.V.leftCols<2>() = uv->values;
+  plane.F = flat.F;
+  return plane;
+}
+
+void
+DrawLabel(Picture * picture, const std::string & text, int left, int top, unsigned int width)
+{
+  constexpr int size = 14;
+  TextStyle     style;
+  style.size = size;
+  style.color = lightInk;
+  DrawText(picture, text, left, top, FitText(text, style, static_cast<int>(width) - 4));
+}
+
+/** Adds a title, orientation letters, a scale bar, and marks that point to the center. */
+void
+MarkCrop(Picture * crop, const CandidatePlane & plane, const std::string & title)
+{
+  constexpr int           mark = 10; // pixels
+  constexpr int           letters = 13;
+  const RGBColor          color = MakeColor(255, 214, 90);
+  const double            middle = 0.5 * (cropSize - 1.0), last = cropSize - 1.0;
+  OrientationLettersStyle style;
+  itk::Vector<double, 3>  right(plane.right.data()), up(plane.up.data());
+  style.size = letters;
+  style.color = lightInk;
+  style.margin = mark + 3;
+  style.hasShadow = true;
+  DrawLine(crop, middle, 0.0, middle, mark, color);
+  DrawLine(crop, middle, last - mark, middle, last, color);
+  DrawLine(crop, 0.0, middle, mark, middle, color);
+  DrawLine(crop, last - mark, middle, last, middle, color);
+  DrawOrientationLetters(crop, right, up, style);
+  if (!title.empty())
   {
-    return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    FillRectangle(crop, 0, 0, static_cast<int>(cropSize), letters + 5, ground, shareOfHead);
+    DrawLabel(crop, title, 3, 1, cropSize);
+    DrawScaleBar(
+      crop, 4, static_cast<int>(cropSize) - 5, static_cast<int>(cropSize) / 3, plane.width / cropSize, lightInk);
   }
-  const double x = column - left, y = row - top;
-  return (1.0 - y) * ((1.0 - x) * grid.PointOfPixel(left, top) + x * grid.PointOfPixel(left + 1, top)) +
-         y * ((1.0 - x) * grid.PointOfPixel(left, top + 1) + x * grid.PointOfPixel(left + 1, top + 1));
 }
 
 std::vector<FlatAnnotation>
@@ -118,6 +163,9 @@ struct PolypCandidatePictures::Data
     , pixelSize(colon.flat->Grid().Circumference() / pixelsAroundFlat)
     , fine(colon.flat->Grid({ pixelSize / magnification, 0.0, 0.0 }))
     , axis(colon.flat->Axis({ pixelSize / magnification, 0.0, 0.0 }))
+    , flat(fine)
+    , unfolded(Unfolded(colon.flat->Surface()))
+    , onMap(unfolded.V, unfolded.F)
     , wall(colon.wall.V, colon.wall.F)
     , inwardNormals(InwardNormalsOf(colon.wall))
   {
@@ -151,11 +199,73 @@ struct PolypCandidatePictures::Data
     return Lit(MixColors(mucosa, head, shareOfHead * std::clamp(share, 0.0, 1.0)), frame, normal.normalized());
   }
 
+  /** Point of the flat surface at a place of the map; NaN outside and in holes. */
+  Vector3d
+  PointAt(const Eigen::Vector2d & uv) const
+  {
+    constexpr double tolerance = 1e-6; // mm, for rounding
+    for (const double turns : { 0.0, -1.0, 1.0 })
+    {
+      const Vector3d                place(uv.x(), uv.y() + turns * fine.Circumference(), 0.0);
+      const SurfaceLocator::Closest closest = onMap.FindClosest(place);
+      if (closest.distance <= tolerance)
+      {
+        const SurfaceMesh & surface = colon.flat->Surface();
+        const Vector3d      weights = BarycentricOf(unfolded, closest.face, closest.point);
+        Vector3d            point = Vector3d::Zero();
+        for (int k = 0; k < 3; ++k)
+        {
+          point += weights[k] * surface.V.row(unfolded.F(closest.face, k)).transpose();
+        }
+        return point;
+      }
+    }
+    return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  /** Relief of the map around a candidate; `step` is in mm of the map per pixel. */
+  Picture::Pointer
+  PaintMap(const PolypCandidate & candidate, double step, unsigned int width, unsigned int height) const
+  {
+    const auto   picture = NewPicture(width, height, ground);
+    const double down = fine.IsMirrored() ? -step : step;
+    ParallelFor(height, [&](std::size_t y) {
+      for (unsigned int x = 0; x < width; ++x)
+      {
+        const Eigen::Vector2d uv = candidate.uv + Eigen::Vector2d(step * (x + 0.5 - 0.5 * width),
+                                                                  down * (static_cast<double>(y) + 0.5 - 0.5 * height));
+        const Vector3d        point = this->PointAt(uv);
+        if (point.allFinite())
+        {
+          const int column = std::clamp(fine.PixelOfUv(uv).column, 0, fine.Columns() - 1);
+          picture->GetBufferPointer()[y * width + x] = this->ColorAt(FrameAt(axis, column, point), point);
+        }
+      }
+    });
+    return picture;
+  }
+
+  /** Width of the head on the map, mm. */
+  double
+  WidthOnMap(const PolypCandidate & candidate) const
+  {
+    double widest = 0.0;
+    for (const int vertex : candidate.vertices)
+    {
+      const Eigen::Vector2d uv = flat.Find(colon.wall.V.row(vertex).transpose()).uv;
+      widest = std::max(widest, 2.0 * std::abs(uv.x() - candidate.uv.x()));
+    }
+    return widest;
+  }
+
   const PolypColon &    colon;
   FlatColonParts        flatParts;
   double                pixelSize;
   const FlatColonGrid & fine;
   const FlatColonAxis & axis;
+  FlatColonLocator      flat;
+  SurfaceMesh           unfolded;
+  SurfaceLocator        onMap;
   SurfaceLocator        wall;
   VertexMatrix          inwardNormals;
   SurfaceMesh           wallWithHeads; ///< with one point array: 1 in the heads, else 0
@@ -182,36 +292,45 @@ PolypCandidatePictures::DrawFlatColon() const
 Picture::Pointer
 PolypCandidatePictures::DrawCloseUp(const PolypCandidate & candidate) const
 {
-  const FlatColonGrid & grid = m_Data->fine;
-  const FlatPixel       middle = grid.PixelOfUv(candidate.uv);
-  const double          scale = MeanScaleAround(grid, middle);
-  const double          enlargement = std::clamp(viewWidth * grid.PixelSize() * scale / widestCloseUp, 1.0, 8.0);
-  const auto            picture = NewPicture(viewWidth, viewHeight, ground);
-  ParallelFor(viewHeight, [&](std::size_t y) {
-    for (unsigned int x = 0; x < viewWidth; ++x)
-    {
-      const double   column = middle.column + (x - 0.5 * viewWidth) / enlargement;
-      const double   row = middle.row + (static_cast<double>(y) - 0.5 * viewHeight) / enlargement;
-      const Vector3d point = PointBetweenPixels(grid, column, row);
-      if (point.allFinite())
-      {
-        const FlatColonFrame frame = FrameAt(m_Data->axis, static_cast<int>(column), point);
-        picture->GetBufferPointer()[y * viewWidth + x] = m_Data->ColorAt(frame, point);
-      }
-    }
-  });
-  DrawScaleBar(picture, 10, viewHeight - 10, viewWidth / 4, scale * grid.PixelSize() / enlargement, InkColor);
+  constexpr int          reach = 60;       // pixels of the fine map
+  constexpr double       leastHead = 12.0; // pixels; smaller heads are magnified
+  constexpr double       headInset = 40.0; // pixels
+  constexpr unsigned int insetWidth = 150, insetHeight = 110;
+  const FlatColonGrid &  grid = m_Data->fine;
+  const double           scale = MeanScaleAround(grid, grid.PixelOfUv(candidate.uv), reach);
+  const double           step = std::min(widestCloseUp / (viewWidth * scale), grid.PixelSize());
+  const auto             picture = m_Data->PaintMap(candidate, step, viewWidth, viewHeight);
+  DrawScaleBar(picture, 10, viewHeight - 10, viewWidth / 4, scale * step, InkColor);
+  const double headOnMap = m_Data->WidthOnMap(candidate) / step;
+  if (headOnMap < leastHead)
+  {
+    const double magnified = headInset / std::max(headOnMap, headInset / greatestMagnification);
+    const int    left = viewWidth - insetWidth, top = viewHeight - insetHeight;
+    PastePicture(picture, m_Data->PaintMap(candidate, step / magnified, insetWidth, insetHeight), left, top);
+    DrawRectangle(picture, left, top, insetWidth, insetHeight, lightInk);
+    DrawLabel(picture, "enlarged " + std::to_string(std::lround(magnified)) + " times", left + 3, top + 2, insetWidth);
+    const int size = static_cast<int>(std::lround(candidate.diameter / (scale * step))); // as if it lay on the wall
+    DrawRectangle(
+      picture, (static_cast<int>(viewWidth) - size) / 2, (static_cast<int>(viewHeight) - size) / 2, size, size, head);
+  }
   return picture;
+}
+
+PerspectiveCamera
+PolypCandidatePictures::EndoluminalCamera(const PolypCandidate & candidate) const
+{
+  PerspectiveCamera camera = ChooseEye(m_Data->colon.wall, m_Data->wall, m_Data->colon.centerline, candidate);
+  camera.width = viewWidth;
+  camera.height = viewHeight;
+  return camera;
 }
 
 Picture::Pointer
 PolypCandidatePictures::DrawFromWithin(const PolypCandidate & candidate) const
 {
-  PerspectiveCamera camera = ChooseEye(m_Data->wall, m_Data->colon.centerline, candidate);
-  camera.width = viewWidth;
-  camera.height = viewHeight;
-  const SurfaceMesh     part = WallAround(m_Data->wallWithHeads, camera.focus, 80.0);
-  std::vector<RGBColor> colors;
+  const PerspectiveCamera camera = this->EndoluminalCamera(candidate);
+  const SurfaceMesh       part = WallAround(m_Data->wallWithHeads, camera.focus, 80.0);
+  std::vector<RGBColor>   colors;
   for (int vertex = 0; vertex < part.NumberOfVertices(); ++vertex)
   {
     colors.push_back(MixColors(mucosa, head, shareOfHead * part.pointArrays.front().values(vertex, 0)));
@@ -220,23 +339,65 @@ PolypCandidatePictures::DrawFromWithin(const PolypCandidate & candidate) const
 }
 
 Picture::Pointer
-PolypCandidatePictures::DrawCandidate(const PolypCandidate & candidate) const
+PolypCandidatePictures::DrawCrops(const PolypCandidate & candidate) const
 {
-  constexpr int gap = 8;
-  constexpr int titleSize = 18;
-  constexpr int titleLeft = 10;
-  constexpr int titleTop = 7;
-  const auto    page = NewPicture(2 * viewWidth + gap, viewHeight + heightOfTitle, ground);
-  TextStyle     style;
-  style.size = titleSize;
-  style.bold = true;
-  style.color = lightInk;
-  const std::string title = "Candidate " + std::to_string(candidate.number) + ": " +
-                            CsvTable::Rounded(candidate.diameter, 3) + " mm, score " +
-                            CsvTable::Rounded(candidate.score, 2) + " (research use)";
-  DrawText(page, title, titleLeft, titleTop, FitText(title, style, 2 * viewWidth - 2 * titleLeft));
-  PastePicture(page, this->DrawCloseUp(candidate), 0, heightOfTitle);
-  PastePicture(page, this->DrawFromWithin(candidate), viewWidth + gap, heightOfTitle);
+  const PolypColon & colon = m_Data->colon;
+  if (!colon.ct)
+  {
+    return nullptr;
+  }
+  const std::vector<CandidatePlane> planes = PlanesOf(colon.wall, colon.ct, candidate);
+  struct Row
+  {
+    const itk::Image<float, 3> * ct;
+    std::string                  title;
+    IntensityWindow              window;
+  };
+  std::vector<Row> rows;
+  for (const auto & [ct, name] :
+       { std::pair<const itk::Image<float, 3> *, const char *>{ colon.original, "CT" }, { colon.ct, "Cleansed CT" } })
+  {
+    if (ct != nullptr)
+    {
+      rows.push_back({ ct, std::string(name) + ", soft-tissue window", softTissueWindow });
+      rows.push_back({ ct, std::string(name) + ", colon window", colonWindow });
+    }
+  }
+  const int  step = static_cast<int>(cropSize) + cardGap;
+  const auto page = NewPicture(static_cast<unsigned int>(static_cast<int>(planes.size()) * step - cardGap),
+                               static_cast<unsigned int>(cardLabel + static_cast<int>(rows.size()) * step - cardGap),
+                               ground);
+  for (std::size_t column = 0; column < planes.size(); ++column)
+  {
+    const int left = static_cast<int>(column) * step;
+    DrawLabel(page, planes[column].title, left + 2, 2, cropSize);
+    for (std::size_t row = 0; row < rows.size(); ++row)
+    {
+      const auto crop = PaintPlane(planes[column], rows[row].ct, rows[row].window, cropSize);
+      MarkCrop(crop, planes[column], column == 0 ? rows[row].title : "");
+      PastePicture(page, crop, left, cardLabel + static_cast<int>(row) * step);
+    }
+  }
+  return page;
+}
+
+Picture::Pointer
+PolypCandidatePictures::DrawCard(const PolypCandidate & candidate) const
+{
+  const auto crops = this->DrawCrops(candidate);
+  const auto size = crops ? crops->GetLargestPossibleRegion().GetSize() : itk::Size<2>{ { 0, 0 } };
+  const int  left = crops ? static_cast<int>(size[0]) + 2 * cardGap : 0;
+  const int  block = cardLabel + static_cast<int>(viewHeight) + cardGap;
+  const auto height = std::max(static_cast<unsigned int>(size[1]), static_cast<unsigned int>(2 * block));
+  const auto page = NewPicture(static_cast<unsigned int>(left) + viewWidth, height, ground);
+  if (crops)
+  {
+    PastePicture(page, crops, 0, 0);
+  }
+  DrawLabel(page, "Endoluminal view", left + 2, 2, viewWidth);
+  PastePicture(page, this->DrawFromWithin(candidate), left, cardLabel);
+  DrawLabel(page, "Virtual dissection (unfolded view)", left + 2, block + 2, viewWidth);
+  PastePicture(page, this->DrawCloseUp(candidate), left, block + cardLabel);
   return page;
 }
 } // namespace shapeton

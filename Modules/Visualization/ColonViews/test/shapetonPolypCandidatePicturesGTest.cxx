@@ -66,10 +66,12 @@ BlueShare(const shapeton::Picture * picture, int left, int top, int width, int h
 }
 } // namespace
 
-TEST(PolypCandidatePictures, HeadIsInTheMiddleOfBothViews)
+/** A straight colon with bodies, its centerline and its flat map. */
+shapeton::PolypColon
+StraightColon(const std::vector<Body> & bodies)
 {
   shapeton::PolypColon colon;
-  colon.wall = MakeWall({ Ellipsoid(Base(0.0), 6.0, 7.0) });
+  colon.wall = MakeWall(bodies);
   colon.flat = std::make_shared<shapeton::FlatColon>(FlatTube());
   colon.centerline.V.resize(49, 3);
   for (int i = 0; i < 49; ++i)
@@ -79,7 +81,13 @@ TEST(PolypCandidatePictures, HeadIsInTheMiddleOfBothViews)
   colon.centerline.curves.emplace_back(49);
   std::iota(colon.centerline.curves[0].begin(), colon.centerline.curves[0].end(), 0);
   colon.centerline.pointArrays = { { "arcLength", Eigen::VectorXd::LinSpaced(49, 0.0, 48.0), false } };
-  auto candidates = shapeton::FindPolypCandidates(colon.wall);
+  return colon;
+}
+
+TEST(PolypCandidatePictures, HeadIsInTheMiddleOfBothViews)
+{
+  shapeton::PolypColon colon = StraightColon({ Ellipsoid(Base(0.0), 6.0, 7.0) });
+  auto                 candidates = shapeton::FindPolypCandidates(colon.wall);
   ASSERT_EQ(candidates.size(), 1u);
   candidates.front().uv = { 24.0, M_PI * radius };
   const shapeton::PolypCandidatePictures pictures(colon, candidates);
@@ -91,9 +99,62 @@ TEST(PolypCandidatePictures, HeadIsInTheMiddleOfBothViews)
   }
   const auto flat = pictures.DrawFlatColon();
   EXPECT_GT(flat->GetLargestPossibleRegion().GetSize(0), 100u);
-  EXPECT_EQ(pictures.DrawCandidate(candidates.front())->GetLargestPossibleRegion().GetSize(0), 808u);
+  EXPECT_EQ(pictures.DrawCrops(candidates.front()), nullptr); // no CT
+  EXPECT_EQ(pictures.DrawCard(candidates.front())->GetLargestPossibleRegion().GetSize(0), 400u);
   colon.flat = nullptr;
   EXPECT_THROW(shapeton::PolypCandidatePictures(colon, candidates), shapeton::InputError);
+}
+
+/** A polyp beside a higher plate, which hides it from one half of the centerline. */
+TEST(PolypCandidatePictures, WholeHeadIsInTheEndoluminalViewAlsoBehindAFold)
+{
+  const shapeton::PolypColon colon = StraightColon({ Plate(-7.0, 14.0), Ellipsoid(Base(2.0), 4.0, 4.0) });
+  auto                       candidates = shapeton::FindPolypCandidates(colon.wall);
+  ASSERT_FALSE(candidates.empty());
+  const shapeton::PolypCandidatePictures pictures(colon, candidates);
+  for (const shapeton::PolypCandidate & candidate : candidates)
+  {
+    const shapeton::PerspectiveCamera camera = pictures.EndoluminalCamera(candidate);
+    for (const int vertex : candidate.vertices)
+    {
+      const Eigen::Vector2d pixel = shapeton::ProjectPoint(colon.wall.V.row(vertex).transpose(), camera);
+      EXPECT_TRUE(pixel.x() > 0.0 && pixel.x() < 399.0 && pixel.y() > 0.0 && pixel.y() < 299.0);
+    }
+    EXPECT_GT(BlueShare(pictures.DrawFromWithin(candidate), 100, 75, 200, 150), 0.05);
+  }
+}
+
+/** Tissue is dark gray in the colon window and light in the soft-tissue window; gas is black in both. */
+TEST(PolypCandidatePictures, WholeHeadIsInAllCrops)
+{
+  const std::vector<Body> bodies{ Ball(Base(0.0) + 4.0 * Vector3d::UnitZ(), 5.0) };
+  shapeton::PolypColon    colon = StraightColon(bodies);
+  colon.ct = MakeImage<itk::Image<float, 3>>(
+    0.8, [](double d) { return d > 0.0 ? -950.0 : 50.0; }, bodies);
+  colon.original = MakeImage<itk::Image<float, 3>>(
+    0.8, [](double d) { return d > 0.0 ? 240.0 : 50.0; }, bodies); // under fluid
+  auto candidates = shapeton::FindPolypCandidates(colon.wall);
+  ASSERT_EQ(candidates.size(), 1u);
+  const auto crops = shapeton::PolypCandidatePictures(colon, candidates).DrawCrops(candidates.front());
+  ASSERT_EQ(crops->GetLargestPossibleRegion().GetSize(), (itk::Size<2>{ { 4 * 202 - 6, 22 + 4 * 202 - 6 } }));
+  const auto grayAt = [&](int column, int row, int x, int y) {
+    return static_cast<int>(crops->GetPixel({ { column * 202 + x, 22 + row * 202 + y } })[0]);
+  };
+  constexpr double pixelsPerMm = 196.0 / 40.0;
+  for (int column = 0; column < 4; ++column)
+  {
+    EXPECT_NEAR(grayAt(column, 0, 98, 98), 255 * 210 / 400, 8);   // CT, soft-tissue window
+    EXPECT_NEAR(grayAt(column, 1, 98, 98), 255 * 1000 / 1500, 8); // CT, colon window
+    EXPECT_NEAR(grayAt(column, 2, 98, 98), 255 * 210 / 400, 8);
+    EXPECT_NEAR(grayAt(column, 3, 98, 98), 255 * 1000 / 1500, 8);
+  }
+  // 12 mm to the right or left of the center of the head in the axial crop is fluid, removed by cleansing.
+  for (const int side : { -1, 1 })
+  {
+    const int x = 98 + static_cast<int>(side * 12.0 * pixelsPerMm);
+    EXPECT_GT(grayAt(0, 0, x, 98), 240);
+    EXPECT_LT(grayAt(0, 2, x, 98), 10);
+  }
 }
 
 TEST(PerspectiveRendering, PlacesAreThoseOfAPinhole)
