@@ -14,8 +14,9 @@ namespace shapeton
  *   head. A stalk is narrower than its head there; the wall around a sessile polyp is wider.
  * - On a fold: most of the wall within 2 mm of the head belongs to folds.
  *
- * \param isFold whether a point of the wall (LPS, mm) belongs to a fold; empty if folds are unknown. \ingroup
- * ShapetonPolypCandidates */
+ * \param isFold whether a point of the wall (LPS, mm) belongs to a fold; empty if folds are unknown.
+ *
+ * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
 MeasureMorphology(const SurfaceMesh &                                  wall,
                   const std::function<bool(const Eigen::Vector3d &)> & isFold,

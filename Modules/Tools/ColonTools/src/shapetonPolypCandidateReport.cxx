@@ -158,10 +158,9 @@ AddCard(HtmlReport & report, const PolypCandidate & candidate, const PolypPictur
   report.AddFacts(FactsOfCard(candidate));
   if (const std::string path = pictureOf(candidate.number); !path.empty())
   {
-    report.AddPicture(path,
-                      "Candidate " + std::to_string(candidate.number) +
-                        ": crops through the center of the head, marked at the borders; the head is blue in the "
-                        "endoluminal and the unfolded view.");
+    const std::string crops =
+      std::isfinite(candidate.attenuation) ? "Crops through the center of the head, marked at the borders. " : "";
+    report.AddPicture(path, crops + "The head is blue in the endoluminal and the unfolded view.");
   }
   report.AddMarkup("</section>\n");
 }
