@@ -1,4 +1,4 @@
-# Called by ctest: folds and polyps run in parallel. One fails and the other is kept; then both fail.
+# Called by ctest: polyps follow folds, also if these fail. One fails and the other is kept; then both fail.
 file(REMOVE_RECURSE ${OUT} ${OUT}Tools)
 file(COPY ${FINISHED}/ DESTINATION ${OUT})
 get_filename_component(tools ${TOOL} DIRECTORY)

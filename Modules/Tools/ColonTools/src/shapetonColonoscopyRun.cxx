@@ -121,6 +121,17 @@ public:
     return this->Status() == 0;
   }
 
+  /** Runs two stages one after the other; the second one also if the first one fails, because it can do without. */
+  bool
+  RunInTurn(const ColonoscopyStage & first, const ColonoscopyStage & second, const PartOfProgress & part)
+  {
+    StageResult before = this->Compute(first, part, NumberOfThreads());
+    StageResult after = this->Compute(second, { part.begin + first.share * part.share, part.share }, NumberOfThreads());
+    this->Record(std::move(before));
+    this->Record(std::move(after));
+    return this->Status() == 0;
+  }
+
   /** Exit status of the first failed stage; 0 if there is none. */
   int
   Status() const
@@ -262,7 +273,7 @@ RunOne(CommandLine & commandLine, SeriesRun & only)
   constexpr ColonoscopySeries first = ColonoscopySeries::First;
   constexpr PartOfProgress    series{ 0.0, 0.9 }, foldsAndPolyps{ 0.79, 0.13 }, last{ 0.93, 0.01 };
   if (only.Run(StagesOfSeries(commandLine, first), series) &&
-      only.RunBoth(StageOfFolds(commandLine, first), StageOfPolyps(commandLine, first), foldsAndPolyps))
+      only.RunInTurn(StageOfFolds(commandLine, first), StageOfPolyps(commandLine, first), foldsAndPolyps))
   {
     only.Run(LastStages(commandLine, ColonoscopySeries::First), last);
   }
