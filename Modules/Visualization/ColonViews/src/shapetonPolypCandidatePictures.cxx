@@ -112,6 +112,7 @@ DrawLabel(Picture * picture, const std::string & text, int left, int top, unsign
 void
 MarkCrop(Picture * crop, const CandidatePlane & plane, const std::string & title)
 {
+  constexpr int           padding = 5;
   constexpr int           mark = 10; // pixels
   constexpr int           letters = 13;
   const RGBColor          color = MakeColor(255, 214, 90);
@@ -129,10 +130,14 @@ MarkCrop(Picture * crop, const CandidatePlane & plane, const std::string & title
   DrawOrientationLetters(crop, right, up, style);
   if (!title.empty())
   {
-    FillRectangle(crop, 0, 0, static_cast<int>(cropSize), letters + 5, ground, shareOfHead);
+    FillRectangle(crop, 0, 0, static_cast<int>(cropSize), letters + padding, ground, shareOfHead);
     DrawLabel(crop, title, 3, 1, cropSize);
-    DrawScaleBar(
-      crop, 4, static_cast<int>(cropSize) - 5, static_cast<int>(cropSize) / 3, plane.width / cropSize, lightInk);
+    DrawScaleBar(crop,
+                 padding,
+                 static_cast<int>(cropSize) - padding,
+                 static_cast<int>(cropSize) / 3,
+                 plane.width / cropSize,
+                 lightInk);
   }
 }
 
