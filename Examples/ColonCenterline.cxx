@@ -23,10 +23,9 @@ main(int argc, char * argv[])
 
   const shapeton::ColonCenterline centerline = shapeton::TraceColonCenterline(phantom->GetLumenOutput());
   shapeton::WriteCurves(centerline.curve, argv[1]);
-  for (const shapeton::SegmentDistension & segment : shapeton::MeasureDistension(centerline.curve))
-  {
-    std::cout << segment.name << ": mean caliber " << segment.meanCaliber << " mm\n";
-  }
+  const shapeton::ColonDistension distension = shapeton::MeasureDistension(centerline.curve);
+  std::cout << "mean caliber " << distension.meanCaliber << " mm, " << 100.0 * distension.share
+            << " % of the length at least 10 mm wide\n";
   const shapeton::CurveSet truth = phantom->GetAnatomy().Centerline();
   double                   sum = 0.0;
   for (Eigen::Index i = 0; i < centerline.curve.V.rows(); ++i)

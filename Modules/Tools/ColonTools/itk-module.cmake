@@ -17,6 +17,7 @@ itk_module(ShapetonColonTools
   PRIVATE_DEPENDS
     ShapetonVolumeFiles
     ShapetonPhantoms
+    ShapetonColonCenterline
     ShapetonColonLumen
     ShapetonFlatColon
     ShapetonPictureKit

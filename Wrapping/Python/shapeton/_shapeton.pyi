@@ -89,6 +89,34 @@ class ColonCenterline:
         ...
 
 
+class ColonDistension:
+    """Distension of a stretch of the colon."""
+    @property
+    def begin(self) -> float:
+        """Start along the centerline, mm."""
+        ...
+
+    @property
+    def collapsed_length(self) -> float:
+        """Length without lumen, mm."""
+        ...
+
+    @property
+    def end(self) -> float:
+        """End along the centerline, mm."""
+        ...
+
+    @property
+    def mean_caliber(self) -> float:
+        """Mean inner diameter, mm."""
+        ...
+
+    @property
+    def share(self) -> float:
+        """Fraction of its length with a diameter of at least 10 mm, 0 to 1."""
+        ...
+
+
 class ColonFlattening:
     """A flattened tube with its measurements."""
     @property
@@ -279,8 +307,8 @@ class ColonModel:
         ...
 
     @property
-    def distension(self) -> List[SegmentDistension]:
-        """Distension of the segments."""
+    def distension(self) -> ColonDistension:
+        """Distension of the whole colon."""
         ...
 
     @property
@@ -1340,39 +1368,6 @@ class SeededLabels:
     @property
     def warnings(self) -> List[str]:
         """Labels that hardly extend beyond their seeds, one per line."""
-        ...
-
-
-class SegmentDistension:
-    """Distension of a segment of the colon."""
-    @property
-    def begin(self) -> float:
-        """Start along the centerline, mm."""
-        ...
-
-    @property
-    def collapsed_length(self) -> float:
-        """Length without lumen, mm."""
-        ...
-
-    @property
-    def end(self) -> float:
-        """End along the centerline, mm."""
-        ...
-
-    @property
-    def mean_caliber(self) -> float:
-        """Mean inner diameter, mm."""
-        ...
-
-    @property
-    def name(self) -> str:
-        """Name of the segment."""
-        ...
-
-    @property
-    def share(self) -> float:
-        """Fraction of its length with a diameter of at least 10 mm, 0 to 1."""
         ...
 
 

@@ -133,14 +133,12 @@ AddCenterline(py::module_ & module)
     .def_readonly("distance", &CenterlineGap::distance, "Straight distance between the ends of the lumen, mm.")
     .def_readonly("is_doubtful", &CenterlineGap::isDoubtful, "Whether it is longer than known collapsed segments.");
 
-  py::class_<SegmentDistension>(module, "SegmentDistension", "Distension of a segment of the colon.")
-    .def_readonly("name", &SegmentDistension::name, "Name of the segment.")
-    .def_readonly("begin", &SegmentDistension::begin, "Start along the centerline, mm.")
-    .def_readonly("end", &SegmentDistension::end, "End along the centerline, mm.")
-    .def_readonly(
-      "share", &SegmentDistension::share, "Fraction of its length with a diameter of at least 10 mm, 0 to 1.")
-    .def_readonly("mean_caliber", &SegmentDistension::meanCaliber, "Mean inner diameter, mm.")
-    .def_readonly("collapsed_length", &SegmentDistension::collapsedLength, "Length without lumen, mm.");
+  py::class_<ColonDistension>(module, "ColonDistension", "Distension of a stretch of the colon.")
+    .def_readonly("begin", &ColonDistension::begin, "Start along the centerline, mm.")
+    .def_readonly("end", &ColonDistension::end, "End along the centerline, mm.")
+    .def_readonly("share", &ColonDistension::share, "Fraction of its length with a diameter of at least 10 mm, 0 to 1.")
+    .def_readonly("mean_caliber", &ColonDistension::meanCaliber, "Mean inner diameter, mm.")
+    .def_readonly("collapsed_length", &ColonDistension::collapsedLength, "Length without lumen, mm.");
 
   py::class_<ColonCenterline>(module, "ColonCenterline", "The centerline of a colon from the rectum to the cecum.")
     .def_readonly(
@@ -151,7 +149,7 @@ AddCenterline(py::module_ & module)
     .def_readonly("warnings", &ColonCenterline::warnings, "Doubtful results, one per line.");
 
   module.def("trace_centerline", Reporting(&Trace), ReleaseGil());
-  module.def("measure_distension", [](const CurveSet & centerline) { return MeasureDistension(centerline); });
+  module.def("measure_distension", &MeasureDistension);
 }
 
 void
@@ -203,7 +201,7 @@ AddModel(py::module_ & module)
     .def_readonly("centerline", &ColonModel::centerline, "ColonCenterline; its curve includes the valve.")
     .def_property_readonly(
       "valve", [](const ColonModel & model) { return model.valve.valve; }, "IleocecalValve; None if it was not found.")
-    .def_readonly("distension", &ColonModel::distension, "Distension of the segments.")
+    .def_readonly("distension", &ColonModel::distension, "Distension of the whole colon.")
     .def_readonly("wall", &ColonModel::wall, "ColonWall.")
     .def_readonly("warnings", &ColonModel::warnings, "Warnings of all stages, one per line.")
     .def_readonly("failure", &ColonModel::failure, "Reason why the colon is not usable; otherwise empty.")

@@ -104,7 +104,7 @@ class Examination:
 supine, prone = Examination("supine"), Examination("prone")
 phantom, model, flat, landmarks = supine.phantom, supine.model, supine.flat, supine.landmarks
 centerline, wall, folds, position = model.centerline, model.wall, supine.folds, supine.position
-line, distension, fold, flexure = centerline.curve, model.distension[0], folds.folds[0], landmarks.flexures[0]
+line, distension, fold, flexure = centerline.curve, model.distension, folds.folds[0], landmarks.flexures[0]
 piece = colon.split_colon(landmarks)[0][0]
 lumen = colon.segment_lumen(phantom.ct)
 thresholds, cleansed = lumen.thresholds, colon.cleanse(phantom.ct, lumen)
@@ -118,7 +118,7 @@ z, y, x = numpy.rint(phantom.lumen.index(line.points()[len(line.vertices) // 2])
 collapsed[z - 8 : z + 9, y - 8 : y + 9, x - 8 : x + 9] = 0
 gap = colon.trace_centerline(phantom.lumen.like(collapsed)).gaps[0]
 """,
-        "ColonPhantom ColonModel ColonCenterline ColonWall Curves SegmentDistension CenterlineGap FlatColon HaustralFolds "
+        "ColonPhantom ColonModel ColonCenterline ColonWall Curves ColonDistension CenterlineGap FlatColon HaustralFolds "
         "HaustralFold ColonLandmarks ColonFlexure ColonPiece ColonPosition ColonLumen ColonThresholds CleansedColon "
         "IleocecalValve Registration MatchedFolds PolypCandidate PolypInOtherPosition",
     ),

@@ -8,45 +8,25 @@ namespace shapeton
 {
 namespace
 {
+/** Adds the part of one step of the line within the stretch. */
 void
-RequireBorders(const std::vector<ColonSegmentBorder> & borders)
+AddStep(double from, double to, double caliber, bool isGap, ColonDistension & stretch)
 {
-  RequireParameter(!borders.empty(), "distension requires at least one segment of the colon");
-  for (std::size_t i = 1; i < borders.size(); ++i)
-  {
-    RequireParameter(borders[i].end >= borders[i - 1].end,
-                     "the border of the segment \"" + borders[i].name + "\" must not precede the previous border");
-  }
-}
-
-/** Adds the part of one step of the line within the segment. */
-void
-AddStep(double from, double to, double caliber, bool isGap, SegmentDistension & segment)
-{
-  const double part = std::min(to, segment.end) - std::max(from, segment.begin);
+  const double part = std::min(to, stretch.end) - std::max(from, stretch.begin);
   if (part <= 0.0)
   {
     return;
   }
-  segment.share += caliber >= LeastDistendedCaliber ? part : 0.0;
-  segment.meanCaliber += part * caliber;
-  segment.collapsedLength += isGap ? part : 0.0;
+  stretch.share += caliber >= LeastDistendedCaliber ? part : 0.0;
+  stretch.meanCaliber += part * caliber;
+  stretch.collapsedLength += isGap ? part : 0.0;
 }
 } // namespace
 
-std::vector<ColonSegmentBorder>
-CustomarySegments(double length)
+ColonDistension
+MeasureDistension(const CurveSet & curve, double begin, double end)
 {
-  constexpr double rectum = 0.10, sigmoid = 0.35, descending = 0.52, transverse = 0.83, ascending = 0.96;
-  return { { "rectum", rectum * length },         { "sigmoid", sigmoid * length },
-           { "descending", descending * length }, { "transverse", transverse * length },
-           { "ascending", ascending * length },   { "cecum", length } };
-}
-
-std::vector<SegmentDistension>
-MeasureDistension(const CurveSet & curve, const std::vector<ColonSegmentBorder> & borders)
-{
-  RequireBorders(borders);
+  RequireParameter(end >= begin, "the end of a stretch of the colon must not precede its beginning");
   const Eigen::VectorXd arc = PointValues(curve, "arcLength", "the centerline");
   const Eigen::VectorXd radius = PointValues(curve, "radius", "the centerline");
   const Eigen::VectorXd gap = PointValues(curve, "gap", "the centerline");
@@ -55,34 +35,18 @@ MeasureDistension(const CurveSet & curve, const std::vector<ColonSegmentBorder> 
   {
     throw InputError("the centerline has zero length: distension cannot be measured. Give a line of several points.");
   }
-  std::vector<SegmentDistension> segments;
-  double                         begin = arc[0];
-  for (const ColonSegmentBorder & border : borders)
+  ColonDistension distension;
+  distension.begin = std::clamp(begin, arc[0], arc[last]);
+  distension.end = std::clamp(end, arc[0], arc[last]);
+  for (Eigen::Index i = 0; i < last; ++i)
   {
-    const bool        isLast = &border == &borders.back();
-    SegmentDistension segment;
-    segment.name = border.name;
-    segment.begin = begin;
-    segment.end = isLast ? arc[last] : std::clamp(border.end, begin, arc[last]);
-    for (Eigen::Index i = 0; i < last; ++i)
-    {
-      const bool   isGap = gap[i] != 0.0 || gap[i + 1] != 0.0;
-      const double caliber = isGap ? 0.0 : radius[i] + radius[i + 1];
-      AddStep(arc[i], arc[i + 1], caliber, isGap, segment);
-    }
-    const double length = segment.end - segment.begin;
-    segment.share = length > 0.0 ? segment.share / length : 0.0;
-    segment.meanCaliber = length > 0.0 ? segment.meanCaliber / length : 0.0;
-    begin = segment.end;
-    segments.push_back(segment);
+    const bool   isGap = gap[i] != 0.0 || gap[i + 1] != 0.0;
+    const double caliber = isGap ? 0.0 : radius[i] + radius[i + 1];
+    AddStep(arc[i], arc[i + 1], caliber, isGap, distension);
   }
-  return segments;
-}
-
-std::vector<SegmentDistension>
-MeasureDistension(const CurveSet & curve)
-{
-  const Eigen::VectorXd arc = PointValues(curve, "arcLength", "the centerline");
-  return MeasureDistension(curve, CustomarySegments(arc.size() > 0 ? arc[arc.size() - 1] : 0.0));
+  const double length = distension.end - distension.begin;
+  distension.share = length > 0.0 ? distension.share / length : 0.0;
+  distension.meanCaliber = length > 0.0 ? distension.meanCaliber / length : 0.0;
+  return distension;
 }
 } // namespace shapeton

@@ -33,46 +33,27 @@ Line()
 
 TEST(ColonDistension, CountsLengthsNotPoints)
 {
-  const auto whole = shapeton::MeasureDistension(Line(), { { "colon", 0.0 } });
-  ASSERT_EQ(whole.size(), 1u);
-  EXPECT_DOUBLE_EQ(whole[0].share, 0.4);
-  EXPECT_DOUBLE_EQ(whole[0].meanCaliber, (40.0 * 30.0 + 40.0 * 8.0) / 100.0);
-  EXPECT_DOUBLE_EQ(whole[0].collapsedLength, 20.0);
+  const shapeton::ColonDistension whole = shapeton::MeasureDistension(Line());
+  EXPECT_DOUBLE_EQ(whole.share, 0.4);
+  EXPECT_DOUBLE_EQ(whole.meanCaliber, (40.0 * 30.0 + 40.0 * 8.0) / 100.0);
+  EXPECT_DOUBLE_EQ(whole.collapsedLength, 20.0);
 }
 
 TEST(ColonDistension, CutsStepsAtBorders)
 {
-  const auto parts = shapeton::MeasureDistension(Line(), { { "a", 25.0 }, { "b", 50.0 }, { "c", 0.0 + 50.0 } });
-  ASSERT_EQ(parts.size(), 3u);
-  EXPECT_DOUBLE_EQ(parts[0].share, 1.0);
-  EXPECT_DOUBLE_EQ(parts[1].share, 15.0 / 25.0);
-  EXPECT_DOUBLE_EQ(parts[1].collapsedLength, 10.0);
-  EXPECT_DOUBLE_EQ(parts[2].share, 0.0);
-  EXPECT_DOUBLE_EQ(parts[2].end, 100.0);
-  EXPECT_DOUBLE_EQ(parts[2].meanCaliber, 40.0 * 8.0 / 50.0);
-}
-
-TEST(ColonDistension, CustomarySegmentsCoverTheWholeLine)
-{
-  const auto segments = shapeton::MeasureDistension(Line());
-  ASSERT_EQ(segments.size(), 6u);
-  double length = 0.0;
-  double distended = 0.0;
-  for (const auto & segment : segments)
-  {
-    length += segment.end - segment.begin;
-    distended += segment.share * (segment.end - segment.begin);
-  }
-  EXPECT_NEAR(length, 100.0, 1e-9);
-  EXPECT_NEAR(distended, 40.0, 1e-9);
-  EXPECT_EQ(segments.front().name, "rectum");
-  EXPECT_EQ(segments.back().name, "cecum");
+  EXPECT_DOUBLE_EQ(shapeton::MeasureDistension(Line(), 0.0, 25.0).share, 1.0);
+  const shapeton::ColonDistension middle = shapeton::MeasureDistension(Line(), 25.0, 50.0);
+  EXPECT_DOUBLE_EQ(middle.share, 15.0 / 25.0);
+  EXPECT_DOUBLE_EQ(middle.collapsedLength, 10.0);
+  const shapeton::ColonDistension rest = shapeton::MeasureDistension(Line(), 50.0, 200.0);
+  EXPECT_DOUBLE_EQ(rest.share, 0.0);
+  EXPECT_DOUBLE_EQ(rest.end, 100.0);
+  EXPECT_DOUBLE_EQ(rest.meanCaliber, 40.0 * 8.0 / 50.0);
 }
 
 TEST(ColonDistension, RefusesWhatHasNoLengthOrOrder)
 {
-  EXPECT_THROW(shapeton::MeasureDistension(Line(), {}), shapeton::ParameterError);
-  EXPECT_THROW(shapeton::MeasureDistension(Line(), { { "a", 50.0 }, { "b", 20.0 } }), shapeton::ParameterError);
+  EXPECT_THROW(shapeton::MeasureDistension(Line(), 50.0, 20.0), shapeton::ParameterError);
   shapeton::CurveSet curve = Line();
   curve.pointArrays.pop_back();
   EXPECT_THROW(shapeton::MeasureDistension(curve), shapeton::InputError);

@@ -61,10 +61,9 @@ struct ColonModel
   ValveSearch     valve;
   /** Terminal ileum, which was removed from labels, line and wall. */
   std::optional<TerminalIleum> terminalIleum;
-  /** Distension of the segments, and of the whole line. */
-  std::vector<SegmentDistension> distension;
-  SegmentDistension              wholeDistension;
-  ColonWall                      wall;
+  /** Distension of the whole line. */
+  ColonDistension distension;
+  ColonWall       wall;
   /** Warnings of all stages. */
   Remarks warnings;
   /** Reason why the colon is not usable, or empty. On failure only the first parts are set; with keepPartial, all

@@ -59,7 +59,6 @@ TraceLine(ColonModel & model, const ColonModelSettings & options)
   MarkHindrances(model.lumen, model.centerline.curve);
   JudgeCuts(model.centerline);
   model.distension = MeasureDistension(model.centerline.curve);
-  model.wholeDistension = MeasureDistension(model.centerline.curve, { { "colon", model.centerline.length } }).front();
 }
 
 void

@@ -203,28 +203,15 @@ CenterlineToJson(const ColonCenterline & centerline)
 }
 
 Json
-ToJson(const SegmentDistension & segment)
-{
-  return { { "name", segment.name },
-           { "begin", segment.begin },
-           { "end", segment.end },
-           { "share", segment.share },
-           { "meanCaliber", segment.meanCaliber },
-           { "collapsedLength", segment.collapsedLength } };
-}
-
-Json
-DistensionToJson(const ColonModel & model)
+DistensionToJson(const ColonDistension & distension)
 {
   Json json;
-  json["note"] = "fraction of the centerline with a caliber of at least 10 mm; segment borders at customary fractions "
-                 "of the length, not at landmarks";
-  json["whole"] = ToJson(model.wholeDistension);
-  json["segments"] = Json::array();
-  for (const SegmentDistension & segment : model.distension)
-  {
-    json["segments"].push_back(ToJson(segment));
-  }
+  json["note"] = "share: fraction of the centerline with a caliber of at least 10 mm";
+  json["whole"] = { { "begin", distension.begin },
+                    { "end", distension.end },
+                    { "share", distension.share },
+                    { "meanCaliber", distension.meanCaliber },
+                    { "collapsedLength", distension.collapsedLength } };
   return json;
 }
 
@@ -350,7 +337,7 @@ ColonQualityToJson(const ColonModel & model)
   if (!model.centerline.curve.curves.empty())
   {
     json["centerline"] = CenterlineToJson(model.centerline);
-    json["distension"] = DistensionToJson(model);
+    json["distension"] = DistensionToJson(model.distension);
     json["assessability"] = AssessabilityToJson(model);
     json["ileocecalValve"] = ValveToJson(model.valve);
     json["terminalIleum"] = IleumToJson(model.terminalIleum);

@@ -74,7 +74,7 @@ AddLineFacts(const ColonModel & model, Facts & facts)
                      std::to_string(line.gaps.size()) + (line.gaps.empty() ? "" : ", " + Millimeters(bridged)));
   facts.emplace_back("Places where loops have merged", std::to_string(line.merges.size()));
   facts.emplace_back("Distended (caliber of at least 10 mm)",
-                     CsvTable::Rounded(100.0 * model.wholeDistension.share, 3) + " % of the centerline");
+                     CsvTable::Rounded(100.0 * model.distension.share, 3) + " % of the centerline");
 }
 
 void
@@ -181,17 +181,6 @@ ParameterFacts(const ColonLumen & lumen)
   return facts;
 }
 
-std::vector<ColonSegment>
-DistensionOfSegments(const std::vector<SegmentDistension> & distension)
-{
-  std::vector<ColonSegment> segments;
-  for (const SegmentDistension & one : distension)
-  {
-    segments.push_back({ one.name, one.begin, one.end, one.share });
-  }
-  return segments;
-}
-
 std::vector<std::pair<std::string, std::string>>
 LeftOutFacts(const ColonLumen & lumen)
 {
@@ -227,7 +216,6 @@ ColonModelReport::Write(const ColonModel & model, const Volume & volume, bool at
   content.colon.lumen = model.lumen.labels;
   content.colon.centerline = model.centerline.curve.curves.empty() ? nullptr : &model.centerline.curve;
   content.colon.wall = model.wall.simplified.NumberOfFaces() > 0 ? &model.wall.simplified : nullptr;
-  content.segments = DistensionOfSegments(model.distension);
   content.input = InputFacts(volume);
   content.summary = SummaryFacts(model);
   content.parameters = model.hasIntensities ? ParameterFacts(model.lumen) : Facts{ { "Lumen", "a mask, as given" } };

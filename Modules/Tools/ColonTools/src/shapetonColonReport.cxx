@@ -46,34 +46,14 @@ private:
   const OutputPath & m_OutputPath;
 };
 
-std::string
-Share(double share)
-{
-  return share < 0.0 ? std::string() : CsvTable::Rounded(std::round(100.0 * share), 3) + " %";
-}
-
 void
 AddDistension(HtmlReport & html, PicturePages & pages, const ColonReportContent & content)
 {
   html.AddHeading("Distension");
   pages.Add(
     { { "distension.png",
-        [&] { return DrawDistensionChart(*content.colon.centerline, content.segments); },
-        "Caliber (twice the radius of the largest ball inside) along the centerline. The dashed line marks 10 mm." } });
-  if (content.segments.empty())
-  {
-    return;
-  }
-  CsvTable table({ "segment", "from, mm", "to, mm", "length, mm", "at least 10 mm wide" });
-  for (const ColonSegment & segment : content.segments)
-  {
-    table.AddRow({ segment.name,
-                   CsvTable::Rounded(std::round(segment.begin), 6),
-                   CsvTable::Rounded(std::round(segment.end), 6),
-                   CsvTable::Rounded(std::round(segment.end - segment.begin), 6),
-                   Share(segment.distendedShare) });
-  }
-  html.AddTable(table, "Segments by distance from the anal verge, with the distended fraction of their centerline");
+        [&] { return DrawDistensionChart(*content.colon.centerline, {}); },
+        "Caliber (diameter of the maximum inscribed sphere) along the centerline. The dashed line marks 10 mm." } });
 }
 
 void

@@ -19,8 +19,6 @@ struct ColonReportContent
 
   std::string title{ "Colon surface and centerline" };
   ColonParts  colon;
-  /** Segments from the anal verge on; may be empty. */
-  std::vector<ColonSegment> segments;
 
   /** Input: name, modality, position, geometry. */
   Facts input;

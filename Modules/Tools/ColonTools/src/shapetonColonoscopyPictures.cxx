@@ -1,5 +1,6 @@
 #include "shapetonColonoscopyPictures.h"
 
+#include "shapetonColonDistension.h"
 #include "shapetonColonFlexures.h"
 #include "shapetonColonLandmarkPictures.h"
 #include "shapetonJson.h"
@@ -134,27 +135,6 @@ AddCenterline(SurfaceScene & scene, SurfaceRenderingOptions & options, const Cur
   scene.curves.push_back(actor);
 }
 
-/** Fraction of the centerline between two distances with a caliber of at least 10 mm; gaps count as 0. */
-double
-DistendedShare(const CurveSet & centerline, double begin, double end)
-{
-  const SurfaceArray * const distance = FindSurfaceArray(centerline.pointArrays, "arcLength");
-  const SurfaceArray * const radius = FindSurfaceArray(centerline.pointArrays, "radius");
-  const SurfaceArray * const gap = FindSurfaceArray(centerline.pointArrays, "gap");
-  constexpr double           enough = 10.0;
-  int                        wide = 0;
-  int                        all = 0;
-  for (Eigen::Index i = 0; distance && radius && i < distance->values.rows(); ++i)
-  {
-    if (distance->values(i, 0) >= begin && distance->values(i, 0) < end)
-    {
-      ++all;
-      wide += 2.0 * radius->values(i, 0) >= enough && (!gap || gap->values(i, 0) == 0.0) ? 1 : 0;
-    }
-  }
-  return all > 0 ? static_cast<double>(wide) / all : -1.0;
-}
-
 std::vector<FlatLine>
 FlatTaeniae(const CurveSet & taeniae)
 {
@@ -192,16 +172,10 @@ ChartSegmentsOf(const ColonoscopyResults & results)
   std::vector<ColonSegment> segments;
   for (const ColonSegmentExtent & segment : results.segments)
   {
-    segments.push_back(
-      { segment.name, segment.begin, segment.end, DistendedShare(results.centerline, segment.begin, segment.end) });
-  }
-  const Json::json_pointer guessed("/distension/segments");
-  if (segments.empty() && results.quality.contains(guessed))
-  {
-    for (const Json & one : results.quality[guessed])
-    {
-      segments.push_back({ one["name"], one["begin"], one["end"], one["share"] });
-    }
+    segments.push_back({ segment.name,
+                         segment.begin,
+                         segment.end,
+                         MeasureDistension(results.centerline, segment.begin, segment.end).share });
   }
   return segments;
 }

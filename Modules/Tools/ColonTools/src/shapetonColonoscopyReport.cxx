@@ -67,12 +67,8 @@ void
 AddDistension(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & results)
 {
   html.AddHeading("Distension");
-  pictures.Add(
-    DrawDistensionChart(results.centerline, ChartSegmentsOf(results)),
-    std::string("Caliber (twice the radius of the largest ball inside) along the centerline. The dashed line "
-                "marks 10 mm. ") +
-      (results.segments.empty() ? "Segment borders are at typical fractions of the length."
-                                : "Segment borders are from the landmarks."));
+  pictures.Add(DrawDistensionChart(results.centerline, ChartSegmentsOf(results)),
+               "Caliber (diameter of the maximum inscribed sphere) along the centerline. The dashed line marks 10 mm.");
 }
 
 void

@@ -17,7 +17,6 @@ ContentOf(const shapeton::TestColon & colon)
 {
   shapeton::ColonReportContent content;
   content.colon = colon.Parts();
-  content.segments = shapeton::TestSegments();
   content.input = { { "File", "a<b>.nrrd" } };
   content.summary = { { "Volume of gas", "12 ml" }, { "Genus, raw & repaired", "3, 0" } };
   content.parameters = { { "Gas below", "-800 HU" } };
