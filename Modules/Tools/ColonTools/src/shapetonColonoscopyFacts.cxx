@@ -23,10 +23,16 @@ Centimeters(double mm)
   return CsvTable::Rounded(std::round(mm) / millimetersPerCm, digitsOfSize) + " cm";
 }
 
+/** A part is never rounded to all or nothing. */
 std::string
 WholePercent(double share)
 {
-  return share < 0.0 ? "" : CsvTable::Rounded(std::round(100.0 * share), 3) + " %";
+  constexpr double hundred = 100.0;
+  const double     whole = std::round(hundred * share);
+  return share < 0.0                       ? ""
+         : whole == hundred && share < 1.0 ? "> 99 %"
+         : whole == 0.0 && share > 0.0     ? "< 1 %"
+                                           : CsvTable::Rounded(whole, 3) + " %";
 }
 
 /** A number of a document, or NaN. */
