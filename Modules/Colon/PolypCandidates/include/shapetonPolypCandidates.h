@@ -88,11 +88,12 @@ enum class PolypLookalike
   Catheter,
   Balloon,
   Gas,
+  Residue, ///< of electronic cleansing: fluid that was not removed
   Tagged
 };
 
-/** "ileocecal valve", "rectal catheter", "balloon of the rectal catheter", "gas", "tagged stool or residue"; empty for
- * none. \ingroup ShapetonPolypCandidates */
+/** "ileocecal valve", "rectal catheter", "balloon of the rectal catheter", "gas", "residue of electronic cleansing",
+ * "tagged stool or residue"; empty for none. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
                                NameOf(PolypLookalike lookalike);
 

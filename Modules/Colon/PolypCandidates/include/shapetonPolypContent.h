@@ -35,6 +35,15 @@ MeasureContent(const SurfaceMesh &           wall,
                const PolypLumenImage *       lumen,
                std::vector<PolypCandidate> & candidates);
 
+/** Recognizes residue of electronic cleansing: heads that are tagged (more than 300 HU) in the CT before cleansing, but
+ * not after it. Adds a remark; scores are unchanged. \param original HU, before cleansing.
+ * \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT void
+NoteResidue(const SurfaceMesh &           wall,
+            const itk::Image<float, 3> *  original,
+            const PolypLumenImage *       lumen,
+            std::vector<PolypCandidate> & candidates);
+
 /** Labels the voxels of the heads with their candidate numbers, 0 elsewhere; shared voxels are assigned to the first. A
  * head consists of the lines from its surface to its center used by MeasureContent(), without the lumen.
  * \ingroup ShapetonPolypCandidates */

@@ -100,6 +100,8 @@ NameOf(PolypLookalike lookalike)
       return "balloon of the rectal catheter";
     case PolypLookalike::Gas:
       return "gas";
+    case PolypLookalike::Residue:
+      return "residue of electronic cleansing";
     case PolypLookalike::Tagged:
       return "tagged stool or residue";
     default:

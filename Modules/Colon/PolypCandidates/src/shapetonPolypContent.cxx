@@ -289,6 +289,27 @@ MeasureContent(const SurfaceMesh &           wall,
   Rank(candidates);
 }
 
+void
+NoteResidue(const SurfaceMesh &           wall,
+            const itk::Image<float, 3> *  original,
+            const PolypLumenImage *       lumen,
+            std::vector<PolypCandidate> & candidates)
+{
+  constexpr double leastOfFluid = 300.0; // HU; blur raises heads under fluid to less than 150 HU
+  const auto       interpolator = itk::LinearInterpolateImageFunction<itk::Image<float, 3>, double>::New();
+  interpolator->SetInputImage(original);
+  const LumenAt lumenAt(lumen);
+  for (PolypCandidate & candidate : candidates)
+  {
+    const double before = Quantile(ValuesInside(InnerPointsOf(wall, candidate, *interpolator, lumenAt)), 0.5);
+    if (candidate.lookalike == PolypLookalike::None && before >= leastOfFluid)
+    {
+      candidate.lookalike = PolypLookalike::Residue;
+      AddRemark(NameOf(candidate.lookalike), candidate);
+    }
+  }
+}
+
 itk::Image<unsigned short, 3>::Pointer
 LabelPolypHeads(const SurfaceMesh & wall, const PolypLumenImage * lumen, const std::vector<PolypCandidate> & candidates)
 {

@@ -206,6 +206,10 @@ SearchPolyps(const PolypColon & colon, const PolypSearchSettings & options)
   {
     MeasureContent(colon.wall, colon.ct, colon.lumen, candidates);
   }
+  if (colon.original)
+  {
+    NoteResidue(colon.wall, colon.original, colon.lumen, candidates);
+  }
   if (colon.flat)
   {
     PlaceOnFlatMap(*colon.flat, candidates);

@@ -440,6 +440,26 @@ TEST(PolypCandidates, AFilmOfContrastIsNoStool)
   }
 }
 
+TEST(PolypCandidates, FluidThatCleansingLeftIsResidue)
+{
+  const std::vector<Body>     bodies{ Ball(Base(0.0) + 3.0 * Vector3d::UnitZ(), 3.5) };
+  const shapeton::SurfaceMesh wall = MakeWall(bodies);
+  auto                        candidates = Find(wall);
+  ASSERT_EQ(candidates.size(), 1u);
+  const auto lumen = MakeImage<shapeton::PolypLumenImage>(
+    0.8, [](double d) { return static_cast<unsigned char>(d > 0.0 ? 2 : 0); }, bodies);
+  for (const double inside : { 45.0, 700.0 })
+  {
+    // Before cleansing: fluid of 700 HU around the head, with partial volume over 2 mm.
+    const auto original = MakeImage<itk::Image<float, 3>>(
+      0.8, [=](double d) { return inside + (700.0 - inside) * std::clamp(0.5 * d + 0.5, 0.0, 1.0); }, bodies);
+    shapeton::NoteResidue(wall, original, lumen, candidates);
+    EXPECT_EQ(candidates.front().lookalike,
+              inside > 100.0 ? shapeton::PolypLookalike::Residue : shapeton::PolypLookalike::None);
+  }
+  EXPECT_EQ(candidates.front().remark, "residue of electronic cleansing");
+}
+
 TEST(PolypCandidates, HeadsAreVoxelsOfTheirTissue)
 {
   const Vector3d          middle = Base(0.0) + 4.0 * Vector3d::UnitZ();

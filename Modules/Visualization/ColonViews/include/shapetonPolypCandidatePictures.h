@@ -36,7 +36,7 @@ public:
   DrawCloseUp(const PolypCandidate & candidate) const;
 
   /** Camera of the endoluminal view, which looks at the center of the head. Of the points of the centerline 15 to 60 mm
-   * away, ordered by slant and distance (25 mm is best), and points 6 to 25 mm above the head, takes the first that
+   * away, ordered by slant and distance (25 mm is best), and points 3 to 25 mm above the head, takes the first that
    * sees 40 % of the head, or else the one that sees most of it. */
   PerspectiveCamera
   EndoluminalCamera(const PolypCandidate & candidate) const;

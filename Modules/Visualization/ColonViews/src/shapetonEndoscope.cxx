@@ -24,8 +24,8 @@ bool
 IsFree(const SurfaceLocator & wall, const Vector3d & from, const Vector3d & to)
 {
   constexpr double touch = 0.3; // mm
-  constexpr double last = 2.0;  // mm before the end
   const double     length = (to - from).norm();
+  const double     last = std::min(2.0, 0.3 * length); // mm before the end
   double           way = 0.0;
   while (way < length - last)
   {
@@ -49,7 +49,7 @@ CostOf(const Vector3d & eye, const PolypCandidate & candidate)
   return std::abs(std::log(way.norm() / bestDistance)) + costOfSlant * (1.0 - facing);
 }
 
-/** Places for the eye, best first: points of the centerline, then points above the head. */
+/** Places for the eye, best first: points of the centerline, then points above the head, farthest first. */
 std::vector<Vector3d>
 PlacesOfEye(const CurveSet & centerline, const PolypCandidate & candidate)
 {
@@ -69,9 +69,18 @@ PlacesOfEye(const CurveSet & centerline, const PolypCandidate & candidate)
   {
     places.emplace_back(centerline.V.row(place.second).transpose());
   }
-  for (const double distance : { 25.0, 20.0, 15.0, 10.0, 6.0 }) // mm
+  // Pouches are visible only from within.
+  constexpr int    around = 8;
+  constexpr double tilt = 0.7; // tangent of 35 degrees
+  const Vector3d   side = candidate.axis.unitOrthogonal();
+  for (const double distance : { 25.0, 20.0, 15.0, 10.0, 6.0, 4.0, 3.0 }) // mm
   {
     places.emplace_back(candidate.apex + distance * candidate.axis);
+    for (int i = 0; i < around; ++i)
+    {
+      const Vector3d sideways = Eigen::AngleAxisd(2.0 * M_PI * i / around, candidate.axis) * side;
+      places.emplace_back(candidate.apex + distance * (candidate.axis + tilt * sideways).normalized());
+    }
   }
   return places;
 }
@@ -90,6 +99,7 @@ FieldOfView(const PolypCandidate & candidate, double distance)
 
 double
 VisibleShareOfHead(const SurfaceMesh &    wall,
+                   const VertexMatrix &   inwardNormals,
                    const SurfaceLocator & locator,
                    const PolypCandidate & candidate,
                    const Vector3d &       eye)
@@ -100,13 +110,17 @@ VisibleShareOfHead(const SurfaceMesh &    wall,
   for (std::size_t i = 0; i < candidate.vertices.size(); i += step)
   {
     ++all;
-    visible += IsFree(locator, eye, wall.V.row(candidate.vertices[i]).transpose()) ? 1 : 0;
+    const int      vertex = candidate.vertices[i];
+    const Vector3d point = wall.V.row(vertex).transpose();
+    const bool     isFacing = inwardNormals.row(vertex).dot(eye - point) > 0.0;
+    visible += isFacing && IsFree(locator, eye, point) ? 1 : 0;
   }
   return all > 0 ? static_cast<double>(visible) / all : 0.0;
 }
 
 PerspectiveCamera
 ChooseEye(const SurfaceMesh &    wall,
+          const VertexMatrix &   inwardNormals,
           const SurfaceLocator & locator,
           const CurveSet &       centerline,
           const PolypCandidate & candidate)
@@ -117,7 +131,7 @@ ChooseEye(const SurfaceMesh &    wall,
   double            greatest = -1.0;
   for (const Vector3d & place : PlacesOfEye(centerline, candidate))
   {
-    const double share = VisibleShareOfHead(wall, locator, candidate, place);
+    const double share = VisibleShareOfHead(wall, inwardNormals, locator, candidate, place);
     if (share > greatest)
     {
       greatest = share;

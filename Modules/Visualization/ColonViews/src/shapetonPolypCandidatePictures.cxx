@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace shapeton
 {
@@ -250,17 +251,19 @@ struct PolypCandidatePictures::Data
     return picture;
   }
 
-  /** Width of the head on the map, mm. */
-  double
+  /** Width of the head on the map, mm; nothing if the map does not show it, as in a pouch that was cut off. */
+  std::optional<double>
   WidthOnMap(const PolypCandidate & candidate) const
   {
-    double widest = 0.0;
+    constexpr double farthest = 2.0; // mm, mean distance of a head to the simplified wall that the map shows
+    double           widest = 0.0, distance = 0.0;
     for (const int vertex : candidate.vertices)
     {
-      const Eigen::Vector2d uv = flat.Find(colon.wall.V.row(vertex).transpose()).uv;
-      widest = std::max(widest, 2.0 * std::abs(uv.x() - candidate.uv.x()));
+      const FlatPlace place = flat.Find(colon.wall.V.row(vertex).transpose());
+      widest = std::max(widest, 2.0 * std::abs(place.uv.x() - candidate.uv.x()));
+      distance += place.distance / static_cast<double>(candidate.vertices.size());
     }
-    return widest;
+    return distance <= farthest ? std::optional<double>(widest) : std::nullopt;
   }
 
   const PolypColon &    colon;
@@ -306,7 +309,14 @@ PolypCandidatePictures::DrawCloseUp(const PolypCandidate & candidate) const
   const double           step = std::min(widestCloseUp / (viewWidth * scale), grid.PixelSize());
   const auto             picture = m_Data->PaintMap(candidate, step, viewWidth, viewHeight);
   DrawScaleBar(picture, 10, viewHeight - 10, viewWidth / 4, scale * step, InkColor);
-  const double headOnMap = m_Data->WidthOnMap(candidate) / step;
+  const std::optional<double> widthOnMap = m_Data->WidthOnMap(candidate);
+  if (!widthOnMap)
+  {
+    FillRectangle(picture, 0, 0, viewWidth, cardLabel, ground, shareOfHead);
+    DrawLabel(picture, "Head not shown: it is in a pouch that was cut off", 3, 3, viewWidth);
+    return picture;
+  }
+  const double headOnMap = *widthOnMap / step;
   if (headOnMap < leastHead)
   {
     const double magnified = headInset / std::max(headOnMap, headInset / greatestMagnification);
@@ -324,7 +334,8 @@ PolypCandidatePictures::DrawCloseUp(const PolypCandidate & candidate) const
 PerspectiveCamera
 PolypCandidatePictures::EndoluminalCamera(const PolypCandidate & candidate) const
 {
-  PerspectiveCamera camera = ChooseEye(m_Data->colon.wall, m_Data->wall, m_Data->colon.centerline, candidate);
+  PerspectiveCamera camera =
+    ChooseEye(m_Data->colon.wall, m_Data->inwardNormals, m_Data->wall, m_Data->colon.centerline, candidate);
   camera.width = viewWidth;
   camera.height = viewHeight;
   return camera;
