@@ -65,6 +65,50 @@ SegmentNamed(const std::string & name)
   return NameOfSegment(segment).empty() ? 0 : segment;
 }
 
+/** The row of a candidate. */
+std::vector<std::string>
+CellsOf(const PolypCandidate & one)
+{
+  std::vector<std::string> cells{ std::to_string(one.number), Cell(one.score, 4), Cell(one.shapeScore, 4) };
+  AddPoint(one.position, cells);
+  const PolypFeatures & features = one.features;
+  for (const std::string & cell : { NameOfSegment(one.segment),
+                                    Cell(one.arcLength),
+                                    Cell(one.diameter, 4),
+                                    NameOf(SizeOf(one.diameter)),
+                                    Cell(one.leastDiameter, 4),
+                                    Cell(one.height, 4),
+                                    Cell(one.planeDiameter, 4),
+                                    one.plane,
+                                    NameOf(one.morphology),
+                                    one.isOnFold ? std::string("1") : std::string("0"),
+                                    Cell(one.attenuation, 4),
+                                    Cell(one.meanAttenuation, 4),
+                                    Cell(one.lowAttenuation, 4),
+                                    Cell(one.highAttenuation, 4),
+                                    NameOf(one.tissue),
+                                    Cell(one.submergedShare, 3),
+                                    Cell(one.filmShare, 3),
+                                    Cell(one.uv.x(), 6),
+                                    Cell(one.uv.y(), 6),
+                                    Cell(features.shapeIndex, 4),
+                                    Cell(features.roundness, 4),
+                                    Cell(features.hollowness, 4),
+                                    Cell(features.curvedness, 4),
+                                    Cell(features.solidAngle, 4),
+                                    Cell(features.prominence, 4),
+                                    Cell(features.heat, 4),
+                                    Cell(features.shapetonDensity, 4) })
+  {
+    cells.push_back(cell);
+  }
+  AddOther(one.other, cells);
+  cells.push_back(one.mainCandidate > 0 ? std::to_string(one.mainCandidate) : "");
+  cells.push_back(NameOf(one.lookalike));
+  cells.push_back(one.remark);
+  return cells;
+}
+
 std::optional<PolypInOtherPosition>
 ReadOther(const CsvFile & table, std::size_t row)
 {
@@ -141,44 +185,7 @@ TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
                    "remark" });
   for (const PolypCandidate & one : candidates)
   {
-    std::vector<std::string> cells{ std::to_string(one.number), Cell(one.score, 4), Cell(one.shapeScore, 4) };
-    AddPoint(one.position, cells);
-    const PolypFeatures & features = one.features;
-    for (const std::string & cell : { NameOfSegment(one.segment),
-                                      Cell(one.arcLength),
-                                      Cell(one.diameter, 4),
-                                      NameOf(SizeOf(one.diameter)),
-                                      Cell(one.leastDiameter, 4),
-                                      Cell(one.height, 4),
-                                      Cell(one.planeDiameter, 4),
-                                      one.plane,
-                                      NameOf(one.morphology),
-                                      one.isOnFold ? std::string("1") : std::string("0"),
-                                      Cell(one.attenuation, 4),
-                                      Cell(one.meanAttenuation, 4),
-                                      Cell(one.lowAttenuation, 4),
-                                      Cell(one.highAttenuation, 4),
-                                      NameOf(one.tissue),
-                                      Cell(one.submergedShare, 3),
-                                      Cell(one.filmShare, 3),
-                                      Cell(one.uv.x(), 6),
-                                      Cell(one.uv.y(), 6),
-                                      Cell(features.shapeIndex, 4),
-                                      Cell(features.roundness, 4),
-                                      Cell(features.hollowness, 4),
-                                      Cell(features.curvedness, 4),
-                                      Cell(features.solidAngle, 4),
-                                      Cell(features.prominence, 4),
-                                      Cell(features.heat, 4),
-                                      Cell(features.shapetonDensity, 4) })
-    {
-      cells.push_back(cell);
-    }
-    AddOther(one.other, cells);
-    cells.push_back(one.mainCandidate > 0 ? std::to_string(one.mainCandidate) : "");
-    cells.push_back(NameOf(one.lookalike));
-    cells.push_back(one.remark);
-    table.AddRow(std::move(cells));
+    table.AddRow(CellsOf(one));
   }
   return table;
 }

@@ -236,8 +236,11 @@ SearchPolyps(const PolypColon & colon, const PolypSearchSettings & options)
   {
     RankCatheterLast(colon.catheter, candidates);
   }
-  MeasureMorphology(colon.wall, FoldTest(colon), candidates);
-  JoinFragments(colon.wall, candidates);
+  if (!candidates.empty())
+  {
+    MeasureMorphology(colon.wall, FoldTest(colon), candidates);
+    JoinFragments(colon.wall, candidates);
+  }
   options.progress("Candidates", 1.0);
   return candidates;
 }

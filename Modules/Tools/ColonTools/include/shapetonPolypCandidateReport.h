@@ -26,8 +26,8 @@ AddPolypCandidates(HtmlReport &                        report,
                    const PolypPictureFile &            pictureOf);
 
 /** Writes index.html with this section and the provenance, and its pictures, polyp-candidates-flat.png and
- * polyp-candidate-NUMBER.png, into an existing folder; does nothing if the folder name is empty. Without a flat map
- * there are no pictures. Throws OutputError and the exceptions of PolypCandidatePictures.
+ * polyp-candidate-NUMBER.png, into an existing folder; does nothing if the folder name is empty. Without a flat map,
+ * it writes no pictures. Throws OutputError, and the exceptions of PolypCandidatePictures.
  * \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT void
 WritePolypCandidateReport(CommandLine &                       commandLine,

@@ -95,8 +95,7 @@ FieldOfView(const PolypCandidate & candidate, double distance)
   const double     degrees = 2.0 * std::atan(0.5 * width / distance) * 180.0 / M_PI;
   return std::clamp(degrees, narrowest, widest);
 }
-} // namespace
-
+/** Fraction of the surface of a head that is visible from a point. */
 double
 VisibleShareOfHead(const SurfaceMesh &    wall,
                    const VertexMatrix &   inwardNormals,
@@ -117,6 +116,7 @@ VisibleShareOfHead(const SurfaceMesh &    wall,
   }
   return all > 0 ? static_cast<double>(visible) / all : 0.0;
 }
+} // namespace
 
 PerspectiveCamera
 ChooseEye(const SurfaceMesh &    wall,

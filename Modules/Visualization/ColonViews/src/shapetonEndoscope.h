@@ -7,21 +7,14 @@
 
 namespace shapeton
 {
-/** Camera of PolypCandidatePictures::DrawFromWithin(): it looks at the center of the head. */
+/** Camera of PolypCandidatePictures::DrawFromWithin(): it looks at the center of the head. The normals are those
+ * of InwardNormalsOf(). */
 PerspectiveCamera
 ChooseEye(const SurfaceMesh &    wall,
           const VertexMatrix &   inwardNormals,
           const SurfaceLocator & locator,
           const CurveSet &       centerline,
           const PolypCandidate & candidate);
-
-/** Fraction of the surface of a head that is visible from a point. The normals are those of InwardNormalsOf(). */
-double
-VisibleShareOfHead(const SurfaceMesh &     wall,
-                   const VertexMatrix &    inwardNormals,
-                   const SurfaceLocator &  locator,
-                   const PolypCandidate &  candidate,
-                   const Eigen::Vector3d & eye);
 
 /** Unit vertex normals into the lumen, weighted by face area. */
 VertexMatrix
