@@ -1,0 +1,22 @@
+#ifndef shapetonPdfFile_h
+#define shapetonPdfFile_h
+
+#include "ShapetonReportExport.h"
+
+#include <string>
+
+namespace shapeton
+{
+/** Whether WeasyPrint, which WritePdf() runs, is found in the folders of PATH.
+ * \ingroup ShapetonReport */
+ShapetonReport_EXPORT bool
+HasPdfWriter();
+
+/** Prints a page, such as one written by HtmlReport, on paper of size A4 with the print rules of its style sheet. Pages
+ * without scripts only. The same page gives the same bytes. Throws OutputError if WeasyPrint is missing or fails.
+ * \ingroup ShapetonReport */
+ShapetonReport_EXPORT void
+WritePdf(const std::string & htmlPath, const std::string & pdfPath);
+} // namespace shapeton
+
+#endif
