@@ -9,6 +9,7 @@ itk_module(ShapetonSupineProne
     ShapetonReport
     ShapetonSurfaceMesh
     ShapetonFlatColon
+    ShapetonColonCenterline
     ShapetonColonLandmarks
   PRIVATE_DEPENDS
     ShapetonSparseFactorization

@@ -17,7 +17,6 @@ itk_module(ShapetonColonTools
   PRIVATE_DEPENDS
     ShapetonVolumeFiles
     ShapetonPhantoms
-    ShapetonColonCenterline
     ShapetonColonLumen
     ShapetonFlatColon
     ShapetonPictureKit

@@ -63,7 +63,7 @@ MarkHindrances(const ColonLumen & lumen, CurveSet & curve);
 /** A part of the centerline with one hindrance. */
 struct HinderedStretch
 {
-  /** First and last arcLength (mm), halfway between points. */
+  /** First and last arcLength (mm): halfway between points; without lumen, the ends of the gap. */
   double         begin{ 0.0 };
   double         end{ 0.0 };
   ColonHindrance hindrance{ ColonHindrance::None };

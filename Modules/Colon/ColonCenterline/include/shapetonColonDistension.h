@@ -12,6 +12,10 @@ namespace shapeton
 /** Minimum caliber of distended lumen, mm. \ingroup ShapetonColonCenterline */
 constexpr double LeastDistendedCaliber = 10.0;
 
+/** Length of the anal canal, mm, at the beginning of the centerline; it is narrow in each colon (Gray's Anatomy, 41st
+ * ed.: 4 cm). \ingroup ShapetonColonCenterline */
+constexpr double AnalCanalLength = 40.0;
+
 /** Distension of a part of the colon: caliber, collapsed part. See MeasureDistension().
  * \ingroup ShapetonColonCenterline */
 struct ColonDistension
@@ -23,6 +27,9 @@ struct ColonDistension
   double share{ 0.0 };
   /** Mean inner diameter, mm; collapsed stretches count as 0. */
   double meanCaliber{ 0.0 };
+  /** Smallest and largest inner diameter, mm; 0 in a collapsed stretch. */
+  double leastCaliber{ 0.0 };
+  double largestCaliber{ 0.0 };
   /** Length without lumen, mm. */
   double collapsedLength{ 0.0 };
 };

@@ -252,8 +252,8 @@ AddGaps(const LumenGrid &            grid,
     gap.distance = (to - from).norm();
     gap.isDoubtful = gap.distance > longestJoin;
     result.gaps.push_back(gap);
-    result.warnings.push_back("no lumen over " + InTenths(gap.distance) + " mm from " + PlaceInWords(gap.from) +
-                              " to " + PlaceInWords(gap.to) + ": the centerline is bridged there" +
+    result.warnings.push_back("no lumen from " + PlaceInWords(gap.from) + " to " + PlaceInWords(gap.to) +
+                              ": the centerline is bridged there" +
                               (gap.isDoubtful ? "; the order of the pieces is uncertain for such a long gap" : ""));
   }
 }

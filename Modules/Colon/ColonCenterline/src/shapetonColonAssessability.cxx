@@ -11,12 +11,10 @@ namespace shapeton
 namespace
 {
 constexpr double thickestFold = 5.0; // mm along the line
-/** Length of the anal canal, mm (Gray's Anatomy, 41st ed.: 4 cm). */
-constexpr double analCanal = 40.0;
-constexpr double leastPool = 150.0; // mm^2
-constexpr double nearLevel = 3.0;   // mm
-constexpr double deepest = 120.0;   // mm from the line to a level
-constexpr double besideGap = 15.0;  // mm along the line; the lumen tapers next to a gap
+constexpr double leastPool = 150.0;  // mm^2
+constexpr double nearLevel = 3.0;    // mm
+constexpr double deepest = 120.0;    // mm from the line to a level
+constexpr double besideGap = 15.0;   // mm along the line; the lumen tapers next to a gap
 
 const char * const arrayName = "notAssessable";
 const char * const lineName = "the centerline";
@@ -42,6 +40,18 @@ BeginOf(const Eigen::VectorXd & arc, std::size_t point)
   return i == 0 ? arc[0] : i == arc.size() ? arc[i - 1] : 0.5 * (arc[i - 1] + arc[i]);
 }
 
+/** Border between the stretches of a point and of the previous one: halfway, but a stretch without lumen extends to the
+ * points beside it, the ends of the lumen. */
+double
+BorderBefore(const Eigen::VectorXd & arc, const std::vector<ColonHindrance> & hindrances, std::size_t point)
+{
+  const auto i = static_cast<Eigen::Index>(point);
+  const bool isInside = i > 0 && i < arc.size();
+  return isInside && hindrances[point] == ColonHindrance::NoLumen       ? arc[i - 1]
+         : isInside && hindrances[point - 1] == ColonHindrance::NoLumen ? arc[i]
+                                                                        : BeginOf(arc, point);
+}
+
 std::vector<char>
 NarrowPoints(const Eigen::VectorXd & arc, const Eigen::VectorXd & radius)
 {
@@ -50,7 +60,7 @@ NarrowPoints(const Eigen::VectorXd & arc, const Eigen::VectorXd & radius)
   for (Eigen::Index i = 0; i < radius.size(); ++i)
   {
     const bool isThin = 2.0 * radius[i] < LeastDistendedCaliber;
-    isAnalCanal = isAnalCanal && isThin && arc[i] - arc[0] <= analCanal;
+    isAnalCanal = isAnalCanal && isThin && arc[i] - arc[0] <= AnalCanalLength;
     isNarrow.push_back(isThin && !isAnalCanal);
   }
   for (std::size_t begin = 0, end = 0; begin < isNarrow.size(); begin = end)
@@ -279,7 +289,8 @@ FindHinderedStretches(const CurveSet & curve)
     end = EndOfRun(hindrances, begin);
     if (hindrances[begin] != ColonHindrance::None)
     {
-      stretches.push_back({ BeginOf(arc, begin), BeginOf(arc, end), hindrances[begin] });
+      stretches.push_back(
+        { BorderBefore(arc, hindrances, begin), BorderBefore(arc, hindrances, end), hindrances[begin] });
     }
   }
   return stretches;

@@ -19,6 +19,8 @@ AddStep(double from, double to, double caliber, bool isGap, ColonDistension & st
   }
   stretch.share += caliber >= LeastDistendedCaliber ? part : 0.0;
   stretch.meanCaliber += part * caliber;
+  stretch.leastCaliber = std::min(stretch.leastCaliber, caliber);
+  stretch.largestCaliber = std::max(stretch.largestCaliber, caliber);
   stretch.collapsedLength += isGap ? part : 0.0;
 }
 } // namespace
@@ -38,6 +40,7 @@ MeasureDistension(const CurveSet & curve, double begin, double end)
   ColonDistension distension;
   distension.begin = std::clamp(begin, arc[0], arc[last]);
   distension.end = std::clamp(end, arc[0], arc[last]);
+  distension.leastCaliber = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < last; ++i)
   {
     const bool   isGap = gap[i] != 0.0 || gap[i + 1] != 0.0;
@@ -47,6 +50,7 @@ MeasureDistension(const CurveSet & curve, double begin, double end)
   const double length = distension.end - distension.begin;
   distension.share = length > 0.0 ? distension.share / length : 0.0;
   distension.meanCaliber = length > 0.0 ? distension.meanCaliber / length : 0.0;
+  distension.leastCaliber = length > 0.0 ? distension.leastCaliber : 0.0;
   return distension;
 }
 } // namespace shapeton

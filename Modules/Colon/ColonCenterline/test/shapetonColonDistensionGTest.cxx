@@ -37,6 +37,8 @@ TEST(ColonDistension, CountsLengthsNotPoints)
   EXPECT_DOUBLE_EQ(whole.share, 0.4);
   EXPECT_DOUBLE_EQ(whole.meanCaliber, (40.0 * 30.0 + 40.0 * 8.0) / 100.0);
   EXPECT_DOUBLE_EQ(whole.collapsedLength, 20.0);
+  EXPECT_DOUBLE_EQ(whole.leastCaliber, 0.0);
+  EXPECT_DOUBLE_EQ(whole.largestCaliber, 30.0);
 }
 
 TEST(ColonDistension, CutsStepsAtBorders)
@@ -48,6 +50,7 @@ TEST(ColonDistension, CutsStepsAtBorders)
   const shapeton::ColonDistension rest = shapeton::MeasureDistension(Line(), 50.0, 200.0);
   EXPECT_DOUBLE_EQ(rest.share, 0.0);
   EXPECT_DOUBLE_EQ(rest.end, 100.0);
+  EXPECT_DOUBLE_EQ(shapeton::MeasureDistension(Line(), 75.0, 90.0).leastCaliber, 8.0);
   EXPECT_DOUBLE_EQ(rest.meanCaliber, 40.0 * 8.0 / 50.0);
 }
 

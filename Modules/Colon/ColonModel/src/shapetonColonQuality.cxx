@@ -4,6 +4,7 @@
 #include "shapetonColonExtent.h"
 #include "shapetonColonGravity.h"
 #include "shapetonJson.h"
+#include "shapetonPlaceInWords.h"
 #include "shapetonSurfaceQuality.h"
 
 #include <algorithm>
@@ -243,10 +244,12 @@ BeginsInRectum(const CurveSet & curve)
   return extent.DistanceFromAnus(begin) <= farthest;
 }
 
+/** "from 42.9 to 43.2 cm". */
 std::string
-InMillimeters(double begin, double end)
+InCentimeters(double begin, double end)
 {
-  return "from " + std::to_string(std::lround(begin)) + " to " + std::to_string(std::lround(end)) + " mm";
+  constexpr double mmPerCm = 10.0;
+  return "from " + InTenths(begin / mmPerCm) + " to " + InTenths(end / mmPerCm) + " cm";
 }
 
 /** Parts missing from a complete line from the rectum to the cecum. */
@@ -264,14 +267,14 @@ MissingParts(const ColonModel & model)
   }
   for (const HinderedStretch & cut : CutsByScan(model.centerline.curve))
   {
-    missing.push_back("the part outside the scan, whose border cuts the colon " + InMillimeters(cut.begin, cut.end) +
+    missing.push_back("the part outside the scan, whose border cuts the colon " + InCentimeters(cut.begin, cut.end) +
                       " along the line");
   }
   for (const CenterlineGap & gap : model.centerline.gaps)
   {
     if (gap.isDoubtful)
     {
-      missing.push_back("the colon in the gap " + InMillimeters(gap.begin, gap.end) +
+      missing.push_back("the colon in the gap " + InCentimeters(gap.begin, gap.end) +
                         " along the line, too long for a collapsed stretch");
     }
   }

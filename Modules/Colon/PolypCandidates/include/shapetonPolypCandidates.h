@@ -52,11 +52,11 @@ ShapetonPolypCandidates_EXPORT std::string
 /** Tissue of a candidate, from the HU inside it. \ingroup ShapetonPolypCandidates */
 enum class PolypTissue
 {
-  Unknown,
-  Gas,    ///< below -150 HU: gas, or partial volume of a small candidate
-  Fat,    ///< -150 to -30 HU
-  Soft,   ///< -30 to 150 HU
-  Tagged, ///< above 150 HU: contains contrast medium, like tagged stool
+  Unknown, ///< no CT, or soft tissue or fat so thin that partial volume decides
+  Gas,     ///< below -150 HU: gas, or partial volume of a small candidate
+  Fat,     ///< -150 to -30 HU
+  Soft,    ///< -30 to 150 HU
+  Tagged,  ///< above 150 HU: contains contrast medium, like tagged stool
 };
 
 /** The kind of tissue with this attenuation in HU. \ingroup ShapetonPolypCandidates */

@@ -128,16 +128,25 @@ InnerPointsOf(const SurfaceMesh &                                               
   return points;
 }
 
+constexpr double blur = 1.2; // mm: half a voxel and the blur of a scan
+constexpr long   fewest = 5; // samples that are enough for a median
+
+/** Number of samples at least at this distance from the lumen. */
+long
+NumberAway(const std::vector<InnerPoint> & points, double distance)
+{
+  return std::count_if(
+    points.begin(), points.end(), [=](const InnerPoint & point) { return point.clearance >= distance; });
+}
+
 /** HU of the samples at this distance from the lumen, or of the deepest quarter if too few, sorted. */
 std::vector<double>
 ValuesAwayFromLumen(std::vector<InnerPoint> points, double distance)
 {
-  constexpr int few = 5;
   std::stable_sort(
     points.begin(), points.end(), [](const InnerPoint & a, const InnerPoint & b) { return a.clearance > b.clearance; });
-  const auto away =
-    std::count_if(points.begin(), points.end(), [=](const InnerPoint & point) { return point.clearance >= distance; });
-  points.resize(away >= few ? static_cast<std::size_t>(away) : (points.size() + 3) / 4);
+  const long away = NumberAway(points, distance);
+  points.resize(away >= fewest ? static_cast<std::size_t>(away) : (points.size() + 3) / 4);
   std::vector<double> values;
   for (const InnerPoint & point : points)
   {
@@ -159,7 +168,6 @@ Quantile(const std::vector<double> & sorted, double share)
 std::vector<double>
 ValuesInside(const std::vector<InnerPoint> & points)
 {
-  constexpr double          blur = 1.2;      // mm: half a voxel and the blur of a scan
   constexpr double          filmDepth = 1.8; // mm: 1 mm of contrast and its blur
   const std::vector<double> inside = ValuesAwayFromLumen(points, blur);
   if (TissueOf(Quantile(inside, 0.5)) != PolypTissue::Tagged)
@@ -171,9 +179,10 @@ ValuesInside(const std::vector<InnerPoint> & points)
 }
 
 void
-MeasureAttenuation(const std::vector<double> & values, PolypCandidate & candidate)
+MeasureAttenuation(const std::vector<InnerPoint> & points, PolypCandidate & candidate)
 {
-  constexpr double low = 0.05, high = 0.95;
+  const std::vector<double> values = ValuesInside(points);
+  constexpr double          low = 0.05, high = 0.95;
   candidate.attenuation = Quantile(values, 0.5);
   candidate.lowAttenuation = Quantile(values, low);
   candidate.highAttenuation = Quantile(values, high);
@@ -184,6 +193,10 @@ MeasureAttenuation(const std::vector<double> & values, PolypCandidate & candidat
   candidate.lookalike = candidate.tissue == PolypTissue::Gas      ? PolypLookalike::Gas
                         : candidate.tissue == PolypTissue::Tagged ? PolypLookalike::Tagged
                                                                   : PolypLookalike::None;
+  if (candidate.lookalike == PolypLookalike::None && NumberAway(points, blur) < fewest)
+  {
+    candidate.tissue = PolypTissue::Unknown; // a mixture with gas or fluid
+  }
 }
 
 /** Fraction of the vertices of a head covered by fluid. */
@@ -280,7 +293,7 @@ MeasureContent(const SurfaceMesh &           wall,
   const LumenAt lumenAt(lumen);
   for (PolypCandidate & candidate : candidates)
   {
-    MeasureAttenuation(ValuesInside(InnerPointsOf(wall, candidate, *interpolator, lumenAt)), candidate);
+    MeasureAttenuation(InnerPointsOf(wall, candidate, *interpolator, lumenAt), candidate);
     candidate.submergedShare = SubmergedShare(wall, candidate, lumenAt);
     candidate.filmShare = FilmShare(wall, candidate, *interpolator, lumenAt);
     candidate.remark = RemarkOn(candidate);

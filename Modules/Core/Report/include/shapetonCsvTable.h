@@ -36,6 +36,10 @@ public:
     return m_Rows;
   }
 
+  /** The table without columns whose cells are all empty. */
+  CsvTable
+  WithoutEmptyColumns() const;
+
   /** Throws OutputError. */
   void
   Write(const std::string & path) const;

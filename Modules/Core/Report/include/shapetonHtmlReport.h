@@ -54,7 +54,7 @@ public:
   /** Adds a heading within a section. */
   void
   AddSubheading(const std::string & text);
-  /** Begins content that is hidden until its title is clicked, up to EndDetails(). */
+  /** Begins content that is hidden until its title is clicked, and not printed, up to EndDetails(). */
   void
   BeginDetails(const std::string & title);
   void
@@ -64,6 +64,22 @@ public:
   /** Adds a paragraph with a link to another page, relative to this one. */
   void
   AddLink(const std::string & path, const std::string & text);
+  /** An item of a list, with a link to another page or to a place on it, relative to this page; no link if `path` is
+   * empty. */
+  struct LinkedItem
+  {
+    std::string text;
+    std::string path;
+    std::string linkText;
+  };
+  /** Adds a numbered list. */
+  void
+  AddNumberedList(const std::vector<LinkedItem> & items);
+  /** Begins a part that is printed on pages of its own, up to EndPage(). */
+  void
+  BeginPage();
+  void
+  EndPage();
   /** Adds a highlighted box, for example for a warning. */
   void
   AddNote(const std::string & text);

@@ -55,6 +55,32 @@ CsvTable::AddRow(std::vector<std::string> cells)
   m_Rows.push_back(std::move(cells));
 }
 
+CsvTable
+CsvTable::WithoutEmptyColumns() const
+{
+  std::vector<std::size_t> kept;
+  std::vector<std::string> names;
+  for (std::size_t column = 0; column < m_Columns.size(); ++column)
+  {
+    if (std::any_of(m_Rows.begin(), m_Rows.end(), [=](const auto & row) { return !row[column].empty(); }))
+    {
+      kept.push_back(column);
+      names.push_back(m_Columns[column]);
+    }
+  }
+  CsvTable table(names);
+  for (const auto & row : m_Rows)
+  {
+    std::vector<std::string> cells;
+    for (const std::size_t column : kept)
+    {
+      cells.push_back(row[column]);
+    }
+    table.AddRow(std::move(cells));
+  }
+  return table;
+}
+
 void
 CsvTable::Write(const std::string & path) const
 {

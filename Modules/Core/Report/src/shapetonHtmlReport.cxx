@@ -40,6 +40,14 @@ Escaped(const std::string & text)
   return escaped;
 }
 
+/** Whether a PNG file shows a picture that is higher than wide, from its header. */
+bool
+IsTallPng(const std::string & bytes)
+{
+  constexpr std::size_t width = 16, height = 20, size = 4; // bytes; the numbers begin with their highest byte
+  return bytes.size() >= height + size && bytes.compare(height, size, bytes, width, size) > 0;
+}
+
 std::string
 Element(const std::string & tag, const std::string & text)
 {
@@ -216,6 +224,31 @@ HtmlReport::AddLink(const std::string & path, const std::string & text)
 }
 
 void
+HtmlReport::AddNumberedList(const std::vector<LinkedItem> & items)
+{
+  m_Body += "<ol>\n";
+  for (const LinkedItem & item : items)
+  {
+    m_Body += "<li>" + Escaped(ReadableText(item.text));
+    m_Body += item.path.empty() ? "" : " <a href=\"" + Escaped(item.path) + "\">" + Escaped(item.linkText) + "</a>";
+    m_Body += "</li>\n";
+  }
+  m_Body += "</ol>\n";
+}
+
+void
+HtmlReport::BeginPage()
+{
+  m_Body += "<section class=\"page\">\n";
+}
+
+void
+HtmlReport::EndPage()
+{
+  m_Body += "</section>\n";
+}
+
+void
 HtmlReport::AddNote(const std::string & text)
 {
   m_Body += "<p class=\"note\">" + Escaped(ReadableText(text)) + "</p>\n";
@@ -229,7 +262,8 @@ HtmlReport::AddPicture(const std::string & pngPath, const std::string & caption)
   {
     throw InputError("the picture \"" + pngPath + "\" is not a PNG file; convert it");
   }
-  m_Body += "<figure><img alt=\"" + Escaped(caption) + "\" src=\"data:image/png;base64," + Base64(bytes) + "\"/>\n" +
+  m_Body += std::string(IsTallPng(bytes) ? "<figure class=\"tall\">" : "<figure>") + "<img alt=\"" + Escaped(caption) +
+            "\" src=\"data:image/png;base64," + Base64(bytes) + "\"/>\n" +
             Element("figcaption", ReadableText(caption)) + "</figure>\n";
 }
 

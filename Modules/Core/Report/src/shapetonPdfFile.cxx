@@ -63,10 +63,10 @@ WritePdf(const std::string & htmlPath, const std::string & pdfPath)
   try
   {
     // Python orders sets by hashes, and the file records the time: both are fixed, for the same bytes.
-    const ChildProcess::End end = RunQuietly(
-      "/usr/bin/env",
-      { "PYTHONHASHSEED=0", "SOURCE_DATE_EPOCH=0", program, "--quiet", "--encoding", "utf-8", htmlPath, pdfPath },
-      messages);
+    const ChildProcess::End end =
+      RunQuietly("/usr/bin/env",
+                 { "PYTHONHASHSEED=0", "SOURCE_DATE_EPOCH=0", program, "-q", "-e", "utf-8", htmlPath, pdfPath },
+                 messages);
     if (end.isSignal || end.number != 0)
     {
       throw OutputError("\"" + pdfPath + "\" cannot be written: " + printer + " failed (" +

@@ -228,3 +228,13 @@ TEST(CsvNumber, DoesNotDependOnTheLocale)
   std::locale::global(previous);
 }
 } // namespace
+
+TEST(CsvTable, LeavesOutEmptyColumns)
+{
+  shapeton::CsvTable table({ "a", "b", "c" });
+  table.AddRow({ "1", "", "" });
+  table.AddRow({ "2", "", "x" });
+  const shapeton::CsvTable kept = table.WithoutEmptyColumns();
+  EXPECT_EQ(kept.GetColumns(), (std::vector<std::string>{ "a", "c" }));
+  EXPECT_EQ(kept.GetRows().at(0), (std::vector<std::string>{ "1", "" }));
+}

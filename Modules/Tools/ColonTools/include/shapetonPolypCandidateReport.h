@@ -16,16 +16,22 @@ class CommandLine;
  * \ingroup ShapetonColonTools */
 using PolypPictureFile = std::function<std::string(int number)>;
 
-/** Adds the section on candidates: how to read them, the limit of the resolution stored with the centerline, a table,
- * their sizes if confirmed, a card for each possible polyp, and a list of those recognized as something else.
- * \ingroup ShapetonColonTools */
+/** Adds the section on candidates for a first page: how to read them, the limit of the resolution stored with the
+ * centerline, a table, and their sizes if confirmed. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT void
-AddPolypCandidates(HtmlReport &                        report,
-                   const CurveSet &                    centerline,
-                   const std::vector<PolypCandidate> & candidates,
-                   const PolypPictureFile &            pictureOf);
+AddPolypCandidateTable(HtmlReport &                        report,
+                       const CurveSet &                    centerline,
+                       const std::vector<PolypCandidate> & candidates);
 
-/** Writes index.html with this section and the provenance, and its pictures, polyp-candidates-flat.png and
+/** Adds a card for each possible polyp, and a list of those recognized as something else.
+ * \param grid of the CT, for the numbers of slices; may be null. \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT void
+AddPolypCandidateCards(HtmlReport &                        report,
+                       const std::vector<PolypCandidate> & candidates,
+                       const itk::ImageBase<3> *           grid,
+                       const PolypPictureFile &            pictureOf);
+
+/** Writes index.html with these sections and the provenance, and its pictures, polyp-candidates-flat.png and
  * polyp-candidate-NUMBER.png, into an existing folder; does nothing if the folder name is empty. Without a flat map,
  * it writes no pictures. Throws OutputError, and the exceptions of PolypCandidatePictures.
  * \ingroup ShapetonColonTools */

@@ -1,5 +1,6 @@
 #include "shapetonColonLandmarkReport.h"
 
+#include "shapetonColonFigures.h"
 #include "shapetonCommandLine.h"
 #include "shapetonHtmlReport.h"
 #include "shapetonPlaceInWords.h"
@@ -11,12 +12,6 @@ namespace shapeton
 namespace
 {
 std::string
-Whole(double value)
-{
-  return CsvTable::Rounded(std::round(value), 6);
-}
-
-std::string
 RemarkOn(const SegmentBorder & border, const ColonLandmarks & landmarks)
 {
   const std::string hindrance = landmarks.hindered ? InWords(HindranceAt(*landmarks.hindered, border.arcLength)) : "";
@@ -26,7 +21,7 @@ RemarkOn(const SegmentBorder & border, const ColonLandmarks & landmarks)
 CsvTable
 FlexureTable(const ColonLandmarks & landmarks)
 {
-  CsvTable table({ "Flexure", "Distance from the anal verge (mm)", "Position (LPS, mm)", "Confidence", "Remark" });
+  CsvTable table({ "Flexure", "From the anal verge (cm)", "Position (LPS, mm)", "Confidence", "Remark" });
   for (const ColonFlexure & flexure : landmarks.flexures.flexures)
   {
     const SegmentBorder * border = nullptr;
@@ -41,9 +36,9 @@ FlexureTable(const ColonLandmarks & landmarks)
     }
     const Eigen::Vector3d & p = border->point;
     table.AddRow({ NameOfFlexure(flexure.number),
-                   Whole(border->arcLength),
-                   Whole(p.x()) + ", " + Whole(p.y()) + ", " + Whole(p.z()),
-                   Whole(100.0 * border->confidence) + " %",
+                   NumberOfCentimeters(border->arcLength),
+                   WholeNumber(p.x()) + ", " + WholeNumber(p.y()) + ", " + WholeNumber(p.z()),
+                   ProbabilityInWords(border->confidence),
                    RemarkOn(*border, landmarks) });
   }
   return table;
@@ -59,14 +54,15 @@ ValveInWords(const ColonLandmarks & landmarks)
   {
     return "Ileocecal valve: not found. " + cecum;
   }
-  return "Ileocecal valve: at " + PlaceInWords(landmarks.valve->position) + ", " + Whole(landmarks.valve->arcLength) +
-         " mm from the anal verge, confidence " + Whole(100.0 * landmarks.valve->confidence) + " %. " + cecum;
+  return "Ileocecal valve: at " + PlaceInWords(landmarks.valve->position) + ", " +
+         Centimeters(landmarks.valve->arcLength) + " from the anal verge, confidence " +
+         ProbabilityInWords(landmarks.valve->confidence) + ". " + cecum;
 }
 
 CsvTable
 TaeniaTable(const ColonTaeniae & taeniae)
 {
-  CsvTable table({ "Taenia", "Length on the wall (mm)", "Mean confidence", "Markers" });
+  CsvTable table({ "Taenia", "Length on the wall (cm)", "Mean confidence", "Markers" });
   for (std::size_t t = 0; t < taeniae.taeniae.size(); ++t)
   {
     const ColonTaenia & taenia = taeniae.taeniae[t];
@@ -82,7 +78,8 @@ TaeniaTable(const ColonTaeniae & taeniae)
     {
       markers += marker.taenia == static_cast<int>(t) + 1 ? 1 : 0;
     }
-    table.AddRow({ std::to_string(t + 1), Whole(length), CsvTable::Rounded(confidence, 2), std::to_string(markers) });
+    table.AddRow(
+      { std::to_string(t + 1), NumberOfCentimeters(length), ProbabilityInWords(confidence), std::to_string(markers) });
   }
   return table;
 }
@@ -95,9 +92,9 @@ PieceTable(const ColonPieces & pieces)
   {
     table.AddRow({ piece.name,
                    CsvTable::Rounded(std::sqrt(piece.modulusU * piece.modulusV), 4),
-                   Whole(piece.width),
-                   Whole(piece.height),
-                   Whole(piece.area) });
+                   WholeNumber(piece.width),
+                   WholeNumber(piece.height),
+                   WholeNumber(piece.area) });
   }
   return table;
 }
@@ -112,7 +109,7 @@ HowTaeniaeWereFound(const ColonTaeniae & taeniae)
   return "Rule " + NameOf(taeniae.rule) + ", kept: " + taeniae.kept + ". Energy of the joint optimization " +
          CsvTable::Rounded(taeniae.jointEnergy, 4) + ", of fuzzy C-means " + CsvTable::Rounded(taeniae.fuzzyEnergy, 4) +
          " (lower is better). They are " + CsvTable::Rounded(taeniae.meanDisagreement, 3) +
-         " mm apart on average, more than 10 mm along " + Whole(100.0 * taeniae.disagreeingShare) + " % of the colon.";
+         " mm apart on average, more than 10 mm along " + WholePercent(taeniae.disagreeingShare) + " of the colon.";
 }
 } // namespace
 

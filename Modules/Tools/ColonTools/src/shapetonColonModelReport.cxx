@@ -1,5 +1,6 @@
 #include "shapetonColonModelReport.h"
 
+#include "shapetonColonFigures.h"
 #include "shapetonColonGravity.h"
 #include "shapetonColonReport.h"
 #include "shapetonCommandLine.h"
@@ -14,18 +15,6 @@ namespace shapeton
 namespace
 {
 using Facts = ColonReportContent::Facts;
-
-std::string
-Milliliters(double ml)
-{
-  return CsvTable::Rounded(ml, 4) + " ml";
-}
-
-std::string
-Millimeters(double mm)
-{
-  return CsvTable::Rounded(std::round(mm), 6) + " mm";
-}
 
 Facts
 InputFacts(const Volume & volume)
@@ -69,12 +58,11 @@ AddLineFacts(const ColonModel & model, Facts & facts)
   {
     bridged += gap.end - gap.begin;
   }
-  facts.emplace_back("Length of the centerline", Millimeters(line.length));
+  facts.emplace_back("Length of the centerline", Centimeters(line.length));
   facts.emplace_back("Bridged gaps",
-                     std::to_string(line.gaps.size()) + (line.gaps.empty() ? "" : ", " + Millimeters(bridged)));
+                     std::to_string(line.gaps.size()) + (line.gaps.empty() ? "" : ", " + Centimeters(bridged)));
   facts.emplace_back("Places where loops have merged", std::to_string(line.merges.size()));
-  facts.emplace_back("Distended (caliber of at least 10 mm)",
-                     CsvTable::Rounded(100.0 * model.distension.share, 3) + " % of the centerline");
+  facts.emplace_back("Distended (caliber of at least 10 mm)", WholePercent(model.distension.share) + " of it");
 }
 
 void
@@ -100,9 +88,9 @@ std::string
 CatheterInWords(const RectalCatheter & catheter)
 {
   const std::string balloon =
-    catheter.balloonDiameter > 0.0 ? ", with a balloon of " + Millimeters(catheter.balloonDiameter) : "";
+    catheter.balloonDiameter > 0.0 ? ", with a balloon of " + WholeMillimeters(catheter.balloonDiameter) : "";
   return (catheter.isSure ? "filled in, " : "doubtful, ") + InTenths(catheter.outerDiameter) + " mm wide" + balloon +
-         ", " + Millimeters(catheter.evidence.length) + " from " + PlaceInWords(catheter.axis.front()) + " to " +
+         ", " + WholeMillimeters(catheter.evidence.length) + " from " + PlaceInWords(catheter.axis.front()) + " to " +
          PlaceInWords(catheter.axis.back());
 }
 
@@ -115,8 +103,8 @@ AddValveFacts(const ColonModel & model, Facts & facts)
   }
   const std::optional<IleocecalValve> & valve = model.valve.valve;
   facts.emplace_back("Ileocecal valve",
-                     valve ? "at " + PlaceInWords(valve->position) + ", " + Millimeters(valve->arcLength) +
-                               " from the anal verge, confidence " + CsvTable::Rounded(valve->confidence, 2)
+                     valve ? "at " + PlaceInWords(valve->position) + ", " + Centimeters(valve->arcLength) +
+                               " from the anal verge, confidence " + ProbabilityInWords(valve->confidence)
                            : "not found: " + model.valve.reason);
   if (model.terminalIleum)
   {

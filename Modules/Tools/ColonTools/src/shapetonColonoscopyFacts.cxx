@@ -1,5 +1,6 @@
 #include "shapetonColonoscopyFacts.h"
 
+#include "shapetonColonFigures.h"
 #include "shapetonColonFlexures.h"
 #include "shapetonColonoscopyPictures.h"
 #include "shapetonCsvTable.h"
@@ -13,28 +14,6 @@ namespace shapeton
 {
 namespace
 {
-/** Significant digits of lengths and areas, which are rounded to mm and cm^2. */
-constexpr int digitsOfSize = 5;
-
-std::string
-Centimeters(double mm)
-{
-  constexpr double millimetersPerCm = 10.0;
-  return CsvTable::Rounded(std::round(mm) / millimetersPerCm, digitsOfSize) + " cm";
-}
-
-/** A part is never rounded to all or nothing. */
-std::string
-WholePercent(double share)
-{
-  constexpr double hundred = 100.0;
-  const double     whole = std::round(hundred * share);
-  return share < 0.0                       ? ""
-         : whole == hundred && share < 1.0 ? "> 99 %"
-         : whole == 0.0 && share > 0.0     ? "< 1 %"
-                                           : CsvTable::Rounded(whole, 3) + " %";
-}
-
 /** A number of a document, or NaN. */
 double
 NumberOrNaN(const Json & document, const char * pointer)
@@ -50,19 +29,78 @@ ValveInWords(const Json & valve)
 {
   return valve.at("found").get<bool>()
            ? "at " + Centimeters(NumberOrNaN(valve, "/arcLength")) + " from the anal verge, confidence " +
-               CsvTable::Rounded(NumberOrNaN(valve, "/confidence"), 2)
+               ProbabilityInWords(NumberOrNaN(valve, "/confidence"))
            : "not found: " + valve.at("reason").get<std::string>();
 }
 
-/** With the handles that it causes. */
+/** "prone"; the DICOM position code beside it if there is one. */
 std::string
-ResolutionInWords(const Json & resolution)
+PositionInWords(const ColonoscopyResults & results)
 {
-  const std::string text = resolution.at("text").get<std::string>();
-  return resolution.contains("handlesBeforeRepair")
-           ? text + "; " + std::to_string(resolution["handlesBeforeRepair"].get<int>()) +
-               " handles of the wall before the repair"
-           : text;
+  std::string position = results.quality.value("lumen", Json::object()).value("position", std::string());
+  position = position.empty() ? "unknown" : position;
+  return results.pair ? position + "; a second position is registered with it"
+                      : position + "; one position only, so the examination is incomplete";
+}
+
+/** Number and description of the series. */
+std::string
+SeriesInWords(const Json & inspection)
+{
+  for (const Json & series : inspection.is_null() ? Json::array() : inspection.value("series", Json::array()))
+  {
+    if (series.value("usable", false))
+    {
+      const Json & number = series.value("seriesNumber", Json());
+      return (number.is_number() ? std::to_string(number.get<int>()) + ": " : "") +
+             series.value("description", std::string());
+    }
+  }
+  return "";
+}
+
+/** "complete", or the missing parts. */
+std::string
+CompletenessInWords(const Json & parts)
+{
+  std::string missing;
+  for (const Json & part : parts)
+  {
+    missing += (missing.empty() ? "incomplete: " : "; ") + part.get<std::string>();
+  }
+  return missing.empty() ? "complete from rectum to cecum" : missing;
+}
+
+/** Lengths of colons at CT colonography, mm: mean - 2 SD of 150.3 +- 18.5 cm (Utano et al., Jpn J Radiol 2022, 295
+ * patients) to mean + 2 SD of 189.5 +- 26.3 cm (Khashab et al., Endoscopy 2009, 505 adults). */
+constexpr double leastLength = 1133.0, greatestLength = 2421.0;
+
+/** Volumes of gas at CT colonography, ml: mean - 2 SD of prone series, 1441 +- 505 ml, to mean + 2 SD of lateral
+ * series, 1901 +- 627 ml (Pickhardt et al., AJR 2014, 146 adults, carbon dioxide). */
+constexpr double leastGas = 431.0, greatestGas = 3155.0;
+
+/** ", within the reference range 113.3 to 242.1 cm". */
+std::string
+BesideReference(double value, double least, double greatest, const std::string & range)
+{
+  return std::string(value < least      ? ", below"
+                     : value > greatest ? ", above"
+                                        : ", within") +
+         " the reference range " + range;
+}
+
+void
+AddVolumes(const Json & quality, ColonoscopyFacts & facts)
+{
+  const double gas = NumberOrNaN(quality, "/lumen/gasVolume");
+  const double fluid = NumberOrNaN(quality, "/lumen/fluidVolume");
+  if (std::isfinite(gas))
+  {
+    const std::string range = WholeNumber(leastGas) + " to " + Milliliters(greatestGas) + " (Pickhardt 2014)";
+    facts.emplace_back("Lumen",
+                       Milliliters(fluid) + " of tagged fluid, " + Milliliters(gas) + " of gas" +
+                         BesideReference(gas, leastGas, greatestGas, range));
+  }
 }
 
 void
@@ -70,35 +108,27 @@ AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
 {
   if (quality.contains("missing"))
   {
-    std::string missing;
-    for (const Json & part : quality["missing"])
-    {
-      missing += (missing.empty() ? "incomplete: " : "; ") + part.get<std::string>();
-    }
-    facts.emplace_back("Colon", missing.empty() ? "complete" : missing);
+    facts.emplace_back("Colon", CompletenessInWords(quality["missing"]));
   }
   if (quality.contains("resolution"))
   {
-    facts.emplace_back("Resolution", ResolutionInWords(quality["resolution"]));
-  }
-  const double gas = NumberOrNaN(quality, "/lumen/gasVolume");
-  const double fluid = NumberOrNaN(quality, "/lumen/fluidVolume");
-  if (std::isfinite(gas))
-  {
-    facts.emplace_back(
-      "Lumen", CsvTable::Rounded(gas, 4) + " ml of gas, " + CsvTable::Rounded(fluid, 4) + " ml of tagged fluid");
+    facts.emplace_back("Voxels", quality["resolution"].at("text").get<std::string>());
   }
   const double length = NumberOrNaN(quality, "/centerline/length");
   if (std::isfinite(length))
   {
-    facts.emplace_back("Length of the centerline", Centimeters(length));
-    facts.emplace_back("Distended (caliber of at least 10 mm)",
-                       WholePercent(NumberOrNaN(quality, "/distension/whole/share")) + " of it");
-    facts.emplace_back("Bridged gaps", std::to_string(quality["centerline"]["gaps"].size()));
-    if (const double share = NumberOrNaN(quality, "/assessability/whole/assessableShare"); std::isfinite(share))
-    {
-      facts.emplace_back("Assessable (the wall is visible)", WholePercent(share) + " of it");
-    }
+    facts.emplace_back("Length",
+                       Centimeters(length) +
+                         BesideReference(length,
+                                         leastLength,
+                                         greatestLength,
+                                         NumberOfCentimeters(leastLength) + " to " + Centimeters(greatestLength) +
+                                           " (Utano 2022, Khashab 2009)"));
+  }
+  AddVolumes(quality, facts);
+  if (const double share = NumberOrNaN(quality, "/assessability/whole/assessableShare"); std::isfinite(share))
+  {
+    facts.emplace_back("Evaluable wall", WholePercent(share) + " of the length");
   }
   if (quality.contains("ileocecalValve"))
   {
@@ -130,14 +160,6 @@ std::string
 NumberOrNothing(double value, int digits)
 {
   return std::isfinite(value) ? CsvTable::Rounded(value, digits) : "";
-}
-
-int
-FoldsBetween(const ColonoscopyResults & results, double begin, double end)
-{
-  return static_cast<int>(std::count_if(results.folds.begin(), results.folds.end(), [&](const ColonoscopyFold & fold) {
-    return fold.arcLength >= begin && fold.arcLength < end;
-  }));
 }
 
 double
@@ -183,28 +205,6 @@ TaeniaeInWords(const ColonoscopyResults & results)
   return text;
 }
 
-/** "yes", or the fraction and the reason. */
-std::string
-AssessableInWords(const Json & landmarks, int number)
-{
-  for (const Json & segment : landmarks.at("segments"))
-  {
-    if (segment.at("number").get<int>() != number || !segment.contains("verdict"))
-    {
-      continue;
-    }
-    const std::string verdict = segment["verdict"].get<std::string>();
-    std::string       text = verdict == "assessable" ? "yes" : verdict == "partly" ? "in part" : "not assessable";
-    text += ", " + WholePercent(NumberOrNaN(segment, "/assessableShare"));
-    for (const Json & reason : segment.at("reasons"))
-    {
-      text += "; " + Centimeters(NumberOrNaN(reason, "/length")) + " " + reason.at("words").get<std::string>();
-    }
-    return text;
-  }
-  return "";
-}
-
 /** Number of folds, and their density: thick slices add false folds. */
 std::string
 FoldsInWords(const ColonoscopyResults & results)
@@ -218,33 +218,27 @@ FoldsInWords(const ColonoscopyResults & results)
            : number;
 }
 
-long
-NumberOfFlexures(const Json & landmarks)
-{
-  const Json & flexures = landmarks.at("flexures");
-  return std::count_if(
-    flexures.begin(), flexures.end(), [](const Json & flexure) { return flexure.at("found").get<bool>(); });
-}
 } // namespace
 
 ColonoscopyFacts
 SummaryOf(const ColonoscopyReportContent & content)
 {
   const ColonoscopyResults & results = *content.results;
-  ColonoscopyFacts facts{ { "Run", content.failure.empty() ? "all stages finished" : "partial: " + content.failure } };
+  ColonoscopyFacts           facts;
+  if (!content.failure.empty())
+  {
+    facts.emplace_back("Run", "partial: " + content.failure);
+  }
+  if (results.quality.is_null())
+  {
+    return facts;
+  }
+  facts.emplace_back("Position", PositionInWords(results));
+  if (const std::string series = SeriesInWords(results.inspection); !series.empty())
+  {
+    facts.emplace_back("Series", series);
+  }
   AddModelFacts(results.quality, facts);
-  if (results.IsDone(colonoscopystage::landmarks))
-  {
-    facts.emplace_back("Flexures", std::to_string(NumberOfFlexures(results.landmarks)) + " of 4 found");
-  }
-  if (results.IsDone(colonoscopystage::folds))
-  {
-    facts.emplace_back("Haustral folds", FoldsInWords(results));
-  }
-  if (results.IsDone(colonoscopystage::polyps))
-  {
-    facts.emplace_back("Polyp candidates", std::to_string(results.polyps.size()));
-  }
   return facts;
 }
 
@@ -260,34 +254,20 @@ MethodFactsOf(const ColonoscopyReportContent & content)
       facts.emplace_back("Input", value);
     }
   }
+  if (const double handles = NumberOrNaN(results.quality, "/resolution/handlesBeforeRepair"); std::isfinite(handles))
+  {
+    facts.emplace_back("Handles of the wall before the repair", WholeNumber(handles));
+  }
   AddMapFacts(results.flatStatistics, facts);
+  if (results.IsDone(colonoscopystage::folds))
+  {
+    facts.emplace_back("Haustral folds", FoldsInWords(results));
+  }
   if (results.IsDone(colonoscopystage::landmarks))
   {
     facts.emplace_back("Taeniae", TaeniaeInWords(results));
   }
   return facts;
-}
-
-CsvTable
-SegmentTable(const ColonoscopyResults & results)
-{
-  CsvTable table({ "segment", "from", "to", "length", "wall, cm^2", "distended", "folds", "assessable" });
-  const std::vector<ColonSegment> shares = ChartSegmentsOf(results);
-  for (std::size_t i = 0; i < results.segments.size(); ++i)
-  {
-    const ColonSegmentExtent & segment = results.segments[i];
-    table.AddRow({ segment.name,
-                   Centimeters(segment.begin),
-                   Centimeters(segment.end),
-                   Centimeters(segment.end - segment.begin),
-                   CsvTable::Rounded(std::round(segment.area / 100.0), digitsOfSize),
-                   WholePercent(shares[i].distendedShare),
-                   results.IsDone(colonoscopystage::folds)
-                     ? std::to_string(FoldsBetween(results, segment.begin, segment.end))
-                     : "",
-                   AssessableInWords(results.landmarks, segment.label) });
-  }
-  return table;
 }
 
 CsvTable
@@ -305,9 +285,9 @@ FlexureTable(const ColonoscopyResults & results)
     const Json & p = flexure.at("position");
     table.AddRow({ name,
                    Centimeters(NumberOrNaN(flexure, "/arcLength")),
-                   CsvTable::Rounded(p[0].get<double>(), 4) + ", " + CsvTable::Rounded(p[1].get<double>(), 4) + ", " +
-                     CsvTable::Rounded(p[2].get<double>(), 4),
-                   NumberOrNothing(NumberOrNaN(flexure, "/confidence"), 2),
+                   WholeNumber(p[0].get<double>()) + ", " + WholeNumber(p[1].get<double>()) + ", " +
+                     WholeNumber(p[2].get<double>()),
+                   ProbabilityInWords(NumberOrNaN(flexure, "/confidence")),
                    flexure.contains("notAssessable")
                      ? "not assessable: " + flexure["notAssessable"].at("words").get<std::string>()
                      : "" });
@@ -323,7 +303,7 @@ TaeniaTable(const ColonoscopyResults & results)
   {
     table.AddRow({ NumberOrNothing(CellValue(results.taeniae, "taenia", curve), 2),
                    Centimeters(LengthOf(results.taeniae, curve)),
-                   NumberOrNothing(MeanConfidence(results.taeniae, curve), 2) });
+                   ProbabilityInWords(MeanConfidence(results.taeniae, curve)) });
   }
   return table;
 }

@@ -7,17 +7,13 @@ namespace shapeton
 {
 using ColonoscopyFacts = ColonoscopyReportContent::Facts;
 
-/** What a reader needs first. */
+/** Position, series, completeness and size, with reference ranges. */
 ColonoscopyFacts
 SummaryOf(const ColonoscopyReportContent & content);
 
-/** Input, flat map and taeniae. */
+/** Input, handles, flat map, folds and taeniae. */
 ColonoscopyFacts
 MethodFactsOf(const ColonoscopyReportContent & content);
-
-/** Length, area, distension and folds of each segment. */
-CsvTable
-SegmentTable(const ColonoscopyResults & results);
 
 /** Position and confidence of each flexure, including those that were not found. */
 CsvTable

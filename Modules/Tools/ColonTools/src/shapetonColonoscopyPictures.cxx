@@ -1,6 +1,5 @@
 #include "shapetonColonoscopyPictures.h"
 
-#include "shapetonColonDistension.h"
 #include "shapetonColonFlexures.h"
 #include "shapetonColonLandmarkPictures.h"
 #include "shapetonJson.h"
@@ -126,7 +125,8 @@ AddCenterline(SurfaceScene & scene, SurfaceRenderingOptions & options, const Cur
   actor.radius = radiusOfLine;
   if (distance && distance->values.size() > 0)
   {
-    options.colorBar = ColorScale{ "distance from the anal verge (mm)", 0.0, distance->values.maxCoeff() };
+    options.colorBar = ColorScale{ "distance from the anal verge (cm)", 0.0, distance->values.maxCoeff() };
+    options.colorBar->shownPerValue = MillimetersAsCentimeters;
     for (Eigen::Index i = 0; i < centerline.V.rows(); ++i)
     {
       actor.vertexColors.push_back(options.colorBar->ColorOf(distance->values(i, 0)));
@@ -172,10 +172,7 @@ ChartSegmentsOf(const ColonoscopyResults & results)
   std::vector<ColonSegment> segments;
   for (const ColonSegmentExtent & segment : results.segments)
   {
-    segments.push_back({ segment.name,
-                         segment.begin,
-                         segment.end,
-                         MeasureDistension(results.centerline, segment.begin, segment.end).share });
+    segments.push_back({ segment.name, segment.begin, segment.end });
   }
   return segments;
 }

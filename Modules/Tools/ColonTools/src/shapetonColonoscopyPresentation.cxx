@@ -4,6 +4,7 @@
 #include "shapetonContentIdentity.h"
 #include "shapetonFlatColonStrip.h"
 #include "shapetonJson.h"
+#include "shapetonPdfFile.h"
 #include "shapetonSha256.h"
 #include "shapetonExceptions.h"
 #include "shapetonToolDevice.h"
@@ -87,6 +88,7 @@ private:
     }
     ColonoscopyReportContent content;
     content.results = &results;
+    content.quality = MeasureColonoscopyQuality(results);
     content.failure = m_Presentation.failure;
     content.warnings = m_Presentation.warnings;
     content.provenance = m_Presentation.provenance;
@@ -98,6 +100,21 @@ private:
     };
     WriteColonoscopyReport(content, m_CommandLine.Output(m_Folder + "/report.html"), m_Folder + "/.report.part");
     publish("report.html");
+    if (HasPdfWriter())
+    {
+      WritePdf(m_Folder + "/report.html", m_CommandLine.Output(m_Folder + "/report.pdf"));
+      publish("report.pdf");
+    }
+    else
+    {
+      m_CommandLine.Warn(
+        "report.pdf was not written, because WeasyPrint was not found; install the package weasyprint");
+    }
+    if (!content.quality.segments.empty())
+    {
+      TableOfSegmentQuality(content.quality.segments).Write(m_CommandLine.Output(m_Folder + "/segments.csv"));
+      publish("segments.csv");
+    }
     m_CommandLine.MakeFolder(m_Folder + "/slicer");
     const OutputPath outputPath = [&](const std::string & path) { return m_CommandLine.Output(path); };
     for (const std::string & name : WriteColonoscopySlicerFiles(results, m_Folder + "/slicer", outputPath))

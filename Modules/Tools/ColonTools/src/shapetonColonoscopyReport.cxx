@@ -1,6 +1,8 @@
 #include "shapetonColonoscopyReport.h"
 
+#include "shapetonColonFigures.h"
 #include "shapetonColonoscopyFacts.h"
+#include "shapetonColonoscopyLimitations.h"
 #include "shapetonColonoscopyPictures.h"
 #include "shapetonDistensionChart.h"
 #include "shapetonPolypCandidateReport.h"
@@ -63,6 +65,23 @@ private:
   std::filesystem::path m_Folder;
 };
 
+std::vector<HtmlReport::LinkedItem>
+LinkedLimitations(const std::vector<Limitation> & limitations, bool hasViewer)
+{
+  std::vector<HtmlReport::LinkedItem> items;
+  for (const Limitation & one : limitations)
+  {
+    HtmlReport::LinkedItem item{ one.text, "", "Show in the viewer" };
+    if (hasViewer && one.place)
+    {
+      const Eigen::Vector3d & p = *one.place;
+      item.path = "viewer/viewer.html#lps=" + WholeNumber(p.x()) + ',' + WholeNumber(p.y()) + ',' + WholeNumber(p.z());
+    }
+    items.push_back(item);
+  }
+  return items;
+}
+
 void
 AddDistension(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & results)
 {
@@ -115,10 +134,46 @@ AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & r
   pictures.Add(drawings);
 }
 
+/** The first page: what a reader needs before the pictures. */
+void
+AddFirstPage(HtmlReport & html, const ColonoscopyReportContent & content)
+{
+  const ColonoscopyResults & results = *content.results;
+  const ColonoscopyQuality & quality = content.quality;
+  html.BeginPage();
+  html.AddResearchNote();
+  if (!content.failure.empty())
+  {
+    html.AddNote(content.failure);
+  }
+  html.AddFacts(SummaryOf(content));
+  if (const std::string reason = ReasonForInadequate(results, quality); !reason.empty())
+  {
+    html.AddNote("Consider category C0 (inadequate examination): " + reason + ".");
+  }
+  if (!quality.segments.empty())
+  {
+    html.AddHeading("Quality by segment");
+    html.AddTable(QualityTable(quality).WithoutEmptyColumns(),
+                  "Distances from the anal verge; caliber of the maximum inscribed sphere, without the anal canal");
+  }
+  if (results.IsDone(colonoscopystage::polyps))
+  {
+    AddPolypCandidateTable(html, results.centerline, results.polyps);
+  }
+  if (const std::vector<Limitation> limitations = LimitationsOf(results, quality);
+      !limitations.empty() && !results.quality.is_null())
+  {
+    html.AddHeading("Limitations of this examination");
+    html.AddNumberedList(LinkedLimitations(limitations, results.IsDone(colonoscopystage::viewer)));
+  }
+  html.EndPage();
+}
+
 void
 AddPolyps(HtmlReport & html, const ColonoscopyResults & results)
 {
-  AddPolypCandidates(html, results.centerline, results.polyps, [&](int number) {
+  AddPolypCandidateCards(html, results.polyps, results.lumen, [&](int number) {
     const auto i = static_cast<std::size_t>(number);
     return i < results.polypPictures.size() ? results.polypPictures[i] : std::string();
   });
@@ -139,7 +194,7 @@ AddPair(HtmlReport & html, PagePictures & pictures, const ColonoscopyPair & pair
 }
 
 void
-AddTables(HtmlReport & html, const ColonoscopyResults & results)
+AddLandmarks(HtmlReport & html, const ColonoscopyResults & results)
 {
   html.AddHeading("Landmarks");
   if (!results.IsDone(colonoscopystage::landmarks))
@@ -147,20 +202,27 @@ AddTables(HtmlReport & html, const ColonoscopyResults & results)
     html.AddParagraph("None: the stage was not run.");
     return;
   }
-  html.AddTable(SegmentTable(results), "Segments by distance from the anal verge along the centerline");
-  html.AddTable(FlexureTable(results), "Flexures; confidence from 0 to 1");
+  html.AddTable(FlexureTable(results).WithoutEmptyColumns(), "Flexures; confidence from 0 to 1");
   html.AddTable(TaeniaTable(results), "Taeniae; confidence from 0 to 1");
 }
 
 void
-AddProvenance(HtmlReport & html, const ColonoscopyReportContent & content)
+AddTechnicalDetails(HtmlReport & html, const ColonoscopyReportContent & content)
 {
+  html.BeginDetails("Technical details: messages of the stages, methods, files and provenance");
+  html.AddSubheading("Messages");
+  html.AddWarnings(content.warnings);
+  if (content.warnings.empty())
+  {
+    html.AddParagraph("None.");
+  }
   html.AddSubheading("Methods");
   html.AddFacts(MethodFactsOf(content));
   html.AddSubheading("Stages");
   html.AddTable(StageTable(content), "The files are in the folder of the stage, their SHA-256 in stages/STAGE.json");
   html.AddSubheading("Provenance");
   html.AddFacts(content.provenance);
+  html.EndDetails();
 }
 } // namespace
 
@@ -172,18 +234,13 @@ WriteColonoscopyReport(const ColonoscopyReportContent & content,
   const ColonoscopyResults & results = *content.results;
   HtmlReport                 html("Virtual colonoscopy");
   PagePictures               pictures(html, scratchFolder);
-  std::vector<std::string>   doubts = content.warnings;
-  if (!content.failure.empty())
-  {
-    doubts.insert(doubts.begin(), content.failure);
-  }
-  html.AddHead(SummaryOf(content), doubts);
   if (results.IsDone(colonoscopystage::viewer))
   {
     html.AddLink("viewer/viewer.html",
-                 "Read this examination: flat wall, wall in space, endoluminal view and slices with a linked "
+                 "Read this examination: virtual dissection, wall in space, endoluminal view and slices with a linked "
                  "crosshair");
   }
+  AddFirstPage(html, content);
   if (results.IsDone(colonoscopystage::polyps))
   {
     AddPolyps(html, results);
@@ -192,7 +249,7 @@ WriteColonoscopyReport(const ColonoscopyReportContent & content,
   {
     AddDistension(html, pictures, results);
   }
-  AddTables(html, results);
+  AddLandmarks(html, results);
   if (results.flat)
   {
     AddFlat(html, pictures, results);
@@ -205,10 +262,7 @@ WriteColonoscopyReport(const ColonoscopyReportContent & content,
   {
     AddPair(html, pictures, *results.pair);
   }
-  html.AddHeading("Technical details");
-  html.BeginDetails("Methods, stages, files and provenance");
-  AddProvenance(html, content);
-  html.EndDetails();
+  AddTechnicalDetails(html, content);
   html.Write(path);
 }
 } // namespace shapeton

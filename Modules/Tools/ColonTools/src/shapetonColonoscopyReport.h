@@ -4,7 +4,7 @@
 #include "ShapetonColonToolsExport.h"
 
 #include "shapetonRemarks.h"
-#include "shapetonColonoscopyResults.h"
+#include "shapetonColonoscopyQuality.h"
 #include "shapetonHtmlReport.h"
 
 namespace shapeton
@@ -15,15 +15,17 @@ struct ColonoscopyReportContent
   using Facts = std::vector<std::pair<std::string, std::string>>;
   /** Not owned. */
   const ColonoscopyResults * results{ nullptr };
+  ColonoscopyQuality         quality;
   /** Error message of the failed stage; "" if all stages completed. */
   std::string failure;
   Remarks     warnings;
   Facts       provenance;
 };
 
-/** Writes one self-contained HTML file: summary, distension, views in space, the flat colon in rows, tables, doubtful
- * results, provenance; for a failed run, the results so far. Equal content gives equal bytes. `scratchFolder` is
- * created and removed with its contents. Throws OutputError. \ingroup ShapetonColonTools */
+/** Writes one self-contained HTML file: a first page with the examination, quality by segment, candidates and
+ * limitations; then cards of the candidates, distension, landmarks, the unfolded wall and views in space; technical
+ * details are folded away at the end. For a failed run, the results so far. Equal content gives equal bytes.
+ * `scratchFolder` is created and removed with its contents. Throws OutputError. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT void
 WriteColonoscopyReport(const ColonoscopyReportContent & content,
                        const std::string &              path,

@@ -7,8 +7,11 @@
 #include "shapetonExceptions.h"
 #include "shapetonImageFile.h"
 #include "shapetonParallelFor.h"
+#include "shapetonReadImage.h"
 
 #include "shapetonJson.h"
+
+#include "itkNrrdImageIO.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,6 +99,7 @@ ReadAllButImages(const StageFiles & files, const std::string & folder, Colonosco
   const auto json = [](Json & document) {
     return [&document](const std::string & path) { document = ReadJson(path); };
   };
+  files.Read(names::inspection, "series.json", json(results.inspection));
   files.Read(names::segmentation, "quality.json", json(results.quality));
   files.Read(names::segmentation, "centerline.vtp", curves(results.centerline));
   files.Read(names::segmentation, "wall-simplified.vtp", surface(results.wall));
@@ -151,6 +155,13 @@ ReadColonoscopyResults(const std::string & folder, const std::vector<StageResult
   WorkBeside       others = StartBeside([&] { ReadAllButImages(files, folder, results); });
   files.Read(
     names::segmentation, "cleansed.nrrd", [&](const std::string & path) { results.ct = ReadImageFile(path).image; });
+  files.Read(names::segmentation, "cleansing.nrrd", [&](const std::string & path) {
+    results.cleansing = ReadImageFile(path).image;
+  });
+  files.Read(names::segmentation, "lumen.nrrd", [&](const std::string & path) {
+    results.lumen =
+      ReadImage<itk::Image<unsigned char, 3>>(path, itk::NrrdImageIO::New(), "run VirtualColonoscopy again");
+  });
   files.Read(names::folds, "labels.nrrd", [&](const std::string & path) { results.foldLabels = ReadFoldLabels(path); });
   others.Get();
   return results;

@@ -46,11 +46,16 @@ struct ShapetonColonTools_EXPORT ColonoscopyResults
   /** Stages that were started, in order. */
   std::vector<StageResult> stages;
 
-  Json                          quality; ///< quality report of the segmentation
+  Json                          inspection; ///< series.json; null for a volume
+  Json                          quality;    ///< quality report of the segmentation
   CurveSet                      centerline;
   SurfaceMesh                   wall;
-  itk::Image<float, 3>::Pointer ct;     ///< cleansed; null for a mask
-  DeviceUse                     device; ///< device that renders the CT
+  itk::Image<float, 3>::Pointer ct; ///< cleansed; null for a mask
+  /** CT minus cleansed CT, on the same grid; null for a mask. */
+  itk::Image<float, 3>::Pointer cleansing;
+  /** 1 gas, 2 tagged fluid, 3 terminal ileum; null if it was not read. */
+  itk::Image<unsigned char, 3>::Pointer lumen;
+  DeviceUse                             device; ///< device that renders the CT
 
   Json flatStatistics;
   /** Null if it was not read. */

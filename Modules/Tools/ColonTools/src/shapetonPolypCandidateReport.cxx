@@ -1,7 +1,9 @@
 #include "shapetonPolypCandidateReport.h"
 
+#include "shapetonColonFigures.h"
 #include "shapetonColonSegments.h"
 #include "shapetonCommandLine.h"
+#include "shapetonPlaceInWords.h"
 #include "shapetonPolypCandidatePictures.h"
 #include "shapetonPolypMorphology.h"
 #include "shapetonScanResolution.h"
@@ -15,28 +17,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr double millimetersPerCm = 10.0;
-
-std::string
-Cell(double value, int digits)
-{
-  return std::isfinite(value) ? CsvTable::Rounded(value, digits) : "";
-}
-
-/** Two digits after the point; small scores are not rounded to 0. */
-std::string
-ScoreInWords(double score)
-{
-  constexpr double least = 0.01;
-  return score < least ? "< 0.01" : CsvTable::Rounded(std::round(score / least) * least, 2);
-}
-
-std::string
-DistanceInCm(const PolypCandidate & candidate)
-{
-  return Cell(std::round(candidate.arcLength) / millimetersPerCm, 4);
-}
-
 std::string
 OtherPosition(const PolypCandidate & candidate)
 {
@@ -46,8 +26,9 @@ OtherPosition(const PolypCandidate & candidate)
   }
   const PolypInOtherPosition & other = *candidate.other;
   return other.isExcluded ? "not imaged"
-         : other.isSeen   ? "candidate " + std::to_string(other.candidate) + ", " + Cell(other.distance, 2) + " mm away"
-                          : "no candidate";
+         : other.isSeen
+           ? "candidate " + std::to_string(other.candidate) + ", " + WholeMillimeters(other.distance) + " away"
+           : "no candidate";
 }
 
 /** "46 (-58 to 155), soft tissue". */
@@ -58,19 +39,19 @@ AttenuationInWords(const PolypCandidate & candidate)
   {
     return "";
   }
-  const auto whole = [](double value) { return std::to_string(std::lround(value)); };
-  return whole(candidate.meanAttenuation) + " (" + whole(candidate.lowAttenuation) + " to " +
-         whole(candidate.highAttenuation) + "), " + NameOf(candidate.tissue);
+  return WholeNumber(candidate.meanAttenuation) + " (" + WholeNumber(candidate.lowAttenuation) + " to " +
+         WholeNumber(candidate.highAttenuation) + "), " +
+         (candidate.tissue == PolypTissue::Unknown ? "partial volume" : NameOf(candidate.tissue));
 }
 
 /** "10 mm, sagittal; 9 mm in 3-D". */
 std::string
 SizeInWords(const PolypCandidate & candidate)
 {
-  const std::string inSpace = std::to_string(std::lround(candidate.diameter)) + " mm";
-  return candidate.plane.empty() ? inSpace
-                                 : std::to_string(std::lround(candidate.planeDiameter)) + " mm, " + candidate.plane +
-                                     "; " + inSpace + " in 3-D";
+  const std::string inSpace = WholeMillimeters(candidate.diameter);
+  return candidate.plane.empty()
+           ? inSpace
+           : WholeMillimeters(candidate.planeDiameter) + ", " + candidate.plane + "; " + inSpace + " in 3-D";
 }
 
 CsvTable
@@ -88,12 +69,12 @@ TableOfCandidates(const std::vector<PolypCandidate> & candidates)
   for (const PolypCandidate & one : candidates)
   {
     table.AddRow({ std::to_string(one.number),
-                   ScoreInWords(one.score),
+                   ProbabilityInWords(one.score),
                    NameOfSegment(one.segment),
-                   DistanceInCm(one),
-                   Cell(std::round(one.diameter), 3),
+                   NumberOfCentimeters(one.arcLength),
+                   WholeNumber(one.diameter),
                    MorphologyInWords(one),
-                   Cell(std::round(one.meanAttenuation), 4),
+                   WholeNumber(one.meanAttenuation),
                    OtherPosition(one),
                    one.remark });
   }
@@ -115,11 +96,11 @@ TableOfLookalikes(const std::vector<PolypCandidate> & candidates)
     const bool isFragment = one.lookalike == PolypLookalike::None;
     table.AddRow({ std::to_string(one.number),
                    isFragment ? "part of candidate " + std::to_string(one.mainCandidate) : NameOf(one.lookalike),
-                   ScoreInWords(one.score),
+                   ProbabilityInWords(one.score),
                    NameOfSegment(one.segment),
-                   DistanceInCm(one),
-                   Cell(std::round(one.diameter), 3),
-                   Cell(std::round(one.meanAttenuation), 4) });
+                   NumberOfCentimeters(one.arcLength),
+                   WholeNumber(one.diameter),
+                   WholeNumber(one.meanAttenuation) });
   }
   return table;
 }
@@ -129,17 +110,25 @@ TitleOfCard(const PolypCandidate & candidate)
 {
   const std::string segment = NameOfSegment(candidate.segment);
   return "Candidate " + std::to_string(candidate.number) + ": " + (segment.empty() ? "" : segment + ", ") +
-         DistanceInCm(candidate) + " cm from the anal verge";
+         Centimeters(candidate.arcLength) + " from the anal verge";
+}
+
+/** "slice 126, at (-175, -125, 100) mm". */
+std::string
+PlaceInSlices(const Eigen::Vector3d & place, const itk::ImageBase<3> * grid)
+{
+  return (grid ? "slice " + std::to_string(SliceNumber(grid, place)) + ", at " : "at ") + PlaceInWords(place);
 }
 
 /** The rows of a card that have a value. */
 std::vector<std::pair<std::string, std::string>>
-FactsOfCard(const PolypCandidate & candidate)
+FactsOfCard(const PolypCandidate & candidate, const itk::ImageBase<3> * grid)
 {
   std::vector<std::pair<std::string, std::string>> facts{
-    { "Score", ScoreInWords(candidate.score) + ", calibrated on synthetic patients" },
+    { "Place", PlaceInSlices(candidate.position, grid) },
+    { "Score", ProbabilityInWords(candidate.score) + ", calibrated on synthetic patients" },
     { "Largest diameter", SizeInWords(candidate) },
-    { "Height", Cell(std::round(candidate.height), 3) + " mm" },
+    { "Height", WholeMillimeters(candidate.height) },
     { "Morphology", MorphologyInWords(candidate) },
     { "Mean attenuation, 5 to 95 % (HU)", AttenuationInWords(candidate) },
     { "Other position", OtherPosition(candidate) },
@@ -150,12 +139,26 @@ FactsOfCard(const PolypCandidate & candidate)
   return facts;
 }
 
+/** The possible polyps, or all others. */
+std::vector<PolypCandidate>
+Select(const std::vector<PolypCandidate> & candidates, bool arePolyps)
+{
+  std::vector<PolypCandidate> selected;
+  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(selected), [=](const PolypCandidate & one) {
+    return IsListedAsPolyp(one) == arePolyps;
+  });
+  return selected;
+}
+
 void
-AddCard(HtmlReport & report, const PolypCandidate & candidate, const PolypPictureFile & pictureOf)
+AddCard(HtmlReport &              report,
+        const PolypCandidate &    candidate,
+        const itk::ImageBase<3> * grid,
+        const PolypPictureFile &  pictureOf)
 {
   report.AddMarkup("<section class=\"card\" id=\"candidate-" + std::to_string(candidate.number) + "\">\n");
   report.AddSubheading(TitleOfCard(candidate));
-  report.AddFacts(FactsOfCard(candidate));
+  report.AddFacts(FactsOfCard(candidate, grid));
   if (const std::string path = pictureOf(candidate.number); !path.empty())
   {
     const std::string crops =
@@ -167,39 +170,49 @@ AddCard(HtmlReport & report, const PolypCandidate & candidate, const PolypPictur
 } // namespace
 
 void
-AddPolypCandidates(HtmlReport &                        report,
-                   const CurveSet &                    centerline,
-                   const std::vector<PolypCandidate> & candidates,
-                   const PolypPictureFile &            pictureOf)
+AddPolypCandidateTable(HtmlReport & report, const CurveSet & centerline, const std::vector<PolypCandidate> & candidates)
 {
   report.AddHeading("Polyp candidates");
-  report.AddNote("For research use; not a diagnosis. A candidate is a location shaped like a polyp. It may be "
-                 "stool, the ileocecal valve or the end of a fold, and the list may miss polyps.");
+  report.AddParagraph(
+    "A candidate is a location shaped like a polyp. It may be stool, the ileocecal valve or the end of "
+    "a fold, and the list may miss polyps.");
   if (const double below = NotAssessableBelow(centerline); below > 0.0)
   {
     report.AddParagraph("At the resolution of this scan, the colon is " + NotAssessableInWords(below) +
                         ": such polyps are often missing.");
   }
-  std::vector<PolypCandidate> polyps, others;
-  std::partition_copy(
-    candidates.begin(), candidates.end(), std::back_inserter(polyps), std::back_inserter(others), IsListedAsPolyp);
+  const std::vector<PolypCandidate> polyps = Select(candidates, true), others = Select(candidates, false);
   if (polyps.empty())
   {
     report.AddParagraph("No candidates at this sensitivity.");
   }
   else
   {
-    report.AddTable(TableOfCandidates(polyps), "Candidates, highest score first");
+    report.AddTable(TableOfCandidates(polyps).WithoutEmptyColumns(), "Candidates, highest score first");
     report.AddParagraph("Scores are probabilities, calibrated on synthetic patients. " + SizesIfConfirmed(candidates) +
                         ". The category (C-RADS) is the decision of the reader.");
   }
+  if (!others.empty())
+  {
+    report.AddParagraph(std::to_string(others.size()) +
+                        " more are recognized as something else, or belong to another candidate; see below.");
+  }
+}
+
+void
+AddPolypCandidateCards(HtmlReport &                        report,
+                       const std::vector<PolypCandidate> & candidates,
+                       const itk::ImageBase<3> *           grid,
+                       const PolypPictureFile &            pictureOf)
+{
+  const std::vector<PolypCandidate> polyps = Select(candidates, true), others = Select(candidates, false);
   if (const std::string flat = candidates.empty() ? "" : pictureOf(0); !flat.empty())
   {
     report.AddPicture(flat, "Candidates on the virtual dissection (unfolded view)");
   }
   for (const PolypCandidate & one : polyps)
   {
-    AddCard(report, one, pictureOf);
+    AddCard(report, one, grid, pictureOf);
   }
   if (!others.empty())
   {
@@ -207,7 +220,7 @@ AddPolypCandidates(HtmlReport &                        report,
     report.BeginDetails("Pictures of these");
     for (const PolypCandidate & one : others)
     {
-      AddCard(report, one, pictureOf);
+      AddCard(report, one, grid, pictureOf);
     }
     report.EndDetails();
   }
@@ -240,7 +253,8 @@ WritePolypCandidateReport(CommandLine &                       commandLine,
   }
   HtmlReport report("Polyp candidates of a colon");
   report.AddHead({ { "Candidates", std::to_string(candidates.size()) } }, commandLine.GetWarnings());
-  AddPolypCandidates(report, colon.centerline, candidates, [&](int number) {
+  AddPolypCandidateTable(report, colon.centerline, candidates);
+  AddPolypCandidateCards(report, candidates, colon.lumen, [&](int number) {
     const auto found = pictures.find(number);
     return found == pictures.end() ? std::string() : found->second;
   });

@@ -1,3 +1,4 @@
+#include "shapetonColonoscopyLimitations.h"
 #include "shapetonColonoscopyReport.h"
 
 #include "shapetonFileBytes.h"
@@ -33,6 +34,47 @@ StageNamed(const std::string & name, int status)
   stage.status = status;
   stage.message = status == 0 ? "" : "no <colon> found";
   return stage;
+}
+
+shapeton::SurfaceArray
+Array(const std::string & name, const Eigen::VectorXd & values)
+{
+  return { name, values, false };
+}
+
+/** A colon along the third axis of an image with slices of 2 mm, collapsed from 200 to 240 mm, narrow from 300 to 320
+ * mm and cut by the scan up to 5 mm. */
+shapeton::ColonoscopyResults
+CollapsedColon()
+{
+  constexpr int   points = 1761; // one each mm
+  Eigen::VectorXd arc = Eigen::VectorXd::LinSpaced(points, 0.0, points - 1.0);
+  const auto      between = [&](double begin, double end, double value) {
+    return ((arc.array() >= begin && arc.array() <= end).cast<double>() * value).matrix().eval();
+  };
+  shapeton::ColonoscopyResults results;
+  results.centerline.V = shapeton::VertexMatrix::Zero(points, 3);
+  results.centerline.V.col(2) = arc;
+  results.centerline.curves.emplace_back();
+  for (int i = 0; i < points; ++i)
+  {
+    results.centerline.curves[0].push_back(i);
+  }
+  results.centerline.pointArrays = {
+    Array("arcLength", arc),
+    Array("radius", Eigen::VectorXd::Constant(points, 15.0)),
+    Array("gap", between(201.0, 239.0, 1.0)),
+    Array("notAssessable", between(0.0, 4.0, 2.0) + between(201.0, 239.0, 1.0) + between(300.0, 320.0, 4.0))
+  };
+  results.segments = shapeton::SegmentsOf(Landmarks(), 1760.0);
+  results.quality =
+    shapeton::Json::parse(R"({"missing": ["the ileocecal valve: it is unknown"], "centerline": {"merges":
+    [{"place": [1, 2, 99], "clearance": 2, "loop": 100}, {"place": [1, 2, 9], "clearance": 1, "loop": 90}]}})");
+  results.lumen = itk::Image<unsigned char, 3>::New();
+  results.lumen->SetRegions(itk::Size<3>{ { 1, 1, 900 } });
+  const double spacing[3] = { 1.0, 1.0, 2.0 };
+  results.lumen->SetSpacing(spacing);
+  return results;
 }
 
 std::string
@@ -96,4 +138,58 @@ TEST(ColonoscopyReport, FilesForSlicerAreThoseOfTheResults)
   EXPECT_EQ(written, (std::vector<std::string>{ "lumen.ctbl", "centerline.mrk.json", "segments.ctbl" }));
   EXPECT_NE(shapeton::ReadFileBytes(folder / "segments.ctbl").find("2 sigmoid "), std::string::npos);
   EXPECT_NE(shapeton::ReadFileBytes(folder / "centerline.mrk.json").find("\"type\": \"Curve\""), std::string::npos);
+}
+
+TEST(ColonoscopyReport, RanksLimitationsByConsequence)
+{
+  const shapeton::ColonoscopyResults results = CollapsedColon();
+  shapeton::ColonoscopyQuality       quality;
+  shapeton::SegmentQuality           sigmoid;
+  sigmoid.extent = results.segments[1];
+  sigmoid.submergedShare = 0.4;
+  sigmoid.hiddenArea = 170.0;
+  sigmoid.hiddenParts = 2;
+  sigmoid.largestHidden = { { 0.0, 0.0, 300.0 }, 120.0 };
+  quality.segments = { sigmoid };
+  const std::vector<shapeton::Limitation> list = shapeton::LimitationsOf(results, quality);
+  const std::vector<std::string>          expected{
+    "Incomplete: the ileocecal valve: it is unknown.",
+    "Incomplete: one position only.",
+    "Sigmoid: collapsed segment, its wall is interpolated (no CT data), 4.0 cm, at 20.0 to 24.0 cm from the anal "
+             "verge, "
+             "slices 101 to 121.",
+    "Sigmoid: poorly distended (caliber below 10 mm), 2.1 cm, at 30.0 to 32.1 cm from the anal verge, slices 151 to "
+             "161.",
+    "Rectum: outside the field of view, 0.5 cm, at 0.0 to 0.5 cm from the anal verge, slices 1 to 3.",
+    "Wall under tagged fluid, where polyps are seen after electronic cleansing only: sigmoid 40 %.",
+    "Wall not shown on the flat map: 1.7 cm^2 in 2 pouches (sigmoid 1.7); see slices and endoluminal views. The "
+             "largest "
+             "has 1.2 cm^2, slice 151.",
+    "Loops of the colon touch at 2 places; the wall between them is interrupted there. The widest is at (1, 2, 99) mm, "
+             "slice 51."
+  };
+  ASSERT_EQ(list.size(), expected.size());
+  for (std::size_t i = 0; i < list.size(); ++i)
+  {
+    EXPECT_EQ(list[i].text.substr(0, expected[i].size()), expected[i]);
+  }
+  ASSERT_TRUE(list[2].place);
+  EXPECT_EQ(list[2].place->z(), 220.0);
+}
+
+TEST(ColonoscopyReport, NamesReasonsForAnInadequateExamination)
+{
+  shapeton::ColonoscopyResults results = CollapsedColon();
+  shapeton::ColonoscopyQuality quality;
+  shapeton::SegmentQuality     sigmoid;
+  sigmoid.extent = results.segments[1];
+  sigmoid.assessability.share = 0.4;
+  quality.segments = { sigmoid };
+  EXPECT_EQ(shapeton::ReasonForInadequate(results, quality),
+            "the ileocecal valve: it is unknown; only 40 % of the sigmoid can be assessed");
+  results.quality["missing"] = shapeton::Json::array();
+  shapeton::ColonAssessability either; // the other position shows the rest
+  either.share = 0.95;
+  quality.either = { either };
+  EXPECT_EQ(shapeton::ReasonForInadequate(results, quality), "");
 }

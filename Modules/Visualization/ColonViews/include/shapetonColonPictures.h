@@ -35,8 +35,6 @@ struct ColonSegment
   std::string name;
   double      begin{ 0.0 };
   double      end{ 0.0 };
-  /** Fraction of its centerline with a caliber of at least 10 mm; negative if unknown. */
-  double distendedShare{ -1.0 };
 };
 
 /** Indices of the slices that show most of the lumen, ascending: the slice with the largest lumen area, and others

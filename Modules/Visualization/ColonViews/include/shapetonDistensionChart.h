@@ -6,9 +6,6 @@
 
 namespace shapeton
 {
-/** Minimum caliber (mm) of a sufficiently distended colon. \ingroup ShapetonColonViews */
-constexpr double distendedCaliber = 10.0;
-
 /** Title and size of the picture of DrawDistensionChart(). \ingroup ShapetonColonViews */
 struct DistensionChartOptions
 {
@@ -19,7 +16,8 @@ struct DistensionChartOptions
 };
 
 /** Draws the caliber (twice the radius of the centerline, mm) over the distance from the anal verge, with a line at 10
- * mm, smaller calibers in another color, shaded gaps, and the boundaries and names of segments.
+ * mm, smaller calibers in another color, shaded gaps, and the boundaries and names of segments. Distances are shown in
+ * cm.
  *
  * Throws InputError if the centerline lacks the arrays arcLength or radius, std::invalid_argument if the picture is too
  * small. \ingroup ShapetonColonViews */

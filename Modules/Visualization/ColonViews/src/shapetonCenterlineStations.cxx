@@ -36,7 +36,8 @@ ColorScale
 DistanceScale(const std::vector<CenterlineStation> & stations)
 {
   ColorScale scale;
-  scale.title = "distance from the anal verge (mm)";
+  scale.title = "distance from the anal verge (cm)";
+  scale.shownPerValue = MillimetersAsCentimeters;
   for (const CenterlineStation & station : stations)
   {
     scale.upper = std::max(scale.upper, station.distance);

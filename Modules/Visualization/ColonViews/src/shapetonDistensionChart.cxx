@@ -1,6 +1,7 @@
 #include "shapetonDistensionChart.h"
 
 #include "shapetonCenterlineStations.h"
+#include "shapetonColonDistension.h"
 #include "shapetonCsvTable.h"
 #include "shapetonPageColors.h"
 
@@ -68,7 +69,7 @@ DrawAreas(Picture * picture, const PlotFrame & frame, const Stations & stations)
     else if (place.isKnown)
     {
       const int y = static_cast<int>(std::lround(frame.PixelOfY(place.caliber)));
-      FillRectangle(picture, x, y, 1, bottom - y, place.caliber < distendedCaliber ? narrow : wide, opacity);
+      FillRectangle(picture, x, y, 1, bottom - y, place.caliber < LeastDistendedCaliber ? narrow : wide, opacity);
     }
   }
 }
@@ -98,7 +99,7 @@ void
 DrawLimit(Picture * picture, const PlotFrame & frame)
 {
   constexpr int dash = 8;
-  const int     y = static_cast<int>(std::lround(frame.PixelOfY(distendedCaliber)));
+  const int     y = static_cast<int>(std::lround(frame.PixelOfY(LeastDistendedCaliber)));
   for (int x = 0; x < frame.width; x += 2 * dash)
   {
     FillRectangle(picture, frame.left + x, y - 1, std::min(dash, frame.width - x), 2, limitColor);
@@ -107,7 +108,7 @@ DrawLimit(Picture * picture, const PlotFrame & frame)
   style.size = labelSize;
   style.color = limitColor;
   style.vertical = VerticalAnchor::Center;
-  DrawText(picture, CsvTable::Rounded(distendedCaliber, 3) + " mm", frame.left + frame.width + 6, y, style);
+  DrawText(picture, CsvTable::Rounded(LeastDistendedCaliber, 3) + " mm", frame.left + frame.width + 6, y, style);
 }
 
 /** Draws segment borders, and above the chart each segment name, on a second line if it does not fit on the first. */
@@ -124,34 +125,24 @@ DrawSegments(Picture * picture, const PlotFrame & frame, const std::vector<Colon
     {
       FillRectangle(picture, x, frame.top - 8, 1, frame.height + 8, labelInk);
     }
-    std::string name = segment.name;
-    if (segment.distendedShare >= 0.0)
-    {
-      name += " " + CsvTable::Rounded(std::round(100.0 * segment.distendedShare), 3) + " %";
-    }
     TextStyle style;
     style.size = labelSize;
     style.color = InkColor;
-    const int textWidth = MeasureText(name, style).width;
+    const int textWidth = MeasureText(segment.name, style).width;
     const int start = std::clamp(
       (left + right - textWidth) / 2, frame.left, std::max(frame.left + frame.width + 40 - textWidth, frame.left));
     const int line = start > ends[0] + 8 ? 0 : 1;
     ends[line] = start + textWidth;
     style.vertical = VerticalAnchor::Bottom;
-    DrawText(picture, name, start, frame.top - 10 - line * lineHeight, style);
+    DrawText(picture, segment.name, start, frame.top - 10 - line * lineHeight, style);
   }
 }
 
 void
-DrawKey(Picture *                         picture,
-        const PlotFrame &                 frame,
-        const std::vector<ColonSegment> & segments,
-        const DistensionChartOptions &    options,
-        bool                              hasGaps)
+DrawKey(Picture * picture, const PlotFrame & frame, const DistensionChartOptions & options, bool hasGaps)
 {
   constexpr int titleSize = 22;
   constexpr int titleTop = 12;
-  constexpr int noteTop = 18;
   constexpr int legendSize = 15;
   constexpr int legendTop = 16;
   constexpr int legendBottom = 40;
@@ -168,18 +159,7 @@ DrawKey(Picture *                         picture,
     legend.push_back({ gapShade, "no lumen found" });
   }
   int right = frame.left + frame.width;
-  style.size = labelSize;
   style.bold = false;
-  const bool hasShares = std::any_of(
-    segments.begin(), segments.end(), [](const ColonSegment & segment) { return segment.distendedShare >= 0.0; });
-  if (hasShares)
-  {
-    const std::string note = ", share of each segment that is at least 10 mm wide in %";
-    const int         titleEnd = frame.left + MeasureText(options.title, title).width;
-    style.color = labelInk;
-    DrawText(picture, note, titleEnd, noteTop, style);
-    style.color = InkColor;
-  }
   style.size = legendSize;
   for (auto entry = legend.rbegin(); entry != legend.rend(); ++entry)
   {
@@ -205,8 +185,8 @@ DistensionFrame(const CurveSet & centerline, const DistensionChartOptions & opti
   frame.top = top;
   frame.width = static_cast<int>(options.width) - frame.left - right;
   frame.height = static_cast<int>(options.height) - frame.top - bottom;
-  frame.x = { "distance from the anal verge (mm)", 0.0, 1.0 };
-  frame.y = { "caliber (mm)", 0.0, 2.0 * distendedCaliber };
+  frame.x = { "distance from the anal verge (cm)", 0.0, 1.0, MillimetersAsCentimeters };
+  frame.y = { "caliber (mm)", 0.0, 2.0 * LeastDistendedCaliber };
   for (const CenterlineStation & station : StationsOf(centerline))
   {
     frame.x.upper = std::max(frame.x.upper, station.distance);
@@ -233,7 +213,7 @@ DrawDistensionChart(const CurveSet &                  centerline,
   DrawLimit(picture, frame);
   DrawCurve(picture, frame, stations);
   DrawSegments(picture, frame, segments);
-  DrawKey(picture, frame, segments, options, hasGaps);
+  DrawKey(picture, frame, options, hasGaps);
   return picture;
 }
 } // namespace shapeton

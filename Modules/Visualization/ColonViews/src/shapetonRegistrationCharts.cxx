@@ -31,9 +31,10 @@ struct Chart
     frame.top = top;
     frame.width = width - frame.left - right;
     frame.height = height - frame.top - bottom;
-    frame.x = { "distance along the supine centerline from the anal verge (mm)",
+    frame.x = { "distance along the supine centerline from the anal verge (cm)",
                 distances.front(),
-                std::max(distances.back(), distances.front() + 1.0) };
+                std::max(distances.back(), distances.front() + 1.0),
+                MillimetersAsCentimeters };
     frame.y = y;
     DrawPlotFrame(picture, frame);
     const int line = static_cast<int>(std::lround(frame.PixelOfY(limit)));

@@ -40,7 +40,7 @@ TEST(DistensionChart, TicksAndValuesLieWhereTheyBelong)
   EXPECT_DOUBLE_EQ(chart.frame.x.upper, shapeton::TestColon::length);
   EXPECT_DOUBLE_EQ(chart.frame.y.upper, 21.6); // slightly more than the greatest caliber
   const int bottom = chart.frame.top + chart.frame.height;
-  for (const double distance : { 0.0, 20.0, 100.0, 180.0 }) // every 20 mm
+  for (const double distance : { 0.0, 20.0, 100.0, 180.0 }) // every 2 cm
   {
     const int x = static_cast<int>(std::lround(chart.frame.PixelOfX(distance)));
     EXPECT_EQ(shapeton::At(chart.picture, x, bottom + 3), ink) << distance;

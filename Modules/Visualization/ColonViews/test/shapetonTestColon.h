@@ -155,10 +155,10 @@ inline std::vector<ColonSegment>
 TestSegments()
 {
   const double length = TestColon::length;
-  return { { "rectum", 0.0, 0.1 * length, 0.4 },
-           { "sigmoid", 0.1 * length, 0.45 * length, 0.83 },
-           { "ascending", 0.45 * length, 0.93 * length, 0.96 },
-           { "cecum", 0.93 * length, length, 1.0 } };
+  return { { "rectum", 0.0, 0.1 * length },
+           { "sigmoid", 0.1 * length, 0.45 * length },
+           { "ascending", 0.45 * length, 0.93 * length },
+           { "cecum", 0.93 * length, length } };
 }
 } // namespace shapeton
 

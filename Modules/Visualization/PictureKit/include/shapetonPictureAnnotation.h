@@ -56,11 +56,16 @@ struct ColorScale
   double                          lower{ 0.0 };
   double                          upper{ 1.0 };
   std::function<RGBColor(double)> map{ HeatColor };
+  /** Numbers at the ticks per value: 0.1 to show values in mm as cm. */
+  double shownPerValue{ 1.0 };
 
   /** Color of a value; gray if it is not finite. */
   ShapetonPictureKit_EXPORT RGBColor
   ColorOf(double value) const;
 };
+
+/** ColorScale::shownPerValue and PlotAxis::shownPerValue to show mm as cm. \ingroup ShapetonPictureKit */
+constexpr double MillimetersAsCentimeters = 0.1;
 
 /** Colors of `number` values. \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT std::vector<RGBColor>

@@ -13,6 +13,8 @@ struct PlotAxis
   std::string title;
   double      lower{ 0.0 };
   double      upper{ 1.0 };
+  /** Numbers at the ticks per value: 0.1 to show values in mm as cm. */
+  double shownPerValue{ 1.0 };
 };
 
 /** A chart with two linear axes: the pixels of its area, and the values at its borders. \ingroup ShapetonPictureKit */

@@ -121,9 +121,10 @@ DrawColorBar(Picture * picture, int left, int top, int height, const ColorScale 
   style.size = textSize;
   style.color = color;
   style.vertical = VerticalAnchor::Center;
-  for (const double value : RoundTicks(scale.lower, scale.upper, height / leastDistance))
+  const double shown = scale.shownPerValue;
+  for (const double value : RoundTicks(shown * scale.lower, shown * scale.upper, height / leastDistance))
   {
-    const int y = top + static_cast<int>(std::lround((scale.upper - value) / range * (height - 1.0)));
+    const int y = top + static_cast<int>(std::lround((scale.upper - value / shown) / range * (height - 1.0)));
     FillRectangle(picture, left + barWidth, y, lengthOfTick, 1, color);
     DrawText(picture, CsvTable::Rounded(value, 6), left + barWidth + 9, y, style);
   }

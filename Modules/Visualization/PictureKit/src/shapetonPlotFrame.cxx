@@ -30,18 +30,21 @@ DrawPlotFrame(Picture * picture, const PlotFrame & frame)
   style.size = numberSize;
   style.color = ink;
   style.horizontal = HorizontalAnchor::Center;
-  for (const double value : RoundTicks(frame.x.lower, frame.x.upper, frame.width / leastDistanceX))
+  const auto ticksOf = [](const PlotAxis & axis, int number) {
+    return RoundTicks(axis.shownPerValue * axis.lower, axis.shownPerValue * axis.upper, number);
+  };
+  for (const double value : ticksOf(frame.x, frame.width / leastDistanceX))
   {
-    const int x = static_cast<int>(std::lround(frame.PixelOfX(value)));
+    const int x = static_cast<int>(std::lround(frame.PixelOfX(value / frame.x.shownPerValue)));
     FillRectangle(picture, x, frame.top, 1, frame.height, grid);
     FillRectangle(picture, x, bottom, 1, tickLength, ink);
     DrawText(picture, CsvTable::Rounded(value, 6), x, bottom + tickLength + 3, style);
   }
   style.horizontal = HorizontalAnchor::Right;
   style.vertical = VerticalAnchor::Center;
-  for (const double value : RoundTicks(frame.y.lower, frame.y.upper, frame.height / leastDistanceY))
+  for (const double value : ticksOf(frame.y, frame.height / leastDistanceY))
   {
-    const int y = static_cast<int>(std::lround(frame.PixelOfY(value)));
+    const int y = static_cast<int>(std::lround(frame.PixelOfY(value / frame.y.shownPerValue)));
     FillRectangle(picture, frame.left, y, frame.width, 1, grid);
     FillRectangle(picture, frame.left - tickLength, y, tickLength, 1, ink);
     DrawText(picture, CsvTable::Rounded(value, 6), frame.left - tickLength - 4, y, style);

@@ -1,0 +1,101 @@
+#ifndef shapetonSegmentQuality_h
+#define shapetonSegmentQuality_h
+
+#include "ShapetonColonLandmarksExport.h"
+
+#include "shapetonColonAssessability.h"
+#include "shapetonColonDistension.h"
+#include "shapetonColonLandmarkDocument.h"
+#include "shapetonColonSegments.h"
+#include "shapetonCsvTable.h"
+#include "shapetonLumenDistance.h"
+#include "shapetonSurfaceMesh.h"
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** \defgroup SegmentQuality Distension and preparation by segment
+ * What a reader of CT colonography states for each segment of the colon: distension, fluid, residue, and wall that
+ * cannot be seen.
+ * \ingroup ShapetonColonLandmarks */
+///@{
+
+/** Distension on the four-point scale of radiologists (Pickhardt et al., AJR 2014: collapsed, inadequate, adequate,
+ * optimal). Their grades are visual; ours follow from the caliber without the anal canal and are our choice: collapsed
+ * if less than half of the length has a caliber of 10 mm, inadequate below nine tenths, optimal if in addition the mean
+ * caliber is at least 20 mm. */
+enum class DistensionGrade
+{
+  Collapsed = 1,
+  Inadequate,
+  Adequate,
+  Optimal
+};
+
+/** "collapsed", "inadequate", "adequate", "optimal". */
+ShapetonColonLandmarks_EXPORT std::string
+                              NameOf(DistensionGrade grade);
+
+ShapetonColonLandmarks_EXPORT DistensionGrade
+GradeOf(const ColonDistension & distension);
+
+/** A part of the wall that a flat map does not show, such as a blind pouch. */
+struct HiddenWall
+{
+  /** LPS, mm. */
+  Eigen::Vector3d place{ Eigen::Vector3d::Zero() };
+  /** mm^2. */
+  double area{ 0.0 };
+};
+
+/** Quality of a segment. Values that need images are NaN without them. */
+struct SegmentQuality
+{
+  ColonSegmentExtent extent;
+  /** Without the anal canal. */
+  ColonDistension    distension;
+  DistensionGrade    grade{ DistensionGrade::Collapsed };
+  ColonAssessability assessability;
+  /** Part of the wall under tagged fluid, 0 to 1. */
+  double submergedShare{ std::numeric_limits<double>::quiet_NaN() };
+  /** Mean attenuation of tagged fluid next to the wall before cleansing, HU; NaN without fluid. */
+  double fluidAttenuation{ std::numeric_limits<double>::quiet_NaN() };
+  /** Wall under gas that tagged matter coats: more than 300 HU within 2 mm behind it, not next to fluid; mm^2. */
+  double residueArea{ std::numeric_limits<double>::quiet_NaN() };
+  /** Wall that the flat map does not show, mm^2, and the number of its parts. */
+  double hiddenArea{ 0.0 };
+  int    hiddenParts{ 0 };
+  /** The largest of these parts. */
+  HiddenWall largestHidden;
+};
+
+/** Input of MeasureSegmentQuality(). */
+struct SegmentQualityInput
+{
+  /** With the arrays of TraceColonCenterline(). */
+  const CurveSet * centerline{ nullptr };
+  /** The wall, with the cell array segment. */
+  const SurfaceMesh *             wall{ nullptr };
+  std::vector<ColonSegmentExtent> segments;
+  std::vector<HiddenWall>         hidden;
+  /** 1 gas, 2 tagged fluid; null if unknown or if the input was a mask. */
+  const LumenMask * lumen{ nullptr };
+  /** HU of the CT before cleansing at a place (LPS, mm), NaN outside; empty if unknown. */
+  std::function<double(const Eigen::Vector3d &)> attenuation;
+};
+
+/** In the order of the segments. Throws InputError if the wall or the centerline lacks an array. */
+ShapetonColonLandmarks_EXPORT std::vector<SegmentQuality>
+                              MeasureSegmentQuality(const SegmentQualityInput & input);
+
+/** The columns of segments.csv: lengths in mm, areas in mm^2, shares from 0 to 1, HU. */
+ShapetonColonLandmarks_EXPORT CsvTable
+TableOfSegmentQuality(const std::vector<SegmentQuality> & segments);
+///@}
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,266 @@
+#include "shapetonSegmentQuality.h"
+
+#include "shapetonExceptions.h"
+#include "shapetonSurfaceLocator.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+constexpr unsigned char fluidLabel = 2;
+
+/** The segment of each face. */
+std::vector<int>
+SegmentsOfFaces(const SurfaceMesh & wall)
+{
+  const SurfaceArray * const array = FindSurfaceArray(wall.cellArrays, "segment");
+  if (!array)
+  {
+    throw InputError("the wall lacks the cell array \"segment\"; use segments.vtp of ColonLandmarks");
+  }
+  std::vector<int> segments;
+  for (Eigen::Index f = 0; f < array->values.rows(); ++f)
+  {
+    segments.push_back(static_cast<int>(std::lround(array->values(f, 0))));
+  }
+  return segments;
+}
+
+/** Sums over the wall of a segment. */
+struct WallSums
+{
+  double area{ 0.0 };
+  double submerged{ 0.0 };
+  double fluidArea{ 0.0 };
+  double fluidSum{ 0.0 }; ///< HU mm^2
+  double residueArea{ 0.0 };
+};
+
+using SumsOfSegments = std::array<WallSums, NumberOfColonSegments + 1>;
+
+unsigned char
+LabelAt(const LumenMask * lumen, const Eigen::Vector3d & point)
+{
+  LumenMask::IndexType index;
+  const bool           isInside = lumen->TransformPhysicalPointToIndex(itk::Point<double, 3>(point.data()), index);
+  return isInside ? lumen->GetPixel(index) : 0;
+}
+
+bool
+IsNearFluid(const LumenMask * lumen, const Eigen::Vector3d & point)
+{
+  constexpr double near = 4.0; // mm: beyond the depth of residue and the blur of a scan
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double way : { -near, near })
+    {
+      if (LabelAt(lumen, point + way * Eigen::Vector3d::Unit(axis)) == fluidLabel)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/** Whether tagged matter is behind the wall. */
+bool
+IsCoated(const SegmentQualityInput & input, const Eigen::Vector3d & wall, const Eigen::Vector3d & outwards)
+{
+  constexpr double tagged = 300.0;            // HU, as for candidates: see TissueLikelihood()
+  constexpr double deepest = 2.0, step = 0.5; // mm
+  for (double depth = step; depth <= deepest; depth += step)
+  {
+    if (input.attenuation(wall + depth * outwards) > tagged)
+    {
+      return !IsNearFluid(input.lumen, wall);
+    }
+  }
+  return false;
+}
+
+/** Adds a face by the lumen in front of it. */
+void
+AddFace(const SegmentQualityInput & input, int face, WallSums & sums)
+{
+  constexpr double      inLumen = 2.0, inFluid = 3.0, beyond = 4.5; // mm from the wall, beyond the blur of a scan
+  const auto            corner = [&](int k) -> Eigen::Vector3d { return input.wall->V.row(input.wall->F(face, k)); };
+  const Eigen::Vector3d cross = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+  const double          area = 0.5 * cross.norm();
+  const Eigen::Vector3d inwards = -cross.stableNormalized();
+  const Eigen::Vector3d middle = (corner(0) + corner(1) + corner(2)) / 3.0;
+  sums.area += area;
+  if (LabelAt(input.lumen, middle + inLumen * inwards) != fluidLabel)
+  {
+    sums.residueArea += input.attenuation && IsCoated(input, middle, -inwards) ? area : 0.0;
+    return;
+  }
+  sums.submerged += area;
+  if (input.attenuation && LabelAt(input.lumen, middle + beyond * inwards) == fluidLabel)
+  {
+    const double value = input.attenuation(middle + inFluid * inwards);
+    sums.fluidArea += std::isfinite(value) ? area : 0.0;
+    sums.fluidSum += std::isfinite(value) ? area * value : 0.0;
+  }
+}
+
+SegmentQuality *
+FindRow(std::vector<SegmentQuality> & rows, int segment)
+{
+  const auto found =
+    std::find_if(rows.begin(), rows.end(), [=](const SegmentQuality & row) { return row.extent.label == segment; });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+/** Assigns places to the segment of the nearest wall. */
+class SegmentFinder
+{
+public:
+  SegmentFinder(const SurfaceMesh & wall, const std::vector<int> & segmentOfFace, std::vector<SegmentQuality> & rows)
+    : m_Locator(wall.V, wall.F), m_SegmentOfFace(segmentOfFace), m_Rows(rows)
+  {}
+
+  /** Null outside of the known segments. */
+  SegmentQuality *
+  RowAt(const Eigen::Vector3d & place) const
+  {
+    return FindRow(m_Rows, m_SegmentOfFace[static_cast<std::size_t>(m_Locator.FindClosest(place).face)]);
+  }
+
+private:
+  SurfaceLocator                m_Locator;
+  const std::vector<int> &      m_SegmentOfFace;
+  std::vector<SegmentQuality> & m_Rows;
+};
+
+void
+AddWall(const SegmentQualityInput & input, const std::vector<int> & segmentOfFace, std::vector<SegmentQuality> & rows)
+{
+  SumsOfSegments sums;
+  for (int f = 0; f < input.wall->NumberOfFaces(); ++f)
+  {
+    AddFace(input, f, sums.at(static_cast<std::size_t>(segmentOfFace[static_cast<std::size_t>(f)])));
+  }
+  for (SegmentQuality & row : rows)
+  {
+    const WallSums & sum = sums.at(static_cast<std::size_t>(row.extent.label));
+    row.submergedShare = sum.area > 0.0 ? sum.submerged / sum.area : std::numeric_limits<double>::quiet_NaN();
+    row.fluidAttenuation = sum.fluidSum / sum.fluidArea; // NaN without fluid
+    row.residueArea = input.attenuation ? sum.residueArea : row.residueArea;
+  }
+}
+
+std::vector<SegmentQuality>
+QualityAlongLine(const CurveSet & centerline, const std::vector<ColonSegmentExtent> & segments)
+{
+  const std::vector<HinderedStretch> stretches = FindHinderedStretches(centerline);
+  std::vector<SegmentQuality>        rows;
+  for (const ColonSegmentExtent & segment : segments)
+  {
+    SegmentQuality row;
+    row.extent = segment;
+    row.distension =
+      MeasureDistension(centerline, std::min(segment.end, std::max(segment.begin, AnalCanalLength)), segment.end);
+    row.grade = GradeOf(row.distension);
+    row.assessability = Assess(stretches, segment.begin, segment.end);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::string
+Number(double value)
+{
+  constexpr int digits = 6;
+  return std::isfinite(value) ? CsvTable::Rounded(value, digits) : "";
+}
+} // namespace
+
+std::string
+NameOf(DistensionGrade grade)
+{
+  constexpr std::array<const char *, 5> names{ { "", "collapsed", "inadequate", "adequate", "optimal" } };
+  return names.at(static_cast<std::size_t>(grade));
+}
+
+DistensionGrade
+GradeOf(const ColonDistension & distension)
+{
+  constexpr double half = 0.5, most = 0.9; // of the length, as for ColonAssessability::Verdict()
+  constexpr double wide = 2.0 * LeastDistendedCaliber;
+  return distension.share < half         ? DistensionGrade::Collapsed
+         : distension.share < most       ? DistensionGrade::Inadequate
+         : distension.meanCaliber < wide ? DistensionGrade::Adequate
+                                         : DistensionGrade::Optimal;
+}
+
+std::vector<SegmentQuality>
+MeasureSegmentQuality(const SegmentQualityInput & input)
+{
+  std::vector<SegmentQuality> rows = QualityAlongLine(*input.centerline, input.segments);
+  const std::vector<int>      segmentOfFace = SegmentsOfFaces(*input.wall);
+  const SegmentFinder         finder(*input.wall, segmentOfFace, rows);
+  for (const HiddenWall & hidden : input.hidden)
+  {
+    if (SegmentQuality * const row = finder.RowAt(hidden.place))
+    {
+      row->hiddenArea += hidden.area;
+      ++row->hiddenParts;
+      row->largestHidden = hidden.area > row->largestHidden.area ? hidden : row->largestHidden;
+    }
+  }
+  if (input.lumen)
+  {
+    AddWall(input, segmentOfFace, rows);
+  }
+  return rows;
+}
+
+CsvTable
+TableOfSegmentQuality(const std::vector<SegmentQuality> & segments)
+{
+  CsvTable table({ "segment",
+                   "begin",
+                   "end",
+                   "distension",
+                   "distendedShare",
+                   "leastCaliber",
+                   "meanCaliber",
+                   "largestCaliber",
+                   "assessableShare",
+                   "verdict",
+                   "submergedShare",
+                   "fluidHU",
+                   "residueArea",
+                   "untaggedFluid",
+                   "hiddenArea",
+                   "hiddenParts" });
+  for (const SegmentQuality & one : segments)
+  {
+    const auto untagged = static_cast<std::size_t>(ColonHindrance::UntaggedFluid);
+    table.AddRow({ one.extent.name,
+                   Number(one.extent.begin),
+                   Number(one.extent.end),
+                   NameOf(one.grade),
+                   Number(one.distension.share),
+                   Number(one.distension.leastCaliber),
+                   Number(one.distension.meanCaliber),
+                   Number(one.distension.largestCaliber),
+                   Number(one.assessability.share),
+                   one.assessability.Verdict(),
+                   Number(one.submergedShare),
+                   Number(one.fluidAttenuation),
+                   Number(one.residueArea),
+                   Number(one.assessability.lengths.at(untagged)),
+                   Number(one.hiddenArea),
+                   std::to_string(one.hiddenParts) });
+  }
+  return table;
+}
+} // namespace shapeton

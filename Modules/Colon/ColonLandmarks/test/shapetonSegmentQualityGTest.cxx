@@ -1,0 +1,175 @@
+#include "shapetonSegmentQuality.h"
+
+#include "shapetonExceptions.h"
+#include "shapetonPi.h"
+
+#include "itkImageRegionIteratorWithIndex.h"
+
+#include "gtest/gtest.h"
+
+using namespace shapeton;
+
+namespace
+{
+constexpr double radius = 20.0, length = 300.0, border = 100.0; // mm
+constexpr double poolBegin = 110.0;                             // mm
+constexpr double level = -5.0;                                  // mm: y of the fluid level
+
+SurfaceArray
+Array(const std::string & name, const Eigen::VectorXd & values)
+{
+  return { name, values, false };
+}
+
+/** The axis of the tube, a point each 5 mm; the caliber is 40 mm, or 8 mm between 60 and 70 mm. */
+CurveSet
+Axis()
+{
+  constexpr int   points = 61;
+  Eigen::VectorXd arc = Eigen::VectorXd::LinSpaced(points, 0.0, length);
+  Eigen::VectorXd radii =
+    (arc.array() > 59.0 && arc.array() < 71.0).select(4.0, Eigen::VectorXd::Constant(points, 20.0));
+  CurveSet curve;
+  curve.V = VertexMatrix::Zero(points, 3);
+  curve.V.col(2) = arc;
+  curve.curves.emplace_back();
+  for (int i = 0; i < points; ++i)
+  {
+    curve.curves[0].push_back(i);
+  }
+  curve.pointArrays = { Array("arcLength", arc), Array("radius", radii), Array("gap", Eigen::VectorXd::Zero(points)) };
+  return curve;
+}
+
+/** Rectum below z = 100 mm, sigmoid above. */
+SurfaceMesh
+Tube()
+{
+  constexpr int turn = 120, rings = 151;
+  SurfaceMesh   tube;
+  tube.V.resize(turn * rings, 3);
+  tube.F.resize(2 * turn * (rings - 1), 3);
+  SurfaceArray segment{ "segment", SurfaceArray::ValueMatrix(tube.F.rows(), 1), true };
+  for (int i = 0; i < turn * rings; ++i)
+  {
+    const double angle = TwoPi * (i % turn) / turn;
+    const double z = length * (i / turn) / (rings - 1.0);
+    tube.V.row(i) << radius * std::cos(angle), radius * std::sin(angle), z;
+    if (i < turn * (rings - 1))
+    {
+      const int next = i - i % turn + (i + 1) % turn;
+      tube.F.row(2 * i) << i, next, i + turn;
+      tube.F.row(2 * i + 1) << next, next + turn, i + turn;
+      segment.values(2 * i, 0) = segment.values(2 * i + 1, 0) = z < border ? 1 : 2;
+    }
+  }
+  tube.cellArrays.push_back(segment);
+  return tube;
+}
+
+/** An oblique, anisotropic image of the lumen: gas; in the sigmoid, fluid below y = -5 mm. */
+LumenMask::Pointer
+Lumen()
+{
+  const auto            image = LumenMask::New();
+  LumenMask::RegionType region;
+  region.SetSize({ { 60, 60, 170 } });
+  image->SetRegions(region);
+  const double             spacings[3] = { 1.0, 1.2, 2.0 };
+  LumenMask::DirectionType direction;
+  const double             angle = 0.3;
+  direction.SetIdentity();
+  direction(0, 0) = direction(1, 1) = std::cos(angle);
+  direction(1, 0) = std::sin(angle);
+  direction(0, 1) = -std::sin(angle);
+  LumenMask::PointType origin;
+  origin[0] = -18.0;
+  origin[1] = -43.0;
+  origin[2] = -20.0;
+  image->SetSpacing(spacings);
+  image->SetDirection(direction);
+  image->SetOrigin(origin);
+  image->Allocate(true);
+  for (itk::ImageRegionIteratorWithIndex<LumenMask> it(image, region); !it.IsAtEnd(); ++it)
+  {
+    const auto p = image->TransformIndexToPhysicalPoint<double>(it.GetIndex());
+    if (std::hypot(p[0], p[1]) < radius && p[2] > 0.0 && p[2] < length)
+    {
+      it.Set(p[2] > poolBegin && p[1] < level ? 2 : 1);
+    }
+  }
+  return image;
+}
+} // namespace
+
+TEST(SegmentQuality, StatesWhatIsKnownOfATube)
+{
+  const auto          lumen = Lumen();
+  const CurveSet      axis = Axis();
+  const SurfaceMesh   tube = Tube();
+  SegmentQualityInput input;
+  input.centerline = &axis;
+  input.wall = &tube;
+  input.segments = { { 1, "rectum", 0.0, border, 0.0 }, { 2, "sigmoid", border, length, 0.0 } };
+  input.hidden = { { { 0.0, 25.0, 250.0 }, 300.0 }, { { 0.0, -25.0, 150.0 }, 20.0 } };
+  input.lumen = lumen;
+  input.attenuation = [](const Eigen::Vector3d & p) {
+    const double r = std::hypot(p.x(), p.y());
+    const bool   isFilm =
+      r >= radius && r < radius + 1.2 && std::abs(p.y()) < 0.5 * p.x() && std::abs(p.z() - 50.0) < 10.0;
+    return r < radius ? (p.y() < level ? 700.0 : -1000.0) : isFilm ? 450.0 : 40.0;
+  };
+  const std::vector<SegmentQuality> rows = MeasureSegmentQuality(input);
+  ASSERT_EQ(rows.size(), 2u);
+
+  // The rectum, without the anal canal, extends from 40 to 100 mm; the steps from 60 to 70 mm have a
+  // caliber of 8 mm, those next to them 24 mm.
+  EXPECT_DOUBLE_EQ(rows[0].distension.begin, AnalCanalLength);
+  EXPECT_DOUBLE_EQ(rows[0].distension.leastCaliber, 8.0);
+  EXPECT_DOUBLE_EQ(rows[0].distension.share, 50.0 / 60.0);
+  EXPECT_EQ(rows[0].grade, DistensionGrade::Inadequate);
+  EXPECT_EQ(rows[0].submergedShare, 0.0);
+  EXPECT_TRUE(std::isnan(rows[0].fluidAttenuation));
+  EXPECT_NEAR(rows[0].residueArea, 20.0 * radius * 2.0 * std::atan(0.5), 15.0); // a third of a ring of triangles
+  EXPECT_EQ(rows[0].hiddenParts, 0);
+
+  EXPECT_EQ(rows[1].grade, DistensionGrade::Optimal);
+  const double wetLength = (length - poolBegin) / (length - border);
+  EXPECT_NEAR(rows[1].submergedShare, wetLength * std::acos(5.0 / 18.0) / Pi, 0.02); // of a circle 2 mm inside
+  EXPECT_NEAR(rows[1].fluidAttenuation, 700.0, 1e-9);
+  EXPECT_EQ(rows[1].residueArea, 0.0);
+  EXPECT_DOUBLE_EQ(rows[1].hiddenArea, 320.0);
+  EXPECT_EQ(rows[1].hiddenParts, 2);
+  EXPECT_EQ(rows[1].largestHidden.place.z(), 250.0);
+}
+
+TEST(SegmentQuality, LeavesOutWhatNeedsImages)
+{
+  const CurveSet      axis = Axis();
+  SurfaceMesh         tube = Tube();
+  SegmentQualityInput input;
+  input.centerline = &axis;
+  input.wall = &tube;
+  input.segments = { { 2, "sigmoid", border, length, 0.0 } };
+  const std::vector<SegmentQuality> rows = MeasureSegmentQuality(input);
+  EXPECT_TRUE(std::isnan(rows.at(0).submergedShare) && std::isnan(rows[0].residueArea));
+  const CsvTable table = TableOfSegmentQuality(rows);
+  EXPECT_EQ(table.GetRows().at(0).at(3), "optimal");
+  EXPECT_EQ(table.GetRows()[0].at(10), "");
+  tube.cellArrays.clear();
+  EXPECT_THROW(MeasureSegmentQuality(input), InputError);
+}
+
+TEST(SegmentQuality, GradesByCaliber)
+{
+  const auto grade = [](double share, double caliber) {
+    ColonDistension distension;
+    distension.share = share;
+    distension.meanCaliber = caliber;
+    return NameOf(GradeOf(distension));
+  };
+  EXPECT_EQ(grade(1.0, 30.0), "optimal");
+  EXPECT_EQ(grade(0.95, 15.0), "adequate");
+  EXPECT_EQ(grade(0.7, 30.0), "inadequate");
+  EXPECT_EQ(grade(0.4, 30.0), "collapsed");
+}

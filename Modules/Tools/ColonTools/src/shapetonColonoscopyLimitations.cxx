@@ -1,0 +1,352 @@
+#include "shapetonColonoscopyLimitations.h"
+
+#include "shapetonColonFigures.h"
+#include "shapetonHiddenInBoth.h"
+#include "shapetonPlaceInWords.h"
+#include "shapetonScanResolution.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <limits>
+#include <map>
+#include <tuple>
+
+namespace shapeton
+{
+namespace
+{
+std::string
+HindranceForReader(ColonHindrance hindrance)
+{
+  constexpr std::array<const char *, numberOfColonHindrances> words{
+    { "",
+      "collapsed segment, its wall is interpolated (no CT data)",
+      "outside the field of view",
+      "untagged fluid hides the wall below it",
+      "poorly distended (caliber below 10 mm)" }
+  };
+  return words.at(static_cast<std::size_t>(hindrance));
+}
+
+/** Finds slices and places of stretches of the centerline. */
+class StretchPlaces
+{
+public:
+  explicit StretchPlaces(const ColonoscopyResults & results)
+    : m_Line(results.centerline)
+    , m_Arc(PointValues(results.centerline, "arcLength", "the centerline"))
+    , m_Grid(results.lumen)
+  {}
+
+  /** ", slices 112 to 131", counted from 1 along the third axis of the image; "" without an image. */
+  std::string
+  Slices(double begin, double end) const
+  {
+    if (!m_Grid)
+    {
+      return "";
+    }
+    long least = std::numeric_limits<long>::max(), greatest = std::numeric_limits<long>::min();
+    for (Eigen::Index i = 0; i < m_Arc.size(); ++i)
+    {
+      if (i == this->Nearest(begin) || i == this->Nearest(end) || (m_Arc[i] >= begin && m_Arc[i] <= end))
+      {
+        const long slice = SliceNumber(m_Grid, m_Line.V.row(i));
+        least = std::min(least, slice);
+        greatest = std::max(greatest, slice);
+      }
+    }
+    return least == greatest ? ", slice " + std::to_string(least)
+                             : ", slices " + std::to_string(least) + " to " + std::to_string(greatest);
+  }
+
+  std::string
+  SliceAt(const Eigen::Vector3d & place) const
+  {
+    return m_Grid ? ", slice " + std::to_string(SliceNumber(m_Grid, place)) : "";
+  }
+
+  Eigen::Vector3d
+  PlaceAt(double arcLength) const
+  {
+    return m_Line.V.row(this->Nearest(arcLength));
+  }
+
+private:
+  Eigen::Index
+  Nearest(double arcLength) const
+  {
+    Eigen::Index index = 0;
+    (m_Arc.array() - arcLength).abs().minCoeff(&index);
+    return index;
+  }
+
+  const CurveSet &          m_Line;
+  Eigen::VectorXd           m_Arc;
+  const itk::ImageBase<3> * m_Grid;
+};
+
+/** Stretches with one hindrance in one segment. */
+struct Hidden
+{
+  std::string    segment;
+  ColonHindrance hindrance{ ColonHindrance::None };
+  bool           isInOther{ false }; ///< whether the other position shows them
+  int            number{ 0 };
+  double         length{ 0.0 };
+  double         begin{ 0.0 };
+  double         end{ 0.0 };
+  double         longest{ 0.0 };
+  double         middleOfLongest{ 0.0 };
+};
+
+void
+AddStretch(const HinderedStretch & stretch, Hidden & hidden)
+{
+  const double length = stretch.end - stretch.begin;
+  hidden.begin = hidden.number == 0 ? stretch.begin : std::min(hidden.begin, stretch.begin);
+  hidden.end = std::max(hidden.end, stretch.end);
+  ++hidden.number;
+  hidden.length += length;
+  if (length > hidden.longest)
+  {
+    hidden.longest = length;
+    hidden.middleOfLongest = 0.5 * (stretch.begin + stretch.end);
+  }
+}
+
+/** Groups stretches by segment, hindrance and whether the other position shows them; the longest first, those hidden in
+ * both positions before all others. */
+std::vector<Hidden>
+GroupStretches(const ColonoscopyResults & results)
+{
+  std::vector<HinderedStretch> inBoth;
+  if (results.pair)
+  {
+    const ColonoscopyPair & pair = *results.pair;
+    inBoth = FindHiddenInBoth(pair.first.position, pair.second.position, pair.registration.supineToProne);
+  }
+  std::map<std::tuple<bool, std::string, ColonHindrance>, Hidden> groups;
+  const auto add = [&](const HinderedStretch & stretch, bool isInOther) {
+    const ColonSegmentExtent * const segment = FindSegment(results.segments, 0.5 * (stretch.begin + stretch.end));
+    const std::string                name = segment ? segment->name : "";
+    Hidden &                         group = groups[{ isInOther, name, stretch.hindrance }];
+    group.segment = name;
+    group.hindrance = stretch.hindrance;
+    group.isInOther = isInOther;
+    AddStretch(stretch, group);
+  };
+  for (const HinderedStretch & stretch : inBoth)
+  {
+    add(stretch, false);
+  }
+  for (const HinderedStretch & stretch : FindHinderedStretches(results.centerline))
+  {
+    const double both = 1.0 - Assess(inBoth, stretch.begin, stretch.end).share;
+    if (!results.pair || both < 0.5) // otherwise it is listed above
+    {
+      add(stretch, results.pair != nullptr);
+    }
+  }
+  std::vector<Hidden> sorted;
+  for (const auto & [key, group] : groups)
+  {
+    sorted.push_back(group);
+  }
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Hidden & a, const Hidden & b) {
+    return a.isInOther != b.isInOther ? !a.isInOther : a.length > b.length;
+  });
+  return sorted;
+}
+
+/** "Sigmoid: ". */
+std::string
+Heading(std::string segment)
+{
+  segment = segment.empty() ? "unknown segment" : segment;
+  segment[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(segment[0])));
+  return segment + ": ";
+}
+
+void
+AddHiddenStretches(const ColonoscopyResults & results, const StretchPlaces & places, std::vector<Limitation> & list)
+{
+  for (const Hidden & one : GroupStretches(results))
+  {
+    std::string text = Heading(one.segment) + HindranceForReader(one.hindrance) + ", " + Centimeters(one.length);
+    text += one.number == 1 ? "" : " in " + std::to_string(one.number) + " stretches";
+    text += ", at " + NumberOfCentimeters(one.begin) + " to " + Centimeters(one.end) + " from the anal verge" +
+            places.Slices(one.begin, one.end);
+    text += !results.pair ? "." : one.isInOther ? "; the other position shows it." : "; hidden in both positions.";
+    list.push_back({ text, places.PlaceAt(one.middleOfLongest) });
+  }
+}
+
+void
+AddCompleteness(const ColonoscopyResults & results, std::vector<Limitation> & list)
+{
+  for (const Json & part : results.quality.value("missing", Json::array()))
+  {
+    list.push_back({ "Incomplete: " + part.get<std::string>() + ".", {} });
+  }
+  if (!results.pair)
+  {
+    list.push_back({ "Incomplete: one position only. A complete examination has two; the other position may show what "
+                     "is hidden here, and tells stool that moves from polyps.",
+                     {} });
+  }
+}
+
+/** "sigmoid 55 %, cecum 65 %" for the segments with a value of at least `least`; "" for none. */
+template <typename TValue, typename TWords>
+std::string
+SegmentsWith(const ColonoscopyQuality & quality, double least, const TValue & value, const TWords & inWords)
+{
+  std::string list;
+  for (const SegmentQuality & one : quality.segments)
+  {
+    if (value(one) >= least)
+    {
+      list += (list.empty() ? "" : ", ") + one.extent.name + ' ' + inWords(value(one));
+    }
+  }
+  return list;
+}
+
+void
+AddPreparation(const ColonoscopyQuality & quality, std::vector<Limitation> & list)
+{
+  constexpr double  muchFluid = 0.3;     // of the wall: our choice; a lumen that is filled to a third of its height
+  constexpr double  leastResidue = 80.0; // mm^2: the base of a flat polyp of 10 mm
+  const std::string wet = SegmentsWith(
+    quality, muchFluid, [](const SegmentQuality & one) { return one.submergedShare; }, WholePercent);
+  const std::string dirty = SegmentsWith(
+    quality, leastResidue, [](const SegmentQuality & one) { return one.residueArea; }, SquareCentimeters);
+  if (!wet.empty())
+  {
+    list.push_back(
+      { "Wall under tagged fluid, where polyps are seen after electronic cleansing only: " + wet + '.', {} });
+  }
+  if (!dirty.empty())
+  {
+    list.push_back({ "Wall coated by tagged residue, which may cover flat polyps (cm^2): " + dirty + '.', {} });
+  }
+}
+
+void
+AddHiddenOnMap(const ColonoscopyQuality & quality, const StretchPlaces & places, std::vector<Limitation> & list)
+{
+  HiddenWall largest;
+  double     area = 0.0;
+  int        parts = 0;
+  for (const SegmentQuality & one : quality.segments)
+  {
+    largest = one.largestHidden.area > largest.area ? one.largestHidden : largest;
+    area += one.hiddenArea;
+    parts += one.hiddenParts;
+  }
+  if (parts > 0)
+  {
+    constexpr double  leastShown = 5.0; // mm^2: smaller areas are rounded to 0.0 cm^2
+    const std::string where = SegmentsWith(
+      quality, leastShown, [](const SegmentQuality & one) { return one.hiddenArea; }, SquareCentimeters);
+    list.push_back({ "Wall not shown on the flat map: " + SquareCentimeters(area) + " cm^2 in " +
+                       std::to_string(parts) + (parts == 1 ? " pouch" : " pouches") + " (" + where +
+                       "); see slices and endoluminal views. The largest has " + SquareCentimeters(largest.area) +
+                       " cm^2" + places.SliceAt(largest.place) + '.',
+                     largest.place });
+  }
+}
+
+void
+AddLandmarks(const ColonoscopyResults & results, std::vector<Limitation> & list)
+{
+  constexpr double uncertain = 0.5; // probability of an error below 30 mm
+  if (!results.IsDone(colonoscopystage::landmarks))
+  {
+    return;
+  }
+  for (const Json & flexure : results.landmarks.value("flexures", Json::array()))
+  {
+    const std::string name = Heading(flexure.at("name").get<std::string>() + " flexure");
+    if (!flexure.at("found").get<bool>())
+    {
+      list.push_back({ name + "not found; the names of the segments beside it are unknown.", {} });
+    }
+    else if (const double confidence = flexure.value("confidence", 1.0); confidence < uncertain)
+    {
+      list.push_back({ name + "uncertain (confidence " + ProbabilityInWords(confidence) +
+                         "); the border of the segments beside it may be wrong.",
+                       PlaceInJson(flexure.at("position")) });
+    }
+  }
+  if (results.quality.contains("ileocecalValve") && !results.quality["ileocecalValve"].at("found").get<bool>())
+  {
+    list.push_back({ "Ileocecal valve: not found; check that the line reaches the cecum.", {} });
+  }
+}
+
+void
+AddDoubts(const ColonoscopyResults & results, const StretchPlaces & places, std::vector<Limitation> & list)
+{
+  if (results.pair && results.pair->registration.document.at("confidence").at("flagged").get<bool>())
+  {
+    list.push_back({ "Registration of the positions: doubtful; do not rely on places in the other position.", {} });
+  }
+  const Json merges = results.quality.value("centerline", Json::object()).value("merges", Json::array());
+  if (!merges.empty())
+  {
+    const Eigen::Vector3d place = PlaceInJson(merges.front().at("place"));
+    list.push_back({ "Loops of the colon touch at " + std::to_string(merges.size()) +
+                       (merges.size() == 1 ? " place" : " places") +
+                       "; the wall between them is interrupted there. The widest is at " + PlaceInWords(place) +
+                       places.SliceAt(place) + ".",
+                     place });
+  }
+}
+} // namespace
+
+std::vector<Limitation>
+LimitationsOf(const ColonoscopyResults & results, const ColonoscopyQuality & quality)
+{
+  std::vector<Limitation> list;
+  AddCompleteness(results, list);
+  if (results.centerline.curves.empty())
+  {
+    return list;
+  }
+  const StretchPlaces places(results);
+  AddHiddenStretches(results, places, list);
+  if (const double below = NotAssessableBelow(results.centerline); below > 0.0)
+  {
+    list.push_back({ "The whole colon is " + NotAssessableInWords(below) + " at this resolution.", {} });
+  }
+  AddPreparation(quality, list);
+  AddHiddenOnMap(quality, places, list);
+  AddLandmarks(results, list);
+  AddDoubts(results, places, list);
+  return list;
+}
+
+std::string
+ReasonForInadequate(const ColonoscopyResults & results, const ColonoscopyQuality & quality)
+{
+  std::string reasons;
+  const auto  add = [&](const std::string & reason) { reasons += (reasons.empty() ? "" : "; ") + reason; };
+  for (const Json & part : results.quality.value("missing", Json::array()))
+  {
+    add(part.get<std::string>());
+  }
+  for (std::size_t i = 0; i < quality.segments.size(); ++i)
+  {
+    const SegmentQuality &     one = quality.segments[i];
+    const ColonAssessability & best = quality.either.empty() ? one.assessability : quality.either[i];
+    if (best.Verdict() == "notAssessable")
+    {
+      add("only " + WholePercent(best.share) + " of the " + one.extent.name + " can be assessed");
+    }
+  }
+  return reasons;
+}
+} // namespace shapeton

@@ -1,0 +1,32 @@
+#ifndef shapetonColonoscopyLimitations_h
+#define shapetonColonoscopyLimitations_h
+
+#include "ShapetonColonToolsExport.h"
+#include "shapetonColonoscopyQuality.h"
+
+#include <optional>
+
+namespace shapeton
+{
+/** Something that an examination does not show, or shows doubtfully. */
+struct Limitation
+{
+  /** With segment, distance and slices, for a reader. */
+  std::string text;
+  /** Where it is best seen; LPS, mm. */
+  std::optional<Eigen::Vector3d> place;
+};
+
+/** Ordered by consequence: an incomplete examination; stretches without visible wall, the longest first; polyps below
+ * the resolution; wall under fluid and residue; wall that the flat map does not show; doubtful landmarks, registration
+ * and loops. */
+ShapetonColonTools_EXPORT std::vector<Limitation>
+                          LimitationsOf(const ColonoscopyResults & results, const ColonoscopyQuality & quality);
+
+/** Why a reader should consider category C0 (inadequate) of C-RADS: parts of the colon are missing or segments are not
+ * assessable in any position; "" without a reason. */
+ShapetonColonTools_EXPORT std::string
+                          ReasonForInadequate(const ColonoscopyResults & results, const ColonoscopyQuality & quality);
+} // namespace shapeton
+
+#endif

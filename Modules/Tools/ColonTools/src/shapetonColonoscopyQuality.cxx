@@ -1,0 +1,159 @@
+#include "shapetonColonoscopyQuality.h"
+
+#include "shapetonColonFigures.h"
+#include "shapetonHiddenInBoth.h"
+
+#include "itkLinearInterpolateImageFunction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+using CtImage = itk::Image<float, 3>;
+
+/** Interpolated values of the CT before cleansing. */
+std::function<double(const Eigen::Vector3d &)>
+AttenuationOf(const ColonoscopyResults & results)
+{
+  if (!results.ct || !results.cleansing)
+  {
+    return {};
+  }
+  using Interpolator = itk::LinearInterpolateImageFunction<CtImage, double>;
+  const auto cleansed = Interpolator::New();
+  const auto cleansing = Interpolator::New();
+  cleansed->SetInputImage(results.ct);
+  cleansing->SetInputImage(results.cleansing);
+  return [=](const Eigen::Vector3d & place) {
+    const itk::Point<double, 3> point(place.data());
+    return cleansed->IsInsideBuffer(point) ? cleansed->Evaluate(point) + cleansing->Evaluate(point)
+                                           : std::numeric_limits<double>::quiet_NaN();
+  };
+}
+
+std::vector<HiddenWall>
+HiddenWallsOf(const Json & flatStatistics)
+{
+  std::vector<HiddenWall> hidden;
+  for (const Json & cap : flatStatistics.is_null() ? Json::array() : flatStatistics.value("caps", Json::array()))
+  {
+    hidden.push_back({ PlaceInJson(cap.at("place")), cap.at("area").get<double>() });
+  }
+  return hidden;
+}
+
+/** What the other position, and at least one of them, show of the segments of this one. */
+void
+AddOtherPosition(const ColonoscopyPair & pair, ColonoscopyQuality & quality)
+{
+  const std::vector<HinderedStretch> inBoth =
+    FindHiddenInBoth(pair.first.position, pair.second.position, pair.registration.supineToProne);
+  const std::vector<HinderedStretch> there = FindHinderedStretches(pair.second.position.centerline);
+  for (const SegmentQuality & segment : quality.segments)
+  {
+    quality.either.push_back(Assess(inBoth, segment.extent.begin, segment.extent.end));
+    const auto same =
+      std::find_if(pair.second.segments.begin(), pair.second.segments.end(), [&](const ColonSegmentExtent & other) {
+        return other.label == segment.extent.label;
+      });
+    const bool isKnown = same != pair.second.segments.end();
+    quality.other.push_back(isKnown ? Assess(there, same->begin, same->end) : ColonAssessability());
+  }
+}
+
+/** "12 to 43". */
+std::string
+CalibersOf(const ColonDistension & distension)
+{
+  return WholeNumber(distension.leastCaliber) + " to " + WholeNumber(distension.largestCaliber);
+}
+
+/** The visible part of the wall; never all of it if the flat map hides some. */
+std::string
+EvaluableInWords(const SegmentQuality & segment)
+{
+  const double shown = segment.extent.area > 0.0 ? 1.0 - segment.hiddenArea / segment.extent.area : 1.0;
+  return WholePercent(segment.assessability.share * std::clamp(shown, 0.0, 1.0));
+}
+
+} // namespace
+
+Eigen::Vector3d
+PlaceInJson(const Json & lps)
+{
+  return { lps.at(0).get<double>(), lps.at(1).get<double>(), lps.at(2).get<double>() };
+}
+
+ColonoscopyQuality
+MeasureColonoscopyQuality(const ColonoscopyResults & results)
+{
+  ColonoscopyQuality quality;
+  if (results.segments.empty() || !FindSurfaceArray(results.labeled.cellArrays, "segment"))
+  {
+    return quality;
+  }
+  SegmentQualityInput input;
+  input.centerline = &results.centerline;
+  input.wall = &results.labeled;
+  input.segments = results.segments;
+  input.hidden = HiddenWallsOf(results.flatStatistics);
+  if (results.ct)
+  {
+    input.lumen = results.lumen;
+    input.attenuation = AttenuationOf(results);
+  }
+  quality.segments = MeasureSegmentQuality(input);
+  if (results.pair)
+  {
+    AddOtherPosition(*results.pair, quality);
+  }
+  return quality;
+}
+
+CsvTable
+QualityTable(const ColonoscopyQuality & quality)
+{
+  std::vector<std::string> columns{ "Segment",
+                                    "From (cm)",
+                                    "To (cm)",
+                                    "Distension",
+                                    "Caliber (mm)",
+                                    "Evaluable wall",
+                                    "Under tagged fluid",
+                                    "Fluid (HU)",
+                                    "Tagged residue (cm^2)",
+                                    "Untagged fluid",
+                                    "Not on the flat map (cm^2)" };
+  const bool               hasOther = !quality.either.empty();
+  if (hasOther)
+  {
+    columns.insert(columns.begin() + 6, { "Other position", "Either position" });
+  }
+  CsvTable table(columns);
+  for (std::size_t i = 0; i < quality.segments.size(); ++i)
+  {
+    const SegmentQuality &   one = quality.segments[i];
+    const auto               untagged = static_cast<std::size_t>(ColonHindrance::UntaggedFluid);
+    std::vector<std::string> cells{ one.extent.name,
+                                    NumberOfCentimeters(one.extent.begin),
+                                    NumberOfCentimeters(one.extent.end),
+                                    NameOf(one.grade),
+                                    CalibersOf(one.distension),
+                                    EvaluableInWords(one),
+                                    WholePercent(one.submergedShare),
+                                    WholeNumber(one.fluidAttenuation),
+                                    SquareCentimeters(one.residueArea),
+                                    Centimeters(one.assessability.lengths.at(untagged)),
+                                    SquareCentimeters(one.hiddenArea) };
+    if (hasOther)
+    {
+      cells.insert(cells.begin() + 6, { WholePercent(quality.other[i].share), WholePercent(quality.either[i].share) });
+    }
+    table.AddRow(cells);
+  }
+  return table;
+}
+} // namespace shapeton

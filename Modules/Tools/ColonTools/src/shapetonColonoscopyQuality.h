@@ -1,0 +1,31 @@
+#ifndef shapetonColonoscopyQuality_h
+#define shapetonColonoscopyQuality_h
+
+#include "shapetonColonoscopyResults.h"
+#include "shapetonSegmentQuality.h"
+
+namespace shapeton
+{
+/** A place in a document, a list of x, y and z. */
+Eigen::Vector3d
+PlaceInJson(const Json & lps);
+
+/** What an examination shows of each segment. */
+struct ColonoscopyQuality
+{
+  std::vector<SegmentQuality> segments;
+  /** With a second position: what the other and at least one of the two positions show of the same segments. */
+  std::vector<ColonAssessability> other;
+  std::vector<ColonAssessability> either;
+};
+
+/** Without segments if landmarks are missing. */
+ColonoscopyQuality
+MeasureColonoscopyQuality(const ColonoscopyResults & results);
+
+/** A row for each segment; the quantities in its columns are those of SegmentQuality. */
+CsvTable
+QualityTable(const ColonoscopyQuality & quality);
+} // namespace shapeton
+
+#endif
