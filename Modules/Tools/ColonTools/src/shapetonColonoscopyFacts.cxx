@@ -183,28 +183,6 @@ TaeniaeInWords(const ColonoscopyResults & results)
   return text;
 }
 
-/** "yes", or the fraction and the reason. */
-std::string
-AssessableInWords(const Json & landmarks, int number)
-{
-  for (const Json & segment : landmarks.at("segments"))
-  {
-    if (segment.at("number").get<int>() != number || !segment.contains("verdict"))
-    {
-      continue;
-    }
-    const std::string verdict = segment["verdict"].get<std::string>();
-    std::string       text = verdict == "assessable" ? "yes" : verdict == "partly" ? "in part" : "not assessable";
-    text += ", " + WholePercent(NumberOrNaN(segment, "/assessableShare"));
-    for (const Json & reason : segment.at("reasons"))
-    {
-      text += "; " + Centimeters(NumberOrNaN(reason, "/length")) + " " + reason.at("words").get<std::string>();
-    }
-    return text;
-  }
-  return "";
-}
-
 /** Number of folds, and their density: thick slices add false folds. */
 std::string
 FoldsInWords(const ColonoscopyResults & results)
@@ -226,6 +204,27 @@ NumberOfFlexures(const Json & landmarks)
     flexures.begin(), flexures.end(), [](const Json & flexure) { return flexure.at("found").get<bool>(); });
 }
 } // namespace
+
+std::string
+AssessableInWords(const Json & landmarks, int number)
+{
+  for (const Json & segment : landmarks.at("segments"))
+  {
+    if (segment.at("number").get<int>() != number || !segment.contains("verdict"))
+    {
+      continue;
+    }
+    const std::string verdict = segment["verdict"].get<std::string>();
+    std::string       text = verdict == "assessable" ? "yes" : verdict == "partly" ? "in part" : "not assessable";
+    text += ", " + WholePercent(NumberOrNaN(segment, "/assessableShare"));
+    for (const Json & reason : segment.at("reasons"))
+    {
+      text += "; " + Centimeters(NumberOrNaN(reason, "/length")) + " " + reason.at("words").get<std::string>();
+    }
+    return text;
+  }
+  return "";
+}
 
 ColonoscopyFacts
 SummaryOf(const ColonoscopyReportContent & content)

@@ -19,6 +19,11 @@ MethodFactsOf(const ColonoscopyReportContent & content);
 CsvTable
 SegmentTable(const ColonoscopyResults & results);
 
+/** Whether segment `number` (1 rectum to 6 cecum) of a landmarks.json is assessable: "yes, 97 %", or the fraction and
+ * the reasons; empty if unknown. */
+std::string
+AssessableInWords(const Json & landmarks, int number);
+
 /** Position and confidence of each flexure, including those that were not found. */
 CsvTable
 FlexureTable(const ColonoscopyResults & results);
