@@ -234,7 +234,7 @@ DicomContent
 PersonContent(const std::string & relationship, const DicomCode & name, const std::string & person)
 {
   DicomContent content = Made(DicomContent::Kind::PersonName, relationship, name);
-  content.text = person;
+  content.text = person + (person.find('^') == std::string::npos ? "^" : ""); // otherwise an obsolete form
   return content;
 }
 
