@@ -109,9 +109,10 @@ WriteColonDicomResults(const std::string &       exam,
                          outputPath(folder + "/sr.dcm"));
   if (reading)
   {
+    constexpr int seriesOfReading = 5; // the first number without another object
     WriteDicomMeasurements(series,
                            MeasurementsOfReader(*reading, options.reader.position, segments),
-                           HeaderOf(examination, 5, "reading of the colon"),
+                           HeaderOf(examination, seriesOfReading, "reading of the colon"),
                            outputPath(folder + "/sr-reader.dcm"));
   }
   options.progress("cad.dcm", 0.92);

@@ -48,11 +48,18 @@ AddMorphology(const ReaderLesion & lesion, DicomMeasurementGroup & group)
   }
 }
 
+/** "candidate 1", "finding F1". */
+std::string
+NameOfLesion(const ReaderLesion & lesion)
+{
+  return (lesion.candidate ? "candidate " : "finding ") + lesion.id;
+}
+
 DicomMeasurementGroup
 GroupOf(const ReaderLesion & lesion, const ColonSegmentsAsDicom & segments)
 {
   DicomMeasurementGroup group;
-  group.trackingID = (lesion.candidate ? "candidate " : "finding ") + lesion.id;
+  group.trackingID = NameOfLesion(lesion);
   group.trackingUID = lesion.candidate ? segments.TrackingUIDOfCandidate(*lesion.candidate)
                                        : segments.TrackingUIDAt(group.trackingID, lesion.place);
   group.finding = polyp;
@@ -79,6 +86,34 @@ CategoryOf(const DicomCode & name, const std::string & category)
 {
   return { name, {}, category.empty() ? "no category entered" : category + " (C-RADS), as entered by the reader" };
 }
+/** Counts, what is preliminary or unsure, and the polyps of the other series. */
+std::vector<std::string>
+CommentsOn(const ColonReading & reading, std::size_t position, const std::string & whyPreliminary)
+{
+  std::vector<std::string> comments{ DicomResearchNote,
+                                     "polyps accepted in the examination: " + SizesOfAccepted(reading.lesions) };
+  for (const ReaderLesion & lesion : LesionsWith(reading.lesions, ReaderVerdict::Polyp))
+  {
+    if (lesion.position != position)
+    {
+      comments.push_back("not in this report: " + NameOfLesion(lesion) +
+                         ", which the reader accepted in the other series");
+    }
+  }
+  for (const ReaderLesion & lesion : LesionsWith(reading.lesions, ReaderVerdict::Unsure))
+  {
+    comments.push_back("the reader is unsure about " + NameOfLesion(lesion));
+  }
+  if (!whyPreliminary.empty())
+  {
+    comments.push_back("preliminary: " + whyPreliminary);
+  }
+  if (const std::string note = Printable(reading.verdicts.assessment.note); !note.empty())
+  {
+    comments.push_back("note of the reader: " + note);
+  }
+  return comments;
+}
 } // namespace
 
 DicomMeasurementReport
@@ -92,28 +127,15 @@ MeasurementsOfReader(const ColonReading & reading, std::size_t position, const C
   report.segmentation = segments.Instance();
   report.observer = reading.observer;
   report.completion = why.empty() ? DicomCompletion::Complete : DicomCompletion::Partial;
+  report.evaluations = { CategoryOf(colonAssessment, assessment.colonic),
+                         CategoryOf(extracolonicAssessment, assessment.extracolonic) };
+  report.comments = CommentsOn(reading, position, why);
   for (const ReaderLesion & lesion : LesionsWith(reading.lesions, ReaderVerdict::Polyp))
   {
     if (lesion.position == position)
     {
       report.groups.push_back(GroupOf(lesion, segments));
     }
-  }
-  report.evaluations = { CategoryOf(colonAssessment, assessment.colonic),
-                         CategoryOf(extracolonicAssessment, assessment.extracolonic) };
-  report.comments.emplace_back(DicomResearchNote);
-  report.comments.push_back("polyps accepted in the examination: " + SizesOfAccepted(reading.lesions));
-  if (!why.empty())
-  {
-    report.comments.push_back("preliminary: " + why);
-  }
-  for (const ReaderLesion & lesion : LesionsWith(reading.lesions, ReaderVerdict::Unsure))
-  {
-    report.comments.push_back("the reader is unsure about candidate " + lesion.id);
-  }
-  if (const std::string note = Printable(assessment.note); !note.empty())
-  {
-    report.comments.push_back("note of the reader: " + note);
   }
   return report;
 }

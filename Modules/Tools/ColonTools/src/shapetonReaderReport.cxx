@@ -21,11 +21,24 @@ ReadPositions(const std::vector<std::string> & folders, bool isAnonymous)
   for (const std::string & folder : folders)
   {
     const Json        quality = ReadJson(folder + "/segmentation/quality.json");
-    const std::string name = quality.value("/lumen/position"_json_pointer, std::string());
     const std::string identity = quality.value("/provenance/input.inputVolume"_json_pointer, std::string());
     positions.push_back({ folder,
-                          name.empty() ? "position " + std::to_string(positions.size() + 1) : name,
+                          quality.value("/lumen/position"_json_pointer, std::string()),
                           isAnonymous ? "" : SeriesOfIdentity(identity) });
+  }
+  return positions;
+}
+
+/** Names that the runs do not state, or state twice, are replaced by "first" and "second". */
+std::vector<ReadPosition>
+WithDistinctNames(std::vector<ReadPosition> positions)
+{
+  const bool isDistinct = !positions.front().name.empty() && !positions.back().name.empty() &&
+                          (positions.size() == 1 || positions.front().name != positions.back().name);
+  for (std::size_t k = 0; k < positions.size() && !isDistinct; ++k)
+  {
+    const std::string order = k == 0 ? "first" : "second";
+    positions[k].name = positions[k].name.empty() ? order : order + " (" + positions[k].name + ")";
   }
   return positions;
 }
@@ -35,7 +48,7 @@ ContentOf(const ReaderReportInput & input)
 {
   const std::vector<std::string> folders = PositionFoldersOf(input.exam, input.second);
   ReaderReportContent            content;
-  content.positions = ReadPositions(folders, input.isAnonymous);
+  content.positions = WithDistinctNames(ReadPositions(folders, input.isAnonymous));
   content.verdicts = ReadReaderVerdicts(input.verdicts, folders);
   content.lesions = LesionsOf(content.verdicts, CandidatesOfPositions(folders));
   content.sources = { { "Examination, SHA-256", DigestOfPositions(folders) },
