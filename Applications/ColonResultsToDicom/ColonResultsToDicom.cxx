@@ -10,18 +10,21 @@ namespace
 {
 using shapeton::CommandLine;
 
-/** Writes the results of one series; [begin, end] is its part of the progress. */
+/** Writes the results of a position, 0 or 1; [begin, end] is its part of the progress. */
 void
 Write(CommandLine &       commandLine,
-      const std::string & exam,
+      std::size_t         position,
       const std::string & source,
       const std::string & folder,
       double              begin,
       double              end)
 {
+  const std::string run = commandLine.GetString("exam");
+  const std::string exam = position == 0 ? run : run + "/second";
   CommandLine::RequireApart(source, folder, "use the folder with the DICOM series from which the run was computed");
   shapeton::ColonDicomOptions options;
   options.isDeflated = commandLine.GetFlag("deflate");
+  options.reader = { commandLine.GetString("verdicts"), run, position, commandLine.GetString("observer") };
   options.progress = commandLine.PartOfProgress(begin, end);
   commandLine.MakeFolder(folder);
   commandLine.Warn(shapeton::WriteColonDicomResults(
@@ -33,6 +36,8 @@ WriteResults(CommandLine & commandLine)
 {
   shapeton::RequireParameter(!commandLine.GetString("source").empty(),
                              "the parameter \"source\" is missing: results must refer to their series");
+  shapeton::RequireParameter(!commandLine.IsGiven("observer") || !commandLine.GetString("verdicts").empty(),
+                             "the parameter \"observer\" requires \"verdicts\"");
   const std::string exam = commandLine.GetString("exam");
   const std::string folder = commandLine.GetString("outputFolder");
   const bool        hasSecond = commandLine.IsGiven("secondSource");
@@ -41,10 +46,10 @@ WriteResults(CommandLine & commandLine)
     commandLine.Warn("the results of the second series are skipped; set its folder with the parameter "
                      "\"secondSource\"");
   }
-  Write(commandLine, exam, commandLine.GetString("source"), folder, 0.0, hasSecond ? 0.5 : 1.0);
+  Write(commandLine, 0, commandLine.GetString("source"), folder, 0.0, hasSecond ? 0.5 : 1.0);
   if (hasSecond)
   {
-    Write(commandLine, exam + "/second", commandLine.GetString("secondSource"), folder + "/second", 0.5, 1.0);
+    Write(commandLine, 1, commandLine.GetString("secondSource"), folder + "/second", 0.5, 1.0);
   }
 }
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "shapetonColonViewer.h"
 #include "shapetonCommandLine.h"
+#include "shapetonReaderReport.h"
 #include "shapetonRunRecords.h"
 
 namespace
@@ -46,7 +47,14 @@ MakeViewer(CommandLine & commandLine)
     commandLine.MakeFolder(folder + "/data");
   }
   commandLine.Progress("Packing", 0.1);
-  shapeton::WriteColonViewer(exam, folder, options, [&](const std::string & path) { return commandLine.Output(path); });
+  const shapeton::OutputPath outputPath = [&](const std::string & path) { return commandLine.Output(path); };
+  shapeton::WriteColonViewer(exam, folder, options, outputPath);
+  if (!options.verdicts.empty())
+  {
+    commandLine.Progress("Reader's report", 0.9);
+    commandLine.Warn(
+      shapeton::WriteReaderReport({ exam, options.second, options.verdicts, options.isAnonymous }, folder, outputPath));
+  }
 }
 } // namespace
 

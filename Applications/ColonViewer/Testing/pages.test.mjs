@@ -8,6 +8,7 @@ import { launch } from '../../../Testing/Browser/browser.mjs';
 
 const { TOOL: tool, EXAM: exam, WORK: work } = process.env;
 const NOTE = 'on a fold</script><b>é';
+const hasPdfWriter = spawnSync('weasyprint', ['--version']).status === 0;
 let page;
 
 const make = (folder, ...options) => {
@@ -60,7 +61,8 @@ test('equal runs give equal bytes', () => {
 test('a single page contains all data, with the given verdicts', async () => {
   writeFileSync(`${work}/verdicts.json`, verdictsOf(infoOf(`${work}/first`).exam.sha256));
   const folder = made('single', '--single', '--bits', '16', '--verdicts', `${work}/verdicts.json`);
-  assert.deepEqual(readdirSync(folder).sort(), ['verdicts.mrk.json', 'viewer.html']);
+  const report = ['reader-report.csv', 'reader-report.html', ...(hasPdfWriter ? ['reader-report.pdf'] : [])];
+  assert.deepEqual(readdirSync(folder).sort(), [...report, 'verdicts.mrk.json', 'viewer.html']);
   await open(folder);
   await page.until(() => Boolean(window.viewer));
   assert.deepEqual(page.errors, []);
@@ -71,12 +73,37 @@ test('a single page contains all data, with the given verdicts', async () => {
   assert.deepEqual(list.controlPoints[1].position, [1, 2, 3]);
 });
 
+test('the report of the reader states sizes, category and what is unread', () => {
+  const verdicts = JSON.parse(verdictsOf(infoOf(`${work}/first`).exam.sha256));
+  const total = infoOf(`${work}/first`).positions[0].candidates.length;
+  Object.assign(verdicts, { version: 2, assessment: { colonic: 'C2', extracolonic: '', note: '' } });
+  Object.assign(verdicts.candidates[0], { size: 12.5, morphology: 'pedunculated' });
+  writeFileSync(`${work}/report.json`, JSON.stringify(verdicts));
+  const folder = made('report', '--verdicts', `${work}/report.json`);
+  const text = readFileSync(`${folder}/reader-report.html`, 'utf8');
+  assert.match(text, new RegExp(`Preliminary: ${total - 1} candidates? (is|are) unread`));
+  assert.match(text, /C2, as entered by the reader/);
+  assert.match(text, /1 of 10 mm and more, 1 of 6 to 9 mm, 0 of 5 mm and less/);
+  assert.match(text, /src="data:image\/png;base64,/);
+  const rows = readFileSync(`${folder}/reader-report.csv`, 'utf8').trim().split('\n');
+  assert.equal(rows.length, 1 + total + 1);
+  assert.match(rows[1], /^1,candidate,polyp,.*,12.5,reader,pedunculated,reader,/);
+  const files = readdirSync(folder).filter((name) => name.startsWith('reader-report'));
+  const again = made('reportAgain', '--verdicts', `${work}/report.json`);
+  for (const name of files) assert.ok(readFileSync(`${folder}/${name}`).equals(readFileSync(`${again}/${name}`)), name);
+});
+
 test('verdicts of another examination are rejected, and the old page is unchanged', () => {
   const old = readFileSync(`${work}/single/viewer.html`);
   writeFileSync(`${work}/other.json`, verdictsOf('0'.repeat(64)));
   const { status, stderr } = make('single', '--single', '--verdicts', `${work}/other.json`);
   assert.equal(status, 3);
   assert.match(stderr, /belong to another examination/);
+  assert.deepEqual(readdirSync(`${work}/single`).filter((name) => name.includes('part')), []);
+  writeFileSync(`${work}/other.json`, verdictsOf(infoOf(`${work}/first`).exam.sha256).replace('"polyp"', '"cancer"'));
+  const unknown = make('single', '--single', '--verdicts', `${work}/other.json`);
+  assert.equal(unknown.status, 3);
+  assert.match(unknown.stderr, /the candidate "1" has an unknown verdict "cancer"/);
   writeFileSync(`${work}/other.json`, '{"version": 1, "exam": 3}');
   assert.equal(make('single', '--single', '--verdicts', `${work}/other.json`).status, 3);
   assert.ok(readFileSync(`${work}/single/viewer.html`).equals(old));

@@ -3,6 +3,7 @@
 
 #include "ShapetonReportExport.h"
 
+#include <optional>
 #include <string>
 
 namespace shapeton
@@ -10,6 +11,10 @@ namespace shapeton
 /** Bytes as base64 with padding and without line breaks (RFC 4648). \ingroup ShapetonReport */
 ShapetonReport_EXPORT std::string
                       Base64(const std::string & bytes);
+
+/** The bytes of a text written by Base64(); empty if it is malformed. \ingroup ShapetonReport */
+ShapetonReport_EXPORT std::optional<std::string>
+                      BytesOfBase64(const std::string & text);
 } // namespace shapeton
 
 #endif

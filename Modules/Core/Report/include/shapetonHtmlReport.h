@@ -20,6 +20,10 @@ using OutputPath = std::function<std::string(const std::string &)>;
 ShapetonReport_EXPORT std::string
                       PageText(const char * const pieces[]);
 
+/** Whether these bytes begin like a PNG file. \ingroup ShapetonReport */
+ShapetonReport_EXPORT bool
+IsPng(const std::string & bytes);
+
 /** The style sheet shared by all pages; a root element of class `dark` selects dark colors.
  * \ingroup ShapetonReport */
 ShapetonReport_EXPORT std::string
@@ -87,6 +91,9 @@ public:
    * alternative text. */
   void
   AddPicture(const std::string & pngPath, const std::string & caption);
+  /** Embeds the bytes of a PNG file. Throws std::invalid_argument unless IsPng(). */
+  void
+  AddPictureBytes(const std::string & png, const std::string & caption);
   /** Adds a table. Columns of numbers are right-aligned, with their common unit in the header; a color "#rrggbb" is
    * shown as a swatch with its value as a tooltip. A table that is too wide scrolls within its box. */
   void

@@ -6,6 +6,7 @@
 #include "shapetonWarningKinds.h"
 
 #include <optional>
+#include <stdexcept>
 
 namespace shapeton
 {
@@ -135,6 +136,13 @@ PageText(const char * const pieces[])
   return text;
 }
 
+bool
+IsPng(const std::string & bytes)
+{
+  static const std::string signature = "\x89PNG\r\n\x1A\n";
+  return bytes.compare(0, signature.size(), signature) == 0;
+}
+
 std::string
 PageStyle()
 {
@@ -258,12 +266,26 @@ void
 HtmlReport::AddPicture(const std::string & pngPath, const std::string & caption)
 {
   const std::string bytes = ReadFileBytes(pngPath);
-  if (bytes.compare(0, 8, "\x89PNG\r\n\x1A\n") != 0)
+  if (!IsPng(bytes))
   {
     throw InputError("the picture \"" + pngPath + "\" is not a PNG file; convert it");
   }
+<<<<<<< HEAD
   m_Body += std::string(IsTallPng(bytes) ? "<figure class=\"tall\">" : "<figure>") + "<img alt=\"" + Escaped(caption) +
             "\" src=\"data:image/png;base64," + Base64(bytes) + "\"/>\n" +
+=======
+  this->AddPictureBytes(bytes, caption);
+}
+
+void
+HtmlReport::AddPictureBytes(const std::string & png, const std::string & caption)
+{
+  if (!IsPng(png))
+  {
+    throw std::invalid_argument("these bytes are not a PNG file");
+  }
+  m_Body += "<figure><img alt=\"" + Escaped(caption) + "\" src=\"data:image/png;base64," + Base64(png) + "\"/>\n" +
+>>>>>>> ac128e420e74bf35a509ed6acf8a56a843b93c46
             Element("figcaption", ReadableText(caption)) + "</figure>\n";
 }
 

@@ -16,6 +16,16 @@ struct DicomMeasurement
   DicomCode   unit;
   /** Derivation from several values, such as the mean. */
   std::optional<DicomCode> derivation;
+  /** Whether the observer measured it; otherwise the program is named as its algorithm. */
+  bool isByObserver{ false };
+};
+
+/** A statement that is not a number: a code, or a text. \ingroup ShapetonDicomResults */
+struct DicomEvaluation
+{
+  DicomCode                name;
+  std::optional<DicomCode> code;
+  std::string              text;
 };
 
 /** Measurements of one object: a segment, or a body part without a segment. \ingroup ShapetonDicomResults */
@@ -30,6 +40,7 @@ struct DicomMeasurementGroup
   /** Center, LPS, mm. */
   std::optional<std::array<double, 3>> center;
   std::vector<DicomMeasurement>        measurements;
+  std::vector<DicomEvaluation>         evaluations;
   std::vector<std::string>             comments;
 };
 
@@ -41,11 +52,16 @@ struct DicomMeasurementReport
   DicomCode                          region;
   DicomInstance                      segmentation;
   std::vector<DicomMeasurementGroup> groups;
+  /** Evaluations of the whole examination. */
+  std::vector<DicomEvaluation> evaluations;
+  /** Name of the person who read the examination; if empty, the program is the observer. */
+  std::string     observer;
+  DicomCompletion completion{ DicomCompletion::Partial };
   /** Comments on the report. */
   std::vector<std::string> comments;
 };
 
-/** Writes a Comprehensive 3D SR of the template TID 1500: a program as observer, an image library of all slices, and a
+/** Writes a Comprehensive 3D SR of the template TID 1500: the observer, an image library of all slices, and a
  * measurement group (TID 1411) per measured object. Output is deterministic. Throws OutputError.
  * \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomInstance
@@ -54,9 +70,10 @@ WriteDicomMeasurements(const DicomSource &            source,
                        const DicomResultHeader &      header,
                        const std::string &            path);
 
-/** The first items of a report: the language (English) and the observer. \ingroup ShapetonDicomResults */
+/** The first items of a report: the language (English) and the observer, a person or, if `person` is empty, the
+ * program. \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT std::vector<DicomContent>
-                            ContextOfReport(const DicomResultHeader & header);
+                            ContextOfReport(const DicomResultHeader & header, const std::string & person = {});
 } // namespace shapeton
 
 #endif

@@ -23,6 +23,8 @@ struct DicomContent
     Code,
     Number,
     UID,
+    /** "Family^Given". */
+    PersonName,
     /** A reference to an instance, optionally with a frame or segment. */
     Image,
     /** A point in pixel coordinates of the image in its child node. */
@@ -33,7 +35,7 @@ struct DicomContent
   Kind        kind{ Kind::Container };
   std::string relationship;
   DicomCode   name;
-  /** Value of Text and UID; digits of Number; template identifier of a Container, such as "1500". */
+  /** Value of Text, UID and PersonName; digits of Number; template identifier of a Container, such as "1500". */
   std::string text;
   /** Value of Code, unit of Number. */
   DicomCode code;
@@ -67,6 +69,9 @@ NumberContent(const std::string & relationship,
               const DicomCode &   unit);
 ShapetonDicomResults_EXPORT DicomContent
 UIDContent(const std::string & relationship, const DicomCode & name, const std::string & uid);
+/** `person` is "Family^Given" or a single name, see RequireDicomPersonName(). */
+ShapetonDicomResults_EXPORT DicomContent
+PersonContent(const std::string & relationship, const DicomCode & name, const std::string & person);
 ShapetonDicomResults_EXPORT DicomContent
 SegmentContent(const std::string & relationship, const DicomCode & name, const DicomInstance & instance, int segment);
 /** A reference to a slice of a source. */
@@ -90,15 +95,29 @@ enum class DicomReportKind
   ColonCAD
 };
 
-/** Writes a Structured Report: partial, unverified, preliminary. The evidence lists all slices of the source and
- * `others`. Output is deterministic. Throws OutputError. \ingroup ShapetonDicomResults */
+/** Whether a report contains all that it is meant to contain. \ingroup ShapetonDicomResults */
+enum class DicomCompletion
+{
+  Partial,
+  Complete
+};
+
+/** Throws ParameterError unless the text is a DICOM person name of one line: 1 to 64 characters without backslash,
+ * equals sign and control characters, with at most four carets between its components. \ingroup ShapetonDicomResults */
+ShapetonDicomResults_EXPORT void
+RequireDicomPersonName(const std::string & parameter, const std::string & name);
+
+/** Writes a Structured Report: unverified and preliminary, partial by default. The evidence lists all slices of the
+ * source and `others`. A report with other characters than ASCII is written in UTF-8. Output is deterministic. Throws
+ * OutputError. \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomInstance
 WriteDicomReport(const DicomSource &                source,
                  DicomReportKind                    kind,
                  const DicomContent &               root,
                  const std::vector<DicomInstance> & others,
                  const DicomResultHeader &          header,
-                 const std::string &                path);
+                 const std::string &                path,
+                 DicomCompletion                    completion = DicomCompletion::Partial);
 } // namespace shapeton
 
 #endif

@@ -17,10 +17,21 @@ ContentOf(const DicomMeasurement & measurement, const DicomResultHeader & header
     number.children.push_back(
       CodeContent("HAS CONCEPT MOD", { "121401", "DCM", "Derivation" }, *measurement.derivation));
   }
+  if (measurement.isByObserver)
+  {
+    return number;
+  }
   number.children.push_back(
     TextContent("HAS CONCEPT MOD", { "111001", "DCM", "Algorithm Name" }, "Shapeton " + header.tool));
   number.children.push_back(TextContent("HAS CONCEPT MOD", { "111003", "DCM", "Algorithm Version" }, header.version));
   return number;
+}
+
+DicomContent
+ContentOf(const DicomEvaluation & evaluation)
+{
+  return evaluation.code ? CodeContent("CONTAINS", evaluation.name, *evaluation.code)
+                         : TextContent("CONTAINS", evaluation.name, evaluation.text);
 }
 
 /** TID 1411; TID 1501 without a segment. */
@@ -51,6 +62,10 @@ ContentOf(const DicomMeasurementGroup &  group,
   for (const DicomMeasurement & measurement : group.measurements)
   {
     add(ContentOf(measurement, header));
+  }
+  for (const DicomEvaluation & evaluation : group.evaluations)
+  {
+    add(ContentOf(evaluation));
   }
   for (const std::string & text : group.comments)
   {
@@ -89,10 +104,14 @@ ImageLibrary(const DicomSource & source, const DicomMeasurementReport & report)
 }
 
 DicomContent
-Comments(const std::vector<std::string> & comments)
+Evaluations(const DicomMeasurementReport & report)
 {
   std::vector<DicomContent> contents;
-  for (const std::string & text : comments)
+  for (const DicomEvaluation & evaluation : report.evaluations)
+  {
+    contents.push_back(ContentOf(evaluation));
+  }
+  for (const std::string & text : report.comments)
   {
     contents.push_back(TextContent("CONTAINS", comment, text));
   }
@@ -101,12 +120,18 @@ Comments(const std::vector<std::string> & comments)
 } // namespace
 
 std::vector<DicomContent>
-ContextOfReport(const DicomResultHeader & header)
+ContextOfReport(const DicomResultHeader & header, const std::string & person)
 {
-  const std::string observer = "Shapeton " + header.tool + ' ' + header.version;
-  return { CodeContent("HAS CONCEPT MOD",
-                       { "121049", "DCM", "Language of Content Item and Descendants" },
-                       { "en", "RFC5646", "English" }),
+  const std::string  observer = "Shapeton " + header.tool + ' ' + header.version;
+  const DicomContent language = CodeContent(
+    "HAS CONCEPT MOD", { "121049", "DCM", "Language of Content Item and Descendants" }, { "en", "RFC5646", "English" });
+  if (!person.empty())
+  {
+    return { language,
+             CodeContent("HAS OBS CONTEXT", { "121005", "DCM", "Observer Type" }, { "121006", "DCM", "Person" }),
+             PersonContent("HAS OBS CONTEXT", { "121008", "DCM", "Person Observer Name" }, person) };
+  }
+  return { language,
            CodeContent("HAS OBS CONTEXT", { "121005", "DCM", "Observer Type" }, { "121007", "DCM", "Device" }),
            UIDContent("HAS OBS CONTEXT", { "121012", "DCM", "Device Observer UID" }, MakeDicomUID(observer)),
            TextContent("HAS OBS CONTEXT", { "121013", "DCM", "Device Observer Name" }, header.tool),
@@ -125,13 +150,14 @@ WriteDicomMeasurements(const DicomSource &            source,
   {
     groups.push_back(ContentOf(group, report, source, header));
   }
-  std::vector<DicomContent> contents = ContextOfReport(header);
+  std::vector<DicomContent> contents = ContextOfReport(header, report.observer);
   contents.push_back(CodeContent("HAS CONCEPT MOD", { "121058", "DCM", "Procedure reported" }, report.procedure));
   contents.push_back(ImageLibrary(source, report));
   contents.push_back(ContainerContent("CONTAINS", { "126010", "DCM", "Imaging Measurements" }, std::move(groups)));
-  contents.push_back(Comments(report.comments));
+  contents.push_back(Evaluations(report));
   const DicomContent root =
     ContainerContent({}, { "126000", "DCM", "Imaging Measurement Report" }, std::move(contents), "1500");
-  return WriteDicomReport(source, DicomReportKind::Comprehensive3D, root, { report.segmentation }, header, path);
+  return WriteDicomReport(
+    source, DicomReportKind::Comprehensive3D, root, { report.segmentation }, header, path, report.completion);
 }
 } // namespace shapeton

@@ -1,6 +1,8 @@
 #include "shapetonDicomReport.h"
 
 #include "shapetonDicomResultObject.h"
+#include "shapetonExceptions.h"
+#include "shapetonPrintable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +27,8 @@ ValueTypeOf(DicomContent::Kind kind)
       return "NUM";
     case DicomContent::Kind::UID:
       return "UIDREF";
+    case DicomContent::Kind::PersonName:
+      return "PNAME";
     case DicomContent::Kind::Image:
       return "IMAGE";
     case DicomContent::Kind::PixelPoint:
@@ -96,6 +100,9 @@ PutValue(DicomItem item, const DicomContent & content, const std::string & frame
     case DicomContent::Kind::UID:
       item.Text(DCM_UID, content.text);
       return;
+    case DicomContent::Kind::PersonName:
+      item.Text(DCM_PersonName, content.text);
+      return;
     case DicomContent::Kind::Image:
       return PutImage(item, content);
     default:
@@ -151,6 +158,17 @@ PutEvidence(DicomItem root, const DicomSource & source, const std::vector<DicomI
                 other.sopClassUID,
                 other.sopInstanceUID);
   }
+}
+
+/** Whether all texts of the tree are ASCII. */
+bool
+IsAscii(const DicomContent & content)
+{
+  const auto isAscii = [](const std::string & text) {
+    return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+  };
+  return isAscii(content.text) && isAscii(content.code.meaning) && isAscii(content.name.meaning) &&
+         std::all_of(content.children.begin(), content.children.end(), IsAscii);
 }
 
 DicomContent
@@ -213,6 +231,14 @@ UIDContent(const std::string & relationship, const DicomCode & name, const std::
 }
 
 DicomContent
+PersonContent(const std::string & relationship, const DicomCode & name, const std::string & person)
+{
+  DicomContent content = Made(DicomContent::Kind::PersonName, relationship, name);
+  content.text = person + (person.find('^') == std::string::npos ? "^" : ""); // otherwise an obsolete form
+  return content;
+}
+
+DicomContent
 SegmentContent(const std::string & relationship, const DicomCode & name, const DicomInstance & instance, int segment)
 {
   DicomContent content = Made(DicomContent::Kind::Image, relationship, name);
@@ -254,21 +280,41 @@ PixelPointContent(const std::string &           relationship,
   return content;
 }
 
+void
+RequireDicomPersonName(const std::string & parameter, const std::string & name)
+{
+  constexpr std::size_t longest = 64; // characters of a component group, DICOM PS3.5 6.2
+  constexpr std::size_t mostCarets = 4;
+  const auto            characters = std::count_if(
+    name.begin(), name.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }); // of UTF-8
+  RequireParameter(Printable(name) == name && !name.empty() && static_cast<std::size_t>(characters) <= longest &&
+                     name.find_first_of("\\=") == std::string::npos &&
+                     static_cast<std::size_t>(std::count(name.begin(), name.end(), '^')) <= mostCarets,
+                   "the parameter \"" + parameter +
+                     "\" must be a person name such as Family^Given: one line of at most 64 characters, without "
+                     "backslash and equals sign");
+}
+
 DicomInstance
 WriteDicomReport(const DicomSource &                source,
                  DicomReportKind                    kind,
                  const DicomContent &               root,
                  const std::vector<DicomInstance> & others,
                  const DicomResultHeader &          header,
-                 const std::string &                path)
+                 const std::string &                path,
+                 DicomCompletion                    completion)
 {
   const char * const sopClass =
     kind == DicomReportKind::ColonCAD ? UID_ColonCADSRStorage : UID_Comprehensive3DSRStorage;
   DicomResultObject object(source, sopClass, "SR", header);
+  if (!IsAscii(root))
+  {
+    object.ConvertToUtf8();
+  }
   object.Root()
     .NoItems(DCM_ReferencedPerformedProcedureStepSequence)
     .NoItems(DCM_PerformedProcedureCodeSequence)
-    .Text(DCM_CompletionFlag, "PARTIAL")
+    .Text(DCM_CompletionFlag, completion == DicomCompletion::Complete ? "COMPLETE" : "PARTIAL")
     .Text(DCM_VerificationFlag, "UNVERIFIED")
     .Text(DCM_PreliminaryFlag, "PRELIMINARY");
   PutEvidence(object.Root(), source, others);

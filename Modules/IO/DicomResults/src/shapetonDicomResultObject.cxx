@@ -91,6 +91,17 @@ DicomResultObject::PutSourceHeader()
   }
 }
 
+void
+DicomResultObject::ConvertToUtf8()
+{
+  const OFCondition condition = m_File.getDataset()->convertToUTF8();
+  if (condition.bad())
+  {
+    throw InputError("the header of the source series cannot be converted to UTF-8: " + std::string(condition.text()) +
+                     "; inspect it with DicomSeriesInspector");
+  }
+}
+
 /** Dates are copied from the source instead of the current time, so that output is deterministic. Content Date and Time
  * must not be empty; without a date in the source they are set to 1900, the earliest year that some readers
  * accept. */

@@ -25,6 +25,10 @@ public:
     return DicomItem(*m_File.getDataset());
   }
 
+  /** Converts the attributes copied from the source to UTF-8, so that texts in UTF-8 can be added. Throws InputError.
+   */
+  void
+  ConvertToUtf8();
   /** Frame of reference of the source; for images and surfaces. */
   void
   PutFrameOfReference();

@@ -1,6 +1,7 @@
 #include "shapetonDicomMeasurements.h"
 #include "shapetonDicomReportReader.h"
 #include "shapetonDicomResultsTesting.h"
+#include "shapetonExceptions.h"
 #include "shapetonFileBytes.h"
 
 #include <functional>
@@ -94,6 +95,51 @@ TEST(DicomReport, IsPartialUnverifiedAndForResearch)
   EXPECT_EQ(ValueOf(file, DCM_NumericValue), "7.5");
   WriteDicomMeasurements(source, ReportWithTwoGroups(), HeaderOfTest(), folder + "/again.dcm");
   EXPECT_EQ(ReadFileBytes(folder + "/sr.dcm"), ReadFileBytes(folder + "/again.dcm"));
+}
+
+TEST(DicomReport, OfAPersonNamesNoProgramForItsMeasurements)
+{
+  const std::string      folder = TestFolder();
+  const DicomSource      source = SourceOf(ObliqueFixture(), folder);
+  DicomMeasurementReport report = ReportWithTwoGroups();
+  report.observer = "M\xC3\xBCller";
+  report.completion = DicomCompletion::Complete;
+  report.evaluations = { { { "112222", "DCM", "Colon Overall Assessment" }, {}, "C3" } };
+  for (DicomMeasurementGroup & group : report.groups)
+  {
+    group.measurements[0].isByObserver = true;
+    group.evaluations = { { { "SHAPE", "99SHAPETON", "Shape" }, DicomCode{ "6041008", "SCT", "Flat" }, {} } };
+  }
+  WriteDicomMeasurements(source, report, HeaderOfTest(), folder + "/sr.dcm");
+  DcmFileFormat file = Loaded(folder + "/sr.dcm");
+  EXPECT_EQ(ValueOf(file, DCM_CompletionFlag), "COMPLETE");
+  EXPECT_EQ(ValueOf(file, DCM_VerificationFlag), "UNVERIFIED");
+  EXPECT_EQ(ValueOf(file, DCM_SpecificCharacterSet), "ISO_IR 192");
+  EXPECT_EQ(ValueOf(file, DCM_PersonName), "M\xC3\xBCller^");
+  const std::string bytes = ReadFileBytes(folder + "/sr.dcm");
+  EXPECT_FALSE(Contains(bytes, "Algorithm Name"));
+  EXPECT_FALSE(Contains(bytes, "Device Observer"));
+  EXPECT_TRUE(Contains(bytes, "Colon Overall Assessment"));
+  EXPECT_TRUE(Contains(bytes, "6041008"));
+  EXPECT_EQ(ReadDicomReportPoints(folder + "/sr.dcm", source).size(), 1u);
+}
+
+TEST(DicomReport, RefusesInvalidPersonNames)
+{
+  for (const std::string & name : { std::string("Family^Given"), std::string("anonymous"), std::string(64, 'x') })
+  {
+    EXPECT_NO_THROW(RequireDicomPersonName("observer", name)) << name;
+  }
+  for (const std::string & name : { std::string(),
+                                    std::string(65, 'x'),
+                                    std::string("a\\b"),
+                                    std::string("a=b"),
+                                    std::string("a\nb"),
+                                    std::string("\xFF"),
+                                    std::string("1^2^3^4^5^6") })
+  {
+    EXPECT_THROW(RequireDicomPersonName("observer", name), ParameterError) << name;
+  }
 }
 
 TEST(DicomReport, RefusesPointsOfAnotherPlace)

@@ -56,7 +56,7 @@ Finding(const PolypCandidate &       candidate,
   {
     contents.push_back(CodeContent("HAS PROPERTIES", findingSite, CodeOfSegment(candidate.segment)));
   }
-  AddNumber(contents, { "373197004", "SCT", "Polyp size, largest dimension" }, candidate.diameter, mm);
+  AddNumber(contents, polypSize, candidate.diameter, mm);
   AddNumber(contents, distanceFromAnus, candidate.arcLength, mm);
   AddNumber(contents, attenuation, candidate.attenuation, hounsfield);
   contents.push_back(TextContent("HAS PROPERTIES", { "121106", "DCM", "Comment" }, CandidateNote));

@@ -11,6 +11,8 @@
 
 #include "itkPNGImageIO.h"
 
+#include <optional>
+
 namespace shapeton
 {
 namespace
@@ -31,6 +33,22 @@ ReadSourceOf(const ColonExamination & exam, const std::string & path)
                      "\" was computed from a repaired series, whose voxels do not match the original slices");
   }
   return source;
+}
+
+std::optional<ColonReading>
+ReadReading(const ColonDicomReader & reader)
+{
+  if (reader.verdicts.empty())
+  {
+    return {};
+  }
+  RequireDicomPersonName("observer", reader.observer);
+  const std::vector<std::string> folders = PositionFoldersOf(reader.exam);
+  ColonReading                   reading;
+  reading.verdicts = ReadReaderVerdicts(reader.verdicts, folders);
+  reading.lesions = LesionsOf(reading.verdicts, CandidatesOfPositions(folders));
+  reading.observer = reader.observer;
+  return reading;
 }
 
 /** The objects refer to the run, not to the program that wrote them. Series numbers are consecutive. */
@@ -77,8 +95,9 @@ WriteColonDicomResults(const std::string &       exam,
                        const OutputPath &        outputPath)
 {
   options.progress("Reading", 0.0);
-  ColonExamination  examination = ReadColonExamination(exam);
-  const DicomSource series = ReadSourceOf(examination, source);
+  const std::optional<ColonReading> reading = ReadReading(options.reader);
+  ColonExamination                  examination = ReadColonExamination(exam);
+  const DicomSource                 series = ReadSourceOf(examination, source);
   options.progress("seg.dcm", 0.4);
   ColonSegmentsAsDicom segments(examination);
   segments.Write(
@@ -88,6 +107,14 @@ WriteColonDicomResults(const std::string &       exam,
                          MeasurementsOfColon(examination, segments),
                          HeaderOf(examination, 1, "colon measurements"),
                          outputPath(folder + "/sr.dcm"));
+  if (reading)
+  {
+    constexpr int seriesOfReading = 5; // the first number without another object
+    WriteDicomMeasurements(series,
+                           MeasurementsOfReader(*reading, options.reader.position, segments),
+                           HeaderOf(examination, seriesOfReading, "reading of the colon"),
+                           outputPath(folder + "/sr-reader.dcm"));
+  }
   options.progress("cad.dcm", 0.92);
   const DicomResultHeader cad = HeaderOf(examination, 2, "colon CAD");
   WriteDicomReport(series,

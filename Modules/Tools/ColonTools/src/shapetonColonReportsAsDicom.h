@@ -3,6 +3,7 @@
 
 #include "shapetonColonSegmentsAsDicom.h"
 #include "shapetonDicomMeasurements.h"
+#include "shapetonReaderLesions.h"
 
 namespace shapeton
 {
@@ -14,6 +15,21 @@ constexpr const char * CandidateNote =
 /** Measurements of lumen, candidates and segments of the colon, as groups of TID 1500. */
 DicomMeasurementReport
 MeasurementsOfColon(const ColonExamination & exam, const ColonSegmentsAsDicom & segments);
+
+/** The reading of an examination. */
+struct ColonReading
+{
+  ReaderVerdicts            verdicts;
+  std::vector<ReaderLesion> lesions;
+  /** Person name of the reader. */
+  std::string observer;
+};
+
+/** The polyps that the reader accepted in the position of this run (0 or 1), as groups of TID 1500 with the reader as
+ * observer, and the categories that the reader entered. The report is complete unless WhyPreliminary() states a
+ * reason. */
+DicomMeasurementReport
+MeasurementsOfReader(const ColonReading & reading, std::size_t position, const ColonSegmentsAsDicom & segments);
 
 /** The candidates as findings of TID 4120. */
 DicomContent

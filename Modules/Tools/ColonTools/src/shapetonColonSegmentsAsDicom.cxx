@@ -220,8 +220,13 @@ ColonSegmentsAsDicom::UIDOf(const std::string & role) const
 std::string
 ColonSegmentsAsDicom::TrackingUIDOfCandidate(const PolypCandidate & candidate) const
 {
-  const Eigen::Vector3d & place = candidate.position;
-  return this->UIDOf("candidate at " + NumberText(place[0]) + ' ' + NumberText(place[1]) + ' ' + NumberText(place[2]));
+  return this->TrackingUIDAt("candidate", candidate.position);
+}
+
+std::string
+ColonSegmentsAsDicom::TrackingUIDAt(const std::string & kind, const Eigen::Vector3d & place) const
+{
+  return this->UIDOf(kind + " at " + NumberText(place[0]) + ' ' + NumberText(place[1]) + ' ' + NumberText(place[2]));
 }
 
 void

@@ -31,6 +31,9 @@ public:
   /** UID that identifies a candidate in all objects. */
   std::string
   TrackingUIDOfCandidate(const PolypCandidate & candidate) const;
+  /** UID that identifies a structure of this kind at a place (LPS, mm) of the series. */
+  std::string
+  TrackingUIDAt(const std::string & kind, const Eigen::Vector3d & place) const;
   /** Segment number in the file for a tracking UID; 0 if there is none. */
   int
   NumberOf(const std::string & trackingUID) const;

@@ -20,10 +20,17 @@ inline const DicomCode gas{ "74947009", "SCT", "Gas" };
 inline const DicomCode fluid{ "442170005", "SCT", "Intraluminal fluid" };
 inline const DicomCode lesion{ "52988006", "SCT", "Lesion" };
 inline const DicomCode polyp{ "68496003", "SCT", "Polyp of colon" };
+inline const DicomCode sessile{ "5712003", "SCT", "Sessile" };
+inline const DicomCode pedunculated{ "25126001", "SCT", "Pedunculated" };
+inline const DicomCode flat{ "6041008", "SCT", "Flat" };
 inline const DicomCode fold{ "FOLD", "99SHAPETON", "Haustral fold" };
 
 inline const DicomCode ct{ "25045-6", "LN", "CT unspecified body region" };
 inline const DicomCode findingSite{ "363698007", "SCT", "Finding Site" };
+inline const DicomCode morphology{ "MORPHOLOGY", "99SHAPETON", "Morphology of a polyp" };
+inline const DicomCode colonAssessment{ "112222", "DCM", "Colon Overall Assessment" };
+inline const DicomCode extracolonicAssessment{ "EXTRACOLONIC", "99SHAPETON", "Extracolonic assessment" };
+inline const DicomCode polypSize{ "373197004", "SCT", "Polyp size, largest dimension" };
 inline const DicomCode diameter{ "81827009", "SCT", "Diameter" };
 inline const DicomCode height{ "121207", "DCM", "Height" };
 inline const DicomCode volume{ "118565006", "SCT", "Volume" };

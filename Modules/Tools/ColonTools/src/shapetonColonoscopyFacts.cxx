@@ -220,6 +220,27 @@ FoldsInWords(const ColonoscopyResults & results)
 
 } // namespace
 
+std::string
+AssessableInWords(const Json & landmarks, int number)
+{
+  for (const Json & segment : landmarks.at("segments"))
+  {
+    if (segment.at("number").get<int>() != number || !segment.contains("verdict"))
+    {
+      continue;
+    }
+    const std::string verdict = segment["verdict"].get<std::string>();
+    std::string       text = verdict == "assessable" ? "yes" : verdict == "partly" ? "in part" : "not assessable";
+    text += ", " + WholePercent(NumberOrNaN(segment, "/assessableShare"));
+    for (const Json & reason : segment.at("reasons"))
+    {
+      text += "; " + Centimeters(NumberOrNaN(reason, "/length")) + " " + reason.at("words").get<std::string>();
+    }
+    return text;
+  }
+  return "";
+}
+
 ColonoscopyFacts
 SummaryOf(const ColonoscopyReportContent & content)
 {

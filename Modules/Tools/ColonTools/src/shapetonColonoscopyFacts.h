@@ -15,6 +15,11 @@ SummaryOf(const ColonoscopyReportContent & content);
 ColonoscopyFacts
 MethodFactsOf(const ColonoscopyReportContent & content);
 
+/** Whether segment `number` (1 rectum to 6 cecum) of a landmarks.json is assessable: "yes, 97 %", or the fraction and
+ * the reasons; empty if unknown. */
+std::string
+AssessableInWords(const Json & landmarks, int number);
+
 /** Position and confidence of each flexure, including those that were not found. */
 CsvTable
 FlexureTable(const ColonoscopyResults & results);

@@ -16,6 +16,12 @@ namespace shapeton
 {
 namespace
 {
+Json
+MissingPartsOf(const ColonoscopyResults & results)
+{
+  return results.quality.is_null() ? Json::array() : results.quality.value("missing", Json::array());
+}
+
 std::string
 HindranceForReader(ColonHindrance hindrance)
 {
@@ -186,7 +192,7 @@ AddHiddenStretches(const ColonoscopyResults & results, const StretchPlaces & pla
 void
 AddCompleteness(const ColonoscopyResults & results, std::vector<Limitation> & list)
 {
-  for (const Json & part : results.quality.value("missing", Json::array()))
+  for (const Json & part : MissingPartsOf(results))
   {
     list.push_back({ "Incomplete: " + part.get<std::string>() + ".", {} });
   }
@@ -334,7 +340,7 @@ ReasonForInadequate(const ColonoscopyResults & results, const ColonoscopyQuality
 {
   std::string reasons;
   const auto  add = [&](const std::string & reason) { reasons += (reasons.empty() ? "" : "; ") + reason; };
-  for (const Json & part : results.quality.value("missing", Json::array()))
+  for (const Json & part : MissingPartsOf(results))
   {
     add(part.get<std::string>());
   }

@@ -3,10 +3,9 @@
 #include "shapetonExceptions.h"
 #include "shapetonFileBytes.h"
 #include "shapetonHtmlReport.h"
+#include "shapetonReaderVerdicts.h"
 #include "shapetonScriptPage.h"
-#include "shapetonSha256.h"
 #include "shapetonViewerPosition.h"
-#include "shapetonViewerVerdicts.h"
 #include "shapetonVolume.h"
 
 #include <filesystem>
@@ -24,43 +23,12 @@ Exists(const std::string & path)
   return std::filesystem::exists(path);
 }
 
-std::vector<std::string>
-PositionsOf(const std::string & exam, const ColonViewerOptions & options)
-{
-  std::vector<std::string> folders{ exam };
-  if (!options.second.empty())
-  {
-    folders.push_back(options.second);
-  }
-  else if (Exists(exam + "/second/flattening/flat.vtp"))
-  {
-    folders.push_back(exam + "/second");
-  }
-  return folders;
-}
-
 /** Empty if the positions are not registered. */
 std::string
 RegistrationOf(const std::string & exam, const ColonViewerOptions & options)
 {
   const std::string ofRun = exam + "/registration";
   return options.second.empty() && Exists(ofRun + "/map-supine-to-prone.vtp") ? ofRun : options.registration;
-}
-
-/** Identity of the examination for verdicts: the flat wall, which depends on all earlier results, and the
- * candidates. */
-std::string
-Fingerprint(const std::vector<std::string> & folders)
-{
-  std::string digests;
-  for (const auto & folder : folders)
-  {
-    for (const char * name : { "/flattening/flat.vtp", "/polyps/candidates.csv" })
-    {
-      digests += Exists(folder + name) ? Sha256OfFile(folder + name) : "missing";
-    }
-  }
-  return Sha256OfBytes(digests);
 }
 
 std::string
@@ -92,7 +60,7 @@ Identity(Json & positions, const std::vector<std::string> & folders, bool isAnon
       series.push_back(uid);
     }
   }
-  return { { "seriesUIDs", series }, { "sha256", Fingerprint(folders) } };
+  return { { "seriesUIDs", series }, { "sha256", DigestOfPositions(folders) } };
 }
 
 /** Adds both maps; false if there are none. */
@@ -119,7 +87,7 @@ WriteColonViewer(const std::string &        exam,
   RequireParameter(options.near >= 0.0 && options.near <= 100.0, "the parameter \"near\" must be from 0 to 100 mm");
   RequireParameter(options.registration.empty() || !options.second.empty(),
                    "the parameter \"registration\" requires \"second\"");
-  const std::vector<std::string> folders = PositionsOf(exam, options);
+  const std::vector<std::string> folders = PositionFoldersOf(exam, options.second);
   PageBlocks                     blocks(folder + "/data", options.isSingle, outputPath);
   Json                           positions = Json::array();
   for (std::size_t k = 0; k < folders.size(); ++k)
@@ -132,8 +100,10 @@ WriteColonViewer(const std::string &        exam,
   info["hasMap"] = PutMaps(blocks, folders, RegistrationOf(exam, options));
   if (!options.verdicts.empty())
   {
-    info["verdicts"] = ReadVerdicts(options.verdicts, info["exam"]);
-    WriteMarkups({ MarkupOfVerdicts(info["verdicts"], positions) }, outputPath(folder + "/verdicts.mrk.json"));
+    const ReaderVerdicts verdicts = ReadReaderVerdicts(options.verdicts, folders);
+    info["verdicts"] = ReadJson(options.verdicts);
+    WriteMarkups({ MarkupOfVerdicts(verdicts, CandidatesOfPositions(folders)) },
+                 outputPath(folder + "/verdicts.mrk.json"));
   }
   info["positions"] = std::move(positions);
   blocks.PutJson("info", info);

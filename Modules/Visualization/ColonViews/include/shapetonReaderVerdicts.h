@@ -1,0 +1,103 @@
+#ifndef shapetonReaderVerdicts_h
+#define shapetonReaderVerdicts_h
+
+#include "shapetonExaminationPositions.h"
+#include "shapetonSlicerMarkups.h"
+
+#include <limits>
+#include <optional>
+
+namespace shapeton
+{
+/** What the reader decided on a candidate. \ingroup ShapetonColonViews */
+enum class ReaderVerdict
+{
+  Unread,
+  Polyp,
+  NotAPolyp,
+  Unsure
+};
+
+/** "unread", "polyp", "not a polyp", "unsure". \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT std::string
+                          NameOf(ReaderVerdict verdict);
+
+/** The categories that the reader entered; empty if none. \ingroup ShapetonColonViews */
+struct ReaderAssessment
+{
+  /** C-RADS category of the colon: "C0", "C1", "C2", "C2a", "C2b", "C3", "C4". */
+  std::string colonic;
+  /** C-RADS category of extracolonic findings: "E0" to "E4". */
+  std::string extracolonic;
+  std::string note;
+};
+
+/** What the reader states on any lesion. \ingroup ShapetonColonViews */
+struct ReaderStatement
+{
+  /** Largest diameter (mm, above 0 to 200); NaN if the reader did not enter one. */
+  double          size{ std::numeric_limits<double>::quiet_NaN() };
+  PolypMorphology morphology{ PolypMorphology::Unknown };
+  std::string     note;
+};
+
+/** The reader's verdict on a candidate of the program. \ingroup ShapetonColonViews */
+struct CandidateVerdict
+{
+  /** See NameOfCandidate(). */
+  std::string     id;
+  ReaderVerdict   verdict{ ReaderVerdict::Unread };
+  ReaderStatement statement;
+};
+
+/** A polyp that the reader found. \ingroup ShapetonColonViews */
+struct ReaderFinding
+{
+  std::string id;
+  /** 0, or 1 for the second position of the patient. */
+  std::size_t position{ 0 };
+  /** LPS, mm. */
+  Eigen::Vector3d place{ Eigen::Vector3d::Zero() };
+  /** 1 rectum to 6 cecum; 0 if unknown. */
+  int segment{ 0 };
+  /** Distance from the anal verge along the centerline (mm); NaN if unknown. */
+  double          arcLength{ std::numeric_limits<double>::quiet_NaN() };
+  ReaderStatement statement;
+};
+
+/** A place that the reader marked, with a snapshot. \ingroup ShapetonColonViews */
+struct ReaderBookmark
+{
+  std::string     id;
+  std::size_t     position{ 0 };
+  Eigen::Vector3d place{ Eigen::Vector3d::Zero() }; ///< LPS, mm
+  std::string     label;
+  std::string     png; ///< bytes of a PNG file
+};
+
+/** Contents of a verdicts.json. \ingroup ShapetonColonViews */
+struct ReaderVerdicts
+{
+  /** Whether the reader read without candidates first; not known for version 1. */
+  std::optional<bool>           isSecondReader;
+  ReaderAssessment              assessment;
+  std::vector<CandidateVerdict> candidates;
+  std::vector<ReaderFinding>    findings;
+  std::vector<ReaderBookmark>   bookmarks;
+};
+
+/** Reads a verdicts.json, version 1 or 2, saved by the page of the examination with these folders
+ * (PositionFoldersOf()). Keys added by version 2 may be missing.
+ *
+ * Throws InputError if the version is unknown, the examination is another one, an id is repeated or belongs to no
+ * candidate, a word (verdict, category, morphology, segment) is unknown, a size is not above 0 and at most 200 mm, a
+ * picture is not a PNG file, or a value has the wrong type. \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT ReaderVerdicts
+ReadReaderVerdicts(const std::string & path, const std::vector<std::string> & folders);
+
+/** One point for each candidate in the verdicts and each finding. \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT Markup
+MarkupOfVerdicts(const ReaderVerdicts & verdicts, const std::vector<std::vector<PolypCandidate>> & candidates);
+} // namespace shapeton
+
+#endif
