@@ -376,6 +376,7 @@ StageOfViewer(const CommandLine & commandLine)
       for (const char * const file : { "segmentation/quality.json",
                                        "segmentation/lumen.nrrd",
                                        "segmentation/cleansed.nrrd",
+                                       "segmentation/cleansing.nrrd",
                                        "segmentation/centerline.vtp",
                                        "flattening/flat.vtp",
                                        "landmarks/segments.vtp",

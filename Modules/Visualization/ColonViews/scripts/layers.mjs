@@ -1,3 +1,5 @@
+import { paintDepth } from './depth.mjs';
+
 // Layers that can be shown or hidden. Colors by Okabe and Ito, which are safe for color-blind readers.
 export const layerList = [
   ['candidates', 'candidates', true],
@@ -38,8 +40,8 @@ function faceColor(exam, layers, face) {
 
 const WALL = [226, 160, 142];
 
-// Vertex colors for the views in space.
-export function paintWall(exam, layers) {
+// Vertex colors for the views in space. translucent: where the tissue behind the wall is shown, or null.
+export function paintWall(exam, layers, translucent) {
   const { faces: F, kinds, colors: C } = exam;
   for (let i = 0; i < C.length; i += 4) { C[i] = WALL[0]; C[i + 1] = WALL[1]; C[i + 2] = WALL[2]; C[i + 3] = 255; }
   for (let f = 0; f < kinds.length; f++) {
@@ -48,6 +50,7 @@ export function paintWall(exam, layers) {
     const [color, opacity] = layer;
     for (let j = 0; j < 3; j++) for (let k = 0; k < 3; k++) C[4 * F[3 * f + j] + k] = WALL[k] + opacity * (color[k] - WALL[k]);
   }
+  if (translucent) paintDepth(exam, translucent);
   if (exam.mesh) exam.painter.recolor(exam.mesh, C);
 }
 

@@ -2,7 +2,10 @@ import { clamp, dot } from '../../../Core/Report/scripts/math.mjs';
 import { View } from '../../../Core/Report/scripts/view.mjs';
 
 const PLANES = ['sagittal', 'coronal', 'axial'];
-const LETTERS = [['R', 'L'], ['A', 'P'], ['I', 'S']]; // for the ends of the patient's axes, LPS
+const LETTERS = [['R', 'L'], ['A', 'P'], ['F', 'H']]; // for the ends of the patient's axes, LPS
+const SCALES = [1, 2, 5, 10, 20, 50, 100];             // mm, lengths of the scale bar
+const WIDEST_SCALE = 0.3;                               // of the width of the view
+export const LEAST_WIDTH = 20;                                 // HU, of the window
 
 // The image axis closest to each of the patient's axes.
 export function nearestAxes(axes) {
@@ -32,7 +35,7 @@ export class SliceView extends View {
     const name = (flip, patient) => LETTERS[patient][flip ? 0 : 1];
     this.letters = { right: name(false, right), left: name(true, right), bottom: name(isUp, down), top: name(!isUp, down) };
     const tilt = (Math.acos(clamp(Math.abs(axes[this.axis][plane]), 0, 1)) * 180) / Math.PI;
-    this.label.textContent = tilt > 0.5 ? `${PLANES[plane]}, oblique by ${tilt.toFixed(0)}°` : PLANES[plane];
+    this.title = tilt > 0.5 ? `${PLANES[plane]}, oblique by ${tilt.toFixed(0)}°` : PLANES[plane];
   }
 
   frame() {
@@ -61,6 +64,8 @@ export class SliceView extends View {
     this.shown = null;
     if (!v) { this.say(g, this.panel.volumeText); return; }
     if (!this.letters) this.layout();
+    this.label.textContent = `${this.title} · ${v.name}`;
+    this.label.classList.toggle('cleansed', v.isCleansed);
     const q = exam.toImage(place.xyz), index = clamp(Math.round(q[this.axis] / v.spacing[this.axis]), 0, v.size[this.axis] - 1);
     const f = this.frame(), at = (p) => f.at(exam.toImage(p));
     g.fillStyle = '#000';
@@ -70,7 +75,36 @@ export class SliceView extends View {
     if (layers.candidates) this.drawMarks(g, at, index);
     this.panel.drawMeasure(this, g, at);
     this.drawLetters(g, w, h);
+    this.drawFacts(g, index, place.xyz);
+    this.drawScale(g, f.s, w, h);
     this.cross(g, ...f.at(q));
+  }
+
+  // Number of the slice in the image, from 1, the position of the crosshair across it (LPS, mm), and the window.
+  facts(index, xyz) {
+    const { panel: { exam: { volume: v }, window: [width, level] }, axis, plane } = this;
+    const slice = `slice ${v.first[axis] + index + 1} of ${v.whole[axis]}`, place = `${'xyz'[plane]} ${xyz[plane].toFixed(1)} mm`;
+    return [`${slice} · ${place}`, v.isCt ? `W ${Math.round(width)}  L ${Math.round(level)}` : ''];
+  }
+
+  drawFacts(g, index, xyz) {
+    this.facts(index, xyz).forEach((text, i) => this.write(g, text, 6, 33 + 15 * i));
+  }
+
+  drawScale(g, scale, w, h) {
+    const mm = SCALES.filter((x) => x * scale < WIDEST_SCALE * w).at(-1) || SCALES[0], end = 8 + mm * scale, y = h - 8;
+    this.line(g, [[8, y - 4], [8, y], [end, y], [end, y - 4]], '#000', 4);
+    this.line(g, [[8, y - 4], [8, y], [end, y], [end, y - 4]], '#ffd', 1.6);
+    this.write(g, `${mm} mm`, end + 5, y);
+  }
+
+  write(g, text, x, y) {
+    g.font = '12px sans-serif';
+    g.lineWidth = 3;
+    g.strokeStyle = '#000c';
+    g.strokeText(text, x, y);
+    g.fillStyle = '#ffd';
+    g.fillText(text, x, y);
   }
 
   drawImage(g, f, index) {
@@ -86,20 +120,19 @@ export class SliceView extends View {
 
   // Windowed gray values of a slice. Means of 4^3 voxels are bluish to distinguish them from original voxels.
   fill(index) {
-    const { exam: { volume: v }, window: [width, level] } = this.panel, key = [index, width, level].join();
+    const { exam: { volume: v }, window: [width, level] } = this.panel, key = [index, width, level, v.isCleansed].join();
     if (key === this.key) return;
     this.key = key;
     const nx = v.size[this.across], ny = v.size[this.down], { side, blocks, coarse, data } = v;
     if (!this.pixels) { Object.assign(this.image, { width: nx, height: ny }); this.pixels = new ImageData(nx, ny); }
     const words = new Uint32Array(this.pixels.data.buffer), strides = [1, v.size[0], v.size[0] * v.size[1]];
     const blockStrides = [1, blocks[0], blocks[0] * blocks[1]], block = (k, i) => blockStrides[k] * ((i / side) | 0);
-    const scale = (255 * v.hu[1]) / width, shift = (255 * (v.hu[0] - level + width / 2)) / width;
+    const grays = v.graysOf(width, level);
     for (let j = 0, o = 0; j < ny; j++) {
       const row = this.flipY ? ny - 1 - j : j;
       const start = index * strides[this.axis] + row * strides[this.down], startBlock = block(this.axis, index) + block(this.down, row);
       for (let i = 0; i < nx; i++, o++) {
-        const column = this.flipX ? nx - 1 - i : i, value = shift + scale * data[start + column * strides[this.across]];
-        const b = value < 0 ? 0 : value > 255 ? 255 : value | 0;
+        const column = this.flipX ? nx - 1 - i : i, b = grays[data[start + column * strides[this.across]]];
         const isMean = coarse[startBlock + block(this.across, column)];
         words[o] = isMean ? 0xff000000 | (b << 16) | (((b * 0.94) | 0) << 8) | ((b * 0.88) | 0) : 0xff000000 | (b * 0x10101);
       }
@@ -132,13 +165,11 @@ export class SliceView extends View {
   }
 
   drawLetters(g, w, h) {
-    g.fillStyle = '#ffd';
-    g.font = '12px sans-serif';
     const { left, right, top, bottom } = this.letters;
-    g.fillText(left, 4, h / 2);
-    g.fillText(right, w - 13, h / 2);
-    g.fillText(top, w / 2 - 4, 30);
-    g.fillText(bottom, w / 2 - 4, h - 5);
+    this.write(g, left, 4, h / 2);
+    this.write(g, right, w - 13, h / 2);
+    this.write(g, top, w / 2 - 4, 64);
+    this.write(g, bottom, w / 2 - 4, h - 5);
   }
 
   pick(x, y) {
@@ -149,6 +180,17 @@ export class SliceView extends View {
 
   wheel(d, at, isScaling) { if (isScaling) this.scale(1.25 ** -d); else this.step(d); }
   scale(by) { this.zoom = clamp(this.zoom * by, 1, 12); this.changed(); }
+
+  // Enlarges the slice at least this much, with the crosshair at the center.
+  centerOn(place, zoom) {
+    const { exam } = this.panel;
+    this.zoom = Math.max(this.zoom, zoom);
+    if (!exam.volume) return;
+    if (!this.letters) this.layout();
+    const p = exam.toImage(place.xyz);
+    this.middle = [this.across, this.down].map((k) => p[k]);
+    this.changed();
+  }
 
   // Moves the crosshair by this number of slices.
   step(n) {
@@ -161,7 +203,7 @@ export class SliceView extends View {
 
   drag(dx, dy) {
     const [width, level] = this.panel.window;
-    this.panel.setWindow([Math.max(20, width + 4 * dx), level + 4 * dy]);
+    this.panel.setWindow([Math.max(LEAST_WIDTH, width + 4 * dx), level + 4 * dy]);
   }
 }
 

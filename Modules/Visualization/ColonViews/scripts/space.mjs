@@ -1,6 +1,11 @@
-import { add, axesOf, clamp, cross, distance, dot, norm, project } from '../../../Core/Report/scripts/math.mjs';
-import { rayThrough, scaled, sub, unit } from '../../../Core/Report/scripts/math.mjs';
+import { add, axesOf, clamp, cross, distance, dot, norm, scaled, sub, unit } from '../../../Core/Report/scripts/math.mjs';
+import { tissues } from './depth.mjs';
+import { viewOfHead } from './eye.mjs';
+import { FISHEYE, pixelOf, rayOf } from './lens.mjs';
 import { View } from '../../../Core/Report/scripts/view.mjs';
+
+// Depth of the center of a candidate behind the surface of its head, mm.
+const hiddenDepth = ({ depth }) => (depth ? 1.2 * depth + 1 : 0);
 
 // Base of the two views in space: picking, candidates, crosshair.
 class SpaceView extends View {
@@ -17,9 +22,9 @@ class SpaceView extends View {
     this.render(camera, Math.round(w * ratio), Math.round(h * ratio));
     g.drawImage(this.kept, 0, 0, w, h);
     if (layers.candidates) this.drawMarks(g, camera, w, h);
-    this.panel.drawMeasure(this, g, (p) => project(camera, w, h, p));
-    const q = project(camera, w, h, place.xyz);
-    if (q) this.cross(g, ...q, exam.hidden(camera.eye, place.xyz));
+    this.panel.drawMeasure(this, g, (p) => pixelOf(camera, w, h, p));
+    const q = pixelOf(camera, w, h, place.xyz);
+    if (q) this.cross(g, ...q, exam.hidden(camera.eye, place.xyz, hiddenDepth(place)));
   }
 
   // If only the crosshair moves, the picture is reused.
@@ -35,7 +40,7 @@ class SpaceView extends View {
   drawMarks(g, camera, w, h) {
     const { exam, layers } = this.panel;
     for (const mark of this.panel.marks()) {
-      const q = this.isNear(mark.wall) && project(camera, w, h, mark.wall);
+      const q = this.isNear(mark.wall) && pixelOf(camera, w, h, mark.wall);
       if (q && (layers.through || !exam.hidden(camera.eye, mark.wall))) this.ring(g, ...q, mark.text, mark.chosen);
     }
   }
@@ -48,7 +53,7 @@ class SpaceView extends View {
   }
 
   pick(x, y) {
-    const camera = this.camera(), place = this.panel.exam.fromRay(camera.eye, rayThrough(camera, this.w, this.h, x, y));
+    const camera = this.camera(), ray = rayOf(camera, this.w, this.h, x, y), place = ray && this.panel.exam.fromRay(camera.eye, ray);
     if (place) this.panel.set(place, this);
     return Boolean(place);
   }
@@ -56,7 +61,7 @@ class SpaceView extends View {
 
 export class OutsideView extends SpaceView {
   constructor(root, panel) {
-    super(root, 'outside', 'wall in space', panel);
+    super(root, 'outside', 'Colon wall in 3D', panel);
     const { points: P } = panel.exam, lo = [Infinity, Infinity, Infinity], hi = lo.map((x) => -x);
     for (let i = 0; i < P.length; i++) {
       const k = i % 3;
@@ -107,16 +112,36 @@ const STRETCH = 250; // visible range along the colon ahead of and behind the ey
 // the wall. way: 1 to the cecum, -1 to the rectum; look: the target point, if any; otherwise yaw and pitch apply.
 export class EndoView extends SpaceView {
   constructor(root, panel) {
-    super(root, 'inside', 'from the centerline', panel);
-    Object.assign(this, { index: 0, eye: null, yaw: 0, pitch: 0, way: 1, look: null, fov: (2 * Math.PI) / 3 });
+    super(root, 'inside', 'Endoluminal view', panel);
+    Object.assign(this, { index: 0, eye: null, yaw: 0, pitch: 0, way: 1, look: null, fov: (2 * Math.PI) / 3, isWide: false });
+    this.headFov = null; // field of view of the head of a candidate
   }
 
   get point() { return this.panel.exam.center[this.index]; }
 
-  // Moves to the best view of a point of the wall.
+  // Moves to the best view of a point of the wall, or of the head of a candidate.
   lookAt(place) {
-    Object.assign(this, this.panel.exam.viewpoint(place), { look: place.xyz, yaw: 0, pitch: 0 });
-    this.label.textContent = this.eye ? 'off the centerline' : 'from the centerline';
+    const { exam } = this.panel, { candidate } = place, view = candidate && (candidate.view ??= viewOfHead(exam, candidate));
+    const { index, eye, fov = null } = view || exam.viewpoint(place);
+    Object.assign(this, { index, eye, headFov: fov, look: place.xyz, yaw: 0, pitch: 0 });
+  }
+
+  draw(g, w, h, ratio) {
+    super.draw(g, w, h, ratio);
+    const parts = [this.eye && 'off the centerline', this.isWide && 'fisheye 160°', this.panel.translucent && 'translucency'];
+    this.label.textContent = ['Endoluminal view', ...parts.filter(Boolean)].join(' · ');
+    if (this.panel.translucent) this.drawTissues(g, h);
+  }
+
+  drawTissues(g, h) {
+    g.font = '12px sans-serif';
+    tissues.forEach(([name, , color], i) => {
+      const y = h - 8 - 15 * (tissues.length - 1 - i);
+      g.fillStyle = `rgb(${color})`;
+      g.fillRect(8, y - 9, 10, 10);
+      g.fillStyle = '#ffd';
+      g.fillText(`${name}, 2 to 6 mm behind the wall`, 23, y);
+    });
   }
 
   camera() {
@@ -125,7 +150,8 @@ export class EndoView extends SpaceView {
     let ahead = unit(add(scaled(level, cos(this.pitch)), scaled(c.up, sin(this.pitch)))), { up } = c;
     if (this.look) ahead = unit(sub(this.look, eye));
     if (norm(cross(ahead, up)) < 0.2) up = unit(cross(ahead, right)); // the view direction is parallel to up
-    return { eye, at: add(eye, ahead), up, fov: this.fov, near: 0.3, far: 600 };
+    const fisheye = this.isWide ? FISHEYE : 0;
+    return { eye, at: add(eye, ahead), up, fov: this.headFov ?? this.fov, fisheye, near: 0.3, far: 600 };
   }
 
   isNear(p) { return distance(p, this.point.xyz) < REACH; }
@@ -139,8 +165,7 @@ export class EndoView extends SpaceView {
   // Flies to a point of the centerline.
   go(index) {
     this.index = clamp(index, 0, this.panel.exam.center.length - 1);
-    Object.assign(this, { look: null, eye: null });
-    this.label.textContent = 'from the centerline';
+    Object.assign(this, { look: null, eye: null, headFov: null });
     this.panel.flown();
   }
 
@@ -168,5 +193,9 @@ export class EndoView extends SpaceView {
 
   drag(dx, dy) { this.turn(-dx / 200, dy / 200); }
   wheel(d) { this.panel.fly(-2 * d); }
-  scale(by) { this.fov = clamp(this.fov / by, 0.5, 2.2); this.changed(); }
+  scale(by) {
+    const name = this.headFov === null ? 'fov' : 'headFov';
+    this[name] = clamp(this[name] / by, 0.5, 2.2);
+    this.changed();
+  }
 }

@@ -1,7 +1,6 @@
 #include "shapetonViewerPosition.h"
 
 #include "shapetonColonFlexures.h"
-#include "shapetonCsvFile.h"
 #include "shapetonCurveSet.h"
 #include "shapetonExceptions.h"
 #include "shapetonFileErrors.h"
@@ -10,7 +9,9 @@
 #include "shapetonHaustralFoldFiles.h"
 #include "shapetonImageFile.h"
 #include "shapetonPicture.h"
+#include "shapetonPolypSearch.h"
 #include "shapetonSurfaceReader.h"
+#include "shapetonViewerCandidates.h"
 #include "shapetonViewerVolume.h"
 
 #include <algorithm>
@@ -121,31 +122,6 @@ Flexures(const std::string & path)
                          { "xyz", PlacesOf(curves, curve) } });
   }
   return flexures;
-}
-
-Json
-Candidates(const std::string & path)
-{
-  const std::vector<std::string> numbers{ "score", "x", "y", "z", "arcLength", "diameter", "height", "u", "v" };
-  const std::vector<std::string> texts{ "candidate", "segment", "size", "tissue", "remark", "otherCandidate" };
-  std::vector<std::string>       columns = numbers;
-  columns.insert(columns.end(), texts.begin(), texts.end());
-  const CsvFile file(path, columns);
-  Json          candidates = Json::array();
-  for (std::size_t row = 0; row < file.Rows(); ++row)
-  {
-    Json candidate;
-    for (const auto & text : texts)
-    {
-      candidate[text] = file.Text(row, text);
-    }
-    for (const auto & number : numbers)
-    {
-      candidate[number] = Hundredths(file.NumberOrNothing(row, number));
-    }
-    candidates.push_back(std::move(candidate));
-  }
-  return candidates;
 }
 
 void
@@ -323,7 +299,24 @@ PutWall(PageBlocks &        blocks,
   return mesh.V;
 }
 
-/** The cleansed CT; the mask itself for a run on a lumen mask. */
+/** The original and the cleansed CT. Runs without cleansing.nrrd have only the latter; runs on a lumen mask have none, so
+ * that the page shows the mask. */
+ViewerVolume
+VolumeOf(const std::string & segmentation, PositionFolder & files, const Volume & lumen)
+{
+  ViewerVolume volume;
+  volume.isCt = files.Has("segmentation/cleansed.nrrd", "CT");
+  volume.shown = volume.isCt ? ReadImageFile(segmentation + "cleansed.nrrd").image : lumen.image;
+  volume.isCleansed = volume.isCt;
+  if (volume.isCt && files.Has("segmentation/cleansing.nrrd", "CT before cleansing"))
+  {
+    volume.cleansed = volume.shown;
+    volume.shown = UncleansedCt(volume.cleansed, segmentation + "cleansing.nrrd");
+    volume.isCleansed = false;
+  }
+  return volume;
+}
+
 void
 PutVolume(PageBlocks &               blocks,
           const std::string &        prefix,
@@ -332,12 +325,11 @@ PutVolume(PageBlocks &               blocks,
           const VertexMatrix &       wall,
           const ColonViewerOptions & options)
 {
-  const std::string lumenPath = files.Required("segmentation/lumen.nrrd");
-  const bool        hasCt = files.Has("segmentation/cleansed.nrrd", "CT");
-  const Volume      lumen = ReadImageFile(lumenPath);
-  const Volume      volume = hasCt ? ReadImageFile(folder + "/segmentation/cleansed.nrrd") : lumen;
+  const std::string  lumenPath = files.Required("segmentation/lumen.nrrd");
+  const Volume       lumen = ReadImageFile(lumenPath);
+  const ViewerVolume volume = VolumeOf(folder + "/segmentation/", files, lumen);
   PutViewerVolume(
-    blocks, prefix + "volume", *volume.image, *MaskForImage(lumen, lumenPath, volume.image), wall, hasCt, options);
+    blocks, prefix + "volume", volume, *MaskForImage(lumen, lumenPath, volume.shown), wall, options);
 }
 } // namespace
 
@@ -366,7 +358,7 @@ PutViewerPosition(PageBlocks &               blocks,
   info["flexures"] =
     files.Has("landmarks/flexures.vtp", "flexures") ? Flexures(exam + "/landmarks/flexures.vtp") : Json::array();
   info["candidates"] =
-    files.Has("polyps/candidates.csv", "candidates") ? Candidates(exam + "/polyps/candidates.csv") : Json::array();
+    files.Has("polyps/candidates.csv", "candidates") ? CandidatesForViewer(exam + "/polyps/candidates.csv") : Json::array();
   info["missing"] = files.Missing();
   return info;
 }

@@ -59,7 +59,7 @@ ReadVerdicts(const std::string & path, const Json & exam)
   Json verdicts = ReadJson(path);
   try
   {
-    if (verdicts.at("version") != 1)
+    if (verdicts.at("version") != 1 && verdicts.at("version") != 2)
     {
       Refuse(path, "have an unsupported version; save them again");
     }
