@@ -378,6 +378,7 @@ StageOfViewer(const CommandLine & commandLine)
                                        "segmentation/cleansed.nrrd",
                                        "segmentation/cleansing.nrrd",
                                        "segmentation/centerline.vtp",
+                                       "segmentation/wall-repaired.vtp",
                                        "flattening/flat.vtp",
                                        "landmarks/segments.vtp",
                                        "landmarks/taeniae.vtp",

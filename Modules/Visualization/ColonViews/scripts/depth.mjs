@@ -1,25 +1,32 @@
-import { distance, third } from '../../../Core/Report/scripts/math.mjs';
+import { distance, dot, third } from '../../../Core/Report/scripts/math.mjs';
 
 // Translucency: the tissue 2 to 6 mm behind the wall as color. The limits are those of PolypTissue in C++.
 const DEPTHS = [2, 3, 4, 5, 6]; // mm
-const RANGE = 50;               // mm around the crosshair
+const RANGE = 60;               // mm around the crosshair
+const OUTSIDE = [40, 42, 60];
 export const tissues = [ // name, HU below which, color
-  ['gas', -150, [40, 42, 60]], ['fat', -30, [60, 170, 70]], ['soft tissue', 150, [205, 50, 45]], ['tagged', Infinity, [250, 250, 250]],
+  ['gas', -150, OUTSIDE], ['fat', -30, [60, 170, 70]], ['soft tissue', 150, [205, 50, 45]], ['tagged', Infinity, [250, 250, 250]],
 ];
 
-const colorOf = (hu) => tissues.find(([, most]) => hu < most)[2];
-
-// Colors the wall around a place.
-export function paintDepth(exam, place) {
-  const { points: P, normals: N, colors: C, volume } = exam;
-  if (!volume?.isCt) return;
-  const outward = -exam.orientation() / 127;
+// Colors a surface {points, normals, colors, orientation()} around a place.
+export function paintDepth(exam, surface, place) {
+  const { points: P, normals: N, colors: C } = surface, { volume: v } = exam;
+  if (!v?.isCt) return;
+  const colorOfCode = Array.from({ length: v.levels }, (_, code) => tissues.find(([, most]) => v.huOf(code) < most)[2]);
+  const outward = -surface.orientation() / 127, [nx, ny, nz] = v.size;
+  const colorAt = ([a, b, c], [da, db, dc], depth) => {
+    const i = Math.round(a + depth * da), j = Math.round(b + depth * db), k = Math.round(c + depth * dc);
+    const isInside = i >= 0 && j >= 0 && k >= 0 && i < nx && j < ny && k < nz;
+    return isInside ? colorOfCode[v.data[i + nx * (j + ny * k)]] : OUTSIDE;
+  };
   for (let i = 0; i < P.length / 3; i++) {
+    if (Math.abs(P[3 * i] - place.xyz[0]) > RANGE || Math.abs(P[3 * i + 1] - place.xyz[1]) > RANGE) continue;
     const p = third(P, i);
-    if (Math.abs(p[0] - place.xyz[0]) > RANGE || distance(p, place.xyz) > RANGE) continue;
-    const sum = [0, 0, 0];
+    if (distance(p, place.xyz) > RANGE) continue;
+    const n = [N[4 * i], N[4 * i + 1], N[4 * i + 2]], at = exam.toImage(p).map((x, k) => x / v.spacing[k]);
+    const step = v.axes.map((a, k) => (outward * dot(a, n)) / v.spacing[k]), sum = [0, 0, 0];
     for (const depth of DEPTHS) {
-      const voxel = exam.voxelAt(p.map((x, k) => x + outward * depth * N[4 * i + k])), color = colorOf(voxel ? voxel.hu : -Infinity);
+      const color = colorAt(at, step, depth);
       for (let k = 0; k < 3; k++) sum[k] += color[k];
     }
     for (let k = 0; k < 3; k++) C[4 * i + k] = sum[k] / DEPTHS.length;

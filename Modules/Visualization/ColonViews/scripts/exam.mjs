@@ -1,5 +1,6 @@
 import { readBlock } from '../../../Core/Report/scripts/bytes.mjs';
 import { clamp, cross, distance, dot, norm, sub, third, unit } from '../../../Core/Report/scripts/math.mjs';
+import { Details, vertexNormals } from './details.mjs';
 import { hitOf, normalOf, Tree } from './tree.mjs';
 import { Volume } from './volume.mjs';
 
@@ -27,8 +28,10 @@ export class Exam {
     }
     this.orient();
     this.wall = new Tree(this.points, this.faces);
+    this.details = await Details.load(folder, prefix, painter);
+    this.wall.skip = this.replacedFaces();
     this.makeMap();
-    this.makeNormals();
+    this.normals = vertexNormals(this.points, this.faces, (i) => this.source[i]);
     for (const c of info.candidates) this.placeCandidate(c);
     this.colors = new Uint8Array((4 * this.points.length) / 3);
     if (painter.gl) this.mesh = painter.mesh(this.points, this.normals, this.colors, this.faces);
@@ -87,18 +90,10 @@ export class Exam {
     return out;
   }
 
-  // Area-weighted normals; vertices on both sides of the cut share them.
-  makeNormals() {
-    const { points: P, faces: F, source } = this, n = P.length / 3, sum = new Float32Array(P.length);
-    for (let f = 0; f < F.length; f += 3) {
-      const a = third(P, F[f]), c = cross(sub(third(P, F[f + 1]), a), sub(third(P, F[f + 2]), a));
-      for (let j = 0; j < 3; j++) for (let k = 0; k < 3; k++) sum[3 * source[F[f + j]] + k] += c[k];
-    }
-    this.normals = new Int8Array(4 * n);
-    for (let i = 0; i < n; i++) {
-      const u = unit(third(sum, source[i]));
-      for (let k = 0; k < 3; k++) this.normals[4 * i + k] = Math.round(127 * u[k]);
-    }
+  // Faces of the flat wall that the details replace.
+  replacedFaces() {
+    const { faces: F, details: { replaced } } = this;
+    return Uint8Array.from({ length: F.length / 3 }, (_, f) => replaced[F[3 * f]] & replaced[F[3 * f + 1]] & replaced[F[3 * f + 2]]);
   }
 
   // Direction and up vector at each point of the centerline; the up vector is parallel transported, so the view does not spin.
@@ -174,15 +169,18 @@ export class Exam {
     return this.place(face, weights);
   }
 
+  // Where a ray meets the wall as drawn; on details, the place is the nearest one of the flat wall.
   fromRay(eye, d) {
-    const hit = this.wall.ray(eye, d);
-    return hit && this.place(hit.face, hit.weights);
+    const flat = this.wall.ray(eye, d, Infinity, false, this.wall.skip), hit = this.details.tree.ray(eye, d, flat ? flat.t : Infinity);
+    if (hit) return this.fromXyz(eye.map((x, k) => x + hit.t * d[k]));
+    return flat && this.place(flat.face, flat.weights);
   }
 
   // Whether the wall occludes a point from an eye. depth: mm of the point behind its own surface.
   hidden(eye, p, depth = 0) {
     const d = sub(p, eye);
-    return this.wall.ray(eye, unit(d), norm(d) - Math.max(TOUCH, depth), true) !== null;
+    const l = norm(d) - Math.max(TOUCH, depth), ahead = unit(d);
+    return (this.wall.ray(eye, ahead, l, true, this.wall.skip) || this.details.tree.ray(eye, ahead, l, true)) !== null;
   }
 
   // Best view of a point of the wall: {index of the centerline, eye}. If eye is null, the view is from the centerline, unoccluded,

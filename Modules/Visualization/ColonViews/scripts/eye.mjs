@@ -11,17 +11,15 @@ const ABOVE = [25, 20, 15, 10, 6, 4, 3], RING = 8, TILT = 0.7; // mm above a hea
 const STEP = 2;          // centerline points
 const HEAD_MARGIN = 1.1; // of the radius
 const BACK = 0.3;        // of the radius; faces that look at the center from farther away are the opposite wall
-const SEARCH = 60;       // mm along the colon around the head
 
 // Points and normals (into the lumen) of the faces of a head.
-function headOf(exam, { xyz, place }) {
-  const { points: P, faces: F } = exam, head = [], reach = HEAD_MARGIN * place.depth;
-  for (let f = exam.facesBefore(place.arc - SEARCH), end = exam.facesBefore(place.arc + SEARCH); f < end; f++) {
-    const [a, b, c] = [0, 1, 2].map((k) => third(P, F[3 * f + k])), middle = scaled(add(a, add(b, c)), 1 / 3);
+function headOf({ details: { points: P, faces: F } }, { xyz, place: { depth } }) {
+  const head = [], reach = HEAD_MARGIN * depth;
+  for (let f = 0; f < F.length; f += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => third(P, F[f + k])), middle = scaled(add(a, add(b, c)), 1 / 3);
     if (distance(middle, xyz) > reach) continue;
-    const normal = exam.inward(f);
-    if (dot(normal, sub(middle, xyz)) < -BACK * place.depth) continue;
-    head.push({ middle, normal, area: norm(cross(sub(b, a), sub(c, a))) });
+    const outward = cross(sub(b, a), sub(c, a)), area = norm(outward), normal = scaled(outward, -1 / (area || 1));
+    if (dot(normal, sub(middle, xyz)) >= -BACK * depth) head.push({ middle, normal, area });
   }
   return head;
 }
@@ -54,8 +52,8 @@ function shareSeen(exam, samples, eye) {
   return samples.filter(isSeen).length / samples.length;
 }
 
-// Best view of the head of a candidate: {index of the centerline, eye or null on the centerline, fov, share of the head seen}, or
-// null if the wall on the page does not contain the head, as in a pouch that was cut off.
+// Best view of the head of a candidate: {index of the centerline, eye or null on the centerline, fov, share of the head seen} or null for a head
+// without faces.
 export function viewOfHead(exam, candidate) {
   const head = headOf(exam, candidate), { xyz, place: { arc, depth } } = candidate;
   if (!head.length) return null;

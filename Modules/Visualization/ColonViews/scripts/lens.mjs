@@ -16,6 +16,12 @@ export function pixelOf(camera, w, h, p) {
   return [w / 2 + (r * x) / side, h / 2 - (r * y) / side];
 }
 
+// Pixels per mm at a point.
+export function scaleAt(camera, h, p) {
+  const l = norm(sub(p, camera.eye)) || 1;
+  return h / l / (camera.fisheye || 2 * Math.tan(camera.fov / 2));
+}
+
 // Direction of the ray through a pixel, or null outside the view.
 export function rayOf(camera, w, h, x, y) {
   if (!camera.fisheye) return rayThrough(camera, w, h, x, y);

@@ -10,13 +10,14 @@ const EYE_REACH = 120; // mm; wall farther away is not a target
 
 const REPAINT = 10;    // mm; the translucent area follows the crosshair in steps
 const HURRY = 6;       // times the speed of a flight where the colon is collapsed
-const HEAD_ZOOM = 3, HEAD_SCALE = 1.5; // least enlargement of slices, and pixels per mm of the map, at a candidate
+const HEAD_SPAN = 80, HEAD_SCALE = 1.5; // greatest size of slices in mm, and least pixels per mm of the map, at a candidate
 
 // All views of one position, around one crosshair.
 export class Panel {
   // notify: callback with this panel after its crosshair has moved; marksOf: candidates and findings to show.
   constructor(root, exam, layers, notify, marksOf) {
-    Object.assign(this, { root, exam, layers, notify, marksOf, window: [1500, -200], paintings: 0, measure: null, translucent: null });
+    Object.assign(this, { root, exam, layers, notify, marksOf, window: [1500, -200], paintings: 0, measure: null });
+    Object.assign(this, { translucent: null, tissuePaintings: 0 }); // translucent: the place around which it is shown
     this.volumeText = 'Loading the volume …';
     this.place = exam.fromXyz(exam.center[Math.min(60, exam.center.length - 1)].xyz, false);
     this.makeLines();
@@ -63,7 +64,7 @@ export class Panel {
   followTranslucency() {
     if (!this.translucent || distance(this.translucent.xyz, this.place.xyz) < REPAINT) return;
     this.translucent = this.place;
-    this.paintings++;
+    this.tissuePaintings++;
     paintWall(this.exam, this.layers, this.place);
   }
 
@@ -107,7 +108,7 @@ export class Panel {
   // Sets the crosshair to a place with all views centered on it.
   centerOn(place) {
     this.set(place);
-    this.slices.forEach((s) => s.centerOn(place, HEAD_ZOOM));
+    this.slices.forEach((s) => s.centerOn(place, HEAD_SPAN));
     this.flat.centerOn(place, HEAD_SCALE);
   }
 

@@ -5,7 +5,11 @@ const PLANES = ['sagittal', 'coronal', 'axial'];
 const LETTERS = [['R', 'L'], ['A', 'P'], ['F', 'H']]; // for the ends of the patient's axes, LPS
 const SCALES = [1, 2, 5, 10, 20, 50, 100];             // mm, lengths of the scale bar
 const WIDEST_SCALE = 0.3;                               // of the width of the view
+const AROUND_HEAD = 4;                                  // pixels between a head and its ring
 export const LEAST_WIDTH = 20;                                 // HU, of the window
+
+// Half the gap of the crosshair in pixels: it does not cover the head of a candidate.
+export const gapOf = ({ depth }, scale) => (depth ? Math.max(4, depth * scale + AROUND_HEAD) : 4);
 
 // The image axis closest to each of the patient's axes.
 export function nearestAxes(axes) {
@@ -72,12 +76,12 @@ export class SliceView extends View {
     g.fillRect(0, 0, w, h);
     this.drawImage(g, f, index);
     if (layers.wall) this.drawContour(g, f, index);
-    if (layers.candidates) this.drawMarks(g, at, index);
+    if (layers.candidates) this.drawMarks(g, at, index, f.s);
     this.panel.drawMeasure(this, g, at);
     this.drawLetters(g, w, h);
     this.drawFacts(g, index, place.xyz);
     this.drawScale(g, f.s, w, h);
-    this.cross(g, ...f.at(q));
+    this.cross(g, ...f.at(q), false, gapOf(place, f.s));
   }
 
   // Number of the slice in the image, from 1, the position of the crosshair across it (LPS, mm), and the window.
@@ -144,7 +148,8 @@ export class SliceView extends View {
     const { exam } = this.panel;
     if (this.contourIndex !== index) {
       this.contourIndex = index;
-      this.contour = contour(exam, this.axis, index * exam.volume.spacing[this.axis]);
+      const at = index * exam.volume.spacing[this.axis];
+      this.contour = [...contour(exam, exam, exam.wall.skip, this.axis, at), ...contour(exam, exam.details, null, this.axis, at)];
     }
     g.strokeStyle = '#00d8a0';
     g.lineWidth = 1;
@@ -156,11 +161,12 @@ export class SliceView extends View {
     g.stroke();
   }
 
-  drawMarks(g, at, index) {
+  drawMarks(g, at, index, scale) {
     const { exam } = this.panel, step = exam.volume.spacing[this.axis];
     for (const mark of this.panel.marks()) {
       const away = Math.abs(exam.toImage(mark.xyz)[this.axis] - index * step);
-      if (away < Math.max(3, mark.diameter / 2)) this.ring(g, ...at(mark.xyz), mark.text, mark.chosen);
+      const radius = Math.max(9, (scale * mark.diameter) / 2 + AROUND_HEAD);
+      if (away < Math.max(3, mark.diameter / 2)) this.ring(g, ...at(mark.xyz), mark.text, mark.chosen, radius);
     }
   }
 
@@ -181,12 +187,13 @@ export class SliceView extends View {
   wheel(d, at, isScaling) { if (isScaling) this.scale(1.25 ** -d); else this.step(d); }
   scale(by) { this.zoom = clamp(this.zoom * by, 1, 12); this.changed(); }
 
-  // Enlarges the slice at least this much, with the crosshair at the center.
-  centerOn(place, zoom) {
-    const { exam } = this.panel;
-    this.zoom = Math.max(this.zoom, zoom);
-    if (!exam.volume) return;
+  // Shows a place at the center, enlarged until at most `span` mm fit into the view: all slices have the same scale.
+  centerOn(place, span) {
+    const { exam } = this.panel, { w, h } = this;
+    if (!exam.volume || !w) return;
     if (!this.letters) this.layout();
+    const fits = (k, pixels) => pixels / (exam.volume.size[k] * exam.volume.spacing[k]);
+    this.scale(Math.max(1, Math.min(w, h) / span / Math.min(fits(this.across, w), fits(this.down, h)) / this.zoom));
     const p = exam.toImage(place.xyz);
     this.middle = [this.across, this.down].map((k) => p[k]);
     this.changed();
@@ -207,12 +214,14 @@ export class SliceView extends View {
   }
 }
 
-// Intersection of the wall with a plane perpendicular to an image axis: pairs of points in image millimeters.
-function contour(exam, axis, value) {
-  const { points: P, faces: F, volume: { origin, axes } } = exam, n = axes[axis], shift = dot(n, origin) + value;
+// Intersection of a surface {points, faces} with a plane perpendicular to an image axis: pairs of points in image millimeters.
+// skip: 1 for faces that are not shown, or null.
+function contour(exam, { points: P, faces: F }, skip, axis, value) {
+  const { origin, axes } = exam.volume, n = axes[axis], shift = dot(n, origin) + value;
   const height = new Float32Array(P.length / 3), out = [];
   for (let i = 0, o = 0; i < height.length; i++, o += 3) height[i] = n[0] * P[o] + n[1] * P[o + 1] + n[2] * P[o + 2] - shift;
   for (let f = 0; f < F.length; f += 3) {
+    if (skip && skip[f / 3]) continue;
     const above = height[F[f]] > 0;
     if (above === height[F[f + 1]] > 0 && above === height[F[f + 2]] > 0) continue;
     const ends = [];

@@ -1,7 +1,8 @@
 import { add, axesOf, clamp, cross, distance, dot, norm, scaled, sub, unit } from '../../../Core/Report/scripts/math.mjs';
 import { tissues } from './depth.mjs';
 import { viewOfHead } from './eye.mjs';
-import { FISHEYE, pixelOf, rayOf } from './lens.mjs';
+import { FISHEYE, pixelOf, rayOf, scaleAt } from './lens.mjs';
+import { gapOf } from './slice.mjs';
 import { View } from '../../../Core/Report/scripts/view.mjs';
 
 // Depth of the center of a candidate behind the surface of its head, mm.
@@ -24,12 +25,12 @@ class SpaceView extends View {
     if (layers.candidates) this.drawMarks(g, camera, w, h);
     this.panel.drawMeasure(this, g, (p) => pixelOf(camera, w, h, p));
     const q = pixelOf(camera, w, h, place.xyz);
-    if (q) this.cross(g, ...q, exam.hidden(camera.eye, place.xyz, hiddenDepth(place)));
+    if (q) this.cross(g, ...q, exam.hidden(camera.eye, place.xyz, hiddenDepth(place)), gapOf(place, scaleAt(camera, h, place.xyz)));
   }
 
   // If only the crosshair moves, the picture is reused.
   render(camera, width, height) {
-    const { exam, paintings, layers } = this.panel, key = JSON.stringify([camera, width, height, layers, paintings]);
+    const { exam, paintings, layers } = this.panel, key = JSON.stringify([camera, width, height, layers, paintings, this.paintings()]);
     if (key === this.key) return;
     this.key = key;
     const picture = exam.painter.draw(width, height, camera, this.items());
@@ -46,6 +47,7 @@ class SpaceView extends View {
   }
 
   isNear() { return true; }
+  paintings() { return 0; } // of what only this view shows
 
   lines(reach = 0) {
     const { layers, taeniae, flexures } = this.panel;
@@ -80,9 +82,9 @@ export class OutsideView extends SpaceView {
   }
 
   items() {
-    const { layers, centerline, exam: { mesh } } = this.panel; // the endoluminal eye is on the centerline and does not show it
+    const { layers, centerline, exam: { mesh, details } } = this.panel; // the endoluminal eye is on the centerline and does not show it
     const lines = [...this.lines(), ...(layers.centerline ? centerline.map((line) => ({ mesh: line })) : [])];
-    return layers.through ? [...lines, { mesh, clear: 0.75 }] : [{ mesh }, ...lines];
+    return layers.through ? [...lines, { mesh, clear: 0.75 }] : [{ mesh }, { mesh: details.mesh }, ...lines];
   }
 
   drag(dx, dy, button) {
@@ -140,8 +142,9 @@ export class EndoView extends SpaceView {
       g.fillStyle = `rgb(${color})`;
       g.fillRect(8, y - 9, 10, 10);
       g.fillStyle = '#ffd';
-      g.fillText(`${name}, 2 to 6 mm behind the wall`, 23, y);
+      g.fillText(name, 23, y);
     });
+    g.fillText('2 to 6 mm behind the wall:', 8, h - 8 - 15 * tissues.length);
   }
 
   camera() {
@@ -154,12 +157,13 @@ export class EndoView extends SpaceView {
     return { eye, at: add(eye, ahead), up, fov: this.headFov ?? this.fov, fisheye, near: 0.3, far: 600 };
   }
 
+  paintings() { return this.panel.tissuePaintings; }
   isNear(p) { return distance(p, this.point.xyz) < REACH; }
 
   items() {
     const { exam } = this.panel, { arc } = this.point;
     const wall = { mesh: exam.mesh, reach: REACH, from: exam.facesBefore(arc - STRETCH), to: exam.facesBefore(arc + STRETCH) };
-    return [wall, ...this.lines(REACH)];
+    return [wall, { mesh: exam.details.mesh, reach: REACH }, ...this.lines(REACH)];
   }
 
   // Flies to a point of the centerline.

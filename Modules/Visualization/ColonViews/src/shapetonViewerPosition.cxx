@@ -12,6 +12,7 @@
 #include "shapetonPolypSearch.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonViewerCandidates.h"
+#include "shapetonViewerDetails.h"
 #include "shapetonViewerVolume.h"
 
 #include <algorithm>
@@ -273,7 +274,7 @@ PutPoints(PageBlocks & blocks, const std::string & prefix, const SurfaceMesh & m
   blocks.Put(prefix + "source", source, 1);
 }
 
-VertexMatrix
+SurfaceMesh
 PutWall(PageBlocks &        blocks,
         const std::string & prefix,
         const std::string & folder,
@@ -296,7 +297,7 @@ PutWall(PageBlocks &        blocks,
   const bool hasFolds = files.Has("folds/labels.nrrd", "folds");
   faces.PutFolds(
     blocks, prefix + "folds", hasFolds ? ReadFoldLabels(folder + "/folds/labels.nrrd").GetPointer() : nullptr);
-  return mesh.V;
+  return mesh;
 }
 
 /** The original and the cleansed CT. Runs without cleansing.nrrd have only the latter; runs on a lumen mask have none, so
@@ -351,14 +352,16 @@ PutViewerPosition(PageBlocks &               blocks,
   info["name"] = quality.value("/lumen/position"_json_pointer, std::string());
   info["seriesUID"] = quality.value("/provenance/input.inputVolume"_json_pointer, std::string());
   PutCenterline(blocks, prefix, files.Required("segmentation/centerline.vtp"));
-  const VertexMatrix wall = PutWall(blocks, prefix, exam, files, info);
-  PutVolume(blocks, prefix, exam, files, wall, options);
+  const SurfaceMesh flat = PutWall(blocks, prefix, exam, files, info);
+  PutVolume(blocks, prefix, exam, files, flat.V, options);
   info["taeniae"] =
     files.Has("landmarks/taeniae.vtp", "taeniae") ? Taeniae(exam + "/landmarks/taeniae.vtp") : Json::array();
   info["flexures"] =
     files.Has("landmarks/flexures.vtp", "flexures") ? Flexures(exam + "/landmarks/flexures.vtp") : Json::array();
   info["candidates"] =
     files.Has("polyps/candidates.csv", "candidates") ? CandidatesForViewer(exam + "/polyps/candidates.csv") : Json::array();
+  const std::string wall = files.Required("segmentation/wall-repaired.vtp");
+  PutViewerDetails(blocks, prefix, flat, ReadSurfaceFile(wall).mesh, info["candidates"]);
   info["missing"] = files.Missing();
   return info;
 }
