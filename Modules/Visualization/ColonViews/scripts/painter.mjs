@@ -25,7 +25,7 @@ in vec3 N, E; in vec4 C;
 uniform float reach, clear, behind;
 out vec4 o;
 void main() {
-  if (-normalize(E).z < behind || C.a < .5) discard; // triangles around the eye cross a fisheye picture; replaced by details
+  if (-normalize(E).z < behind || C.a < .001) discard; // triangles around the eye cross a fisheye picture; replaced by details
   float d = abs(dot(normalize(N), normalize(E)));
   float fade = reach > 0. ? exp(-length(E) / reach) : 1.;
   o = vec4(C.rgb * (.18 + .82 * d) * fade, clear > 0. ? clear * pow(1. - d, 2.) + .04 : 1.);

@@ -8,8 +8,10 @@ const WIDEST_SCALE = 0.3;                               // of the width of the v
 const AROUND_HEAD = 4;                                  // pixels between a head and its ring
 export const LEAST_WIDTH = 20;                                 // HU, of the window
 
-// Half the gap of the crosshair in pixels: it does not cover the head of a candidate.
-export const gapOf = ({ depth }, scale) => (depth ? Math.max(4, depth * scale + AROUND_HEAD) : 4);
+// Radius of the ring around a mark, and half the gap of the crosshair, in pixels: they do not cover the head of a candidate, which
+// has the radius `depth` (mm).
+export const radiusOf = ({ depth = 0 }, scale) => Math.max(9, depth * scale + AROUND_HEAD);
+export const gapOf = (place, scale) => (place.depth ? radiusOf(place, scale) : 4);
 
 // The image axis closest to each of the patient's axes.
 export function nearestAxes(axes) {
@@ -165,8 +167,7 @@ export class SliceView extends View {
     const { exam } = this.panel, step = exam.volume.spacing[this.axis];
     for (const mark of this.panel.marks()) {
       const away = Math.abs(exam.toImage(mark.xyz)[this.axis] - index * step);
-      const radius = Math.max(9, (scale * mark.diameter) / 2 + AROUND_HEAD);
-      if (away < Math.max(3, mark.diameter / 2)) this.ring(g, ...at(mark.xyz), mark.text, mark.chosen, radius);
+      if (away < Math.max(3, mark.depth)) this.ring(g, ...at(mark.xyz), mark.text, mark.chosen, radiusOf(mark, scale));
     }
   }
 

@@ -2,7 +2,7 @@ import { add, axesOf, clamp, cross, distance, dot, norm, scaled, sub, unit } fro
 import { tissues } from './depth.mjs';
 import { viewOfHead } from './eye.mjs';
 import { FISHEYE, pixelOf, rayOf, scaleAt } from './lens.mjs';
-import { gapOf } from './slice.mjs';
+import { gapOf, radiusOf } from './slice.mjs';
 import { View } from '../../../Core/Report/scripts/view.mjs';
 
 // Depth of the center of a candidate behind the surface of its head, mm.
@@ -41,8 +41,8 @@ class SpaceView extends View {
   drawMarks(g, camera, w, h) {
     const { exam, layers } = this.panel;
     for (const mark of this.panel.marks()) {
-      const q = this.isNear(mark.wall) && pixelOf(camera, w, h, mark.wall);
-      if (q && (layers.through || !exam.hidden(camera.eye, mark.wall))) this.ring(g, ...q, mark.text, mark.chosen);
+      const q = this.isNear(mark.xyz) && pixelOf(camera, w, h, mark.xyz), isHidden = exam.hidden(camera.eye, mark.xyz, hiddenDepth(mark));
+      if (q && (layers.through || !isHidden)) this.ring(g, ...q, mark.text, mark.chosen, radiusOf(mark, scaleAt(camera, h, mark.xyz)));
     }
   }
 

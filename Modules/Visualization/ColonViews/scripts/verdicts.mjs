@@ -46,8 +46,8 @@ export class Verdicts {
   // Data of an entry for the views.
   markOf(entry) {
     const chosen = entry === this.chosen, { candidate: c } = entry;
-    if (c) return { text: c.candidate, xyz: c.xyz, wall: c.place.wall, uv: c.uv, diameter: c.diameter || 0, chosen };
-    return { text: entry.id, xyz: entry.lps, wall: entry.lps, uv: entry.uv, diameter: entry.diameter || 0, chosen };
+    if (c) return { text: c.candidate, xyz: c.xyz, uv: c.uv, depth: c.place.depth, chosen };
+    return { text: entry.id, xyz: entry.lps, uv: entry.uv, depth: (entry.diameter || 0) / 2, chosen };
   }
 
   marks(position) { return this.all.filter((e) => e.position === position).map((e) => this.markOf(e)); }
