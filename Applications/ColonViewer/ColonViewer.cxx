@@ -52,8 +52,8 @@ AddWarnings(const std::string & run, const std::string & position, std::vector<s
 void
 MakeViewer(CommandLine & commandLine)
 {
-  const std::string                  folder = commandLine.GetString("outputFolder");
-  const std::string                  exam = commandLine.GetString("exam");
+  const std::string            folder = commandLine.GetString("outputFolder");
+  const std::string            exam = commandLine.GetString("exam");
   shapeton::ColonViewerOptions options = OptionsOf(commandLine);
   const std::string            second = options.second.empty() ? exam + "/second" : options.second;
   RequireCurrent(exam);

@@ -108,9 +108,11 @@ test('the page holds the HU of the original and of the cleansed CT, and the slic
   const { facts, z } = await page.evaluate(() => {
     viewer.stepEntry(1);
     const [panel] = viewer.panels, [axial] = panel.slices, { volume: v } = panel.exam;
-    return { facts: axial.facts(Math.round(panel.exam.toImage(panel.place.xyz)[axial.axis] / v.spacing[axial.axis]), panel.place.xyz), z: panel.place.xyz[2] };
+    const { xyz } = panel.place, index = Math.round(panel.exam.toImage(xyz)[axial.axis] / v.spacing[axial.axis]);
+    return { facts: axial.facts(index, xyz), z: xyz[2] };
   });
-  assert.match(facts[0], new RegExp(`^slice ${Math.round((z - cleansed.origin[2]) / cleansed.axes[8]) + 1} of ${cleansed.size[2]} `));
+  const slice = Math.round((z - cleansed.origin[2]) / cleansed.axes[8]) + 1;
+  assert.match(facts[0], new RegExp(`^slice ${slice} of ${cleansed.size[2]} `));
 });
 
 test('a second reader sees no candidates until asking for them, and verdicts say so', async () => {
@@ -118,7 +120,8 @@ test('a second reader sees no candidates until asking for them, and verdicts say
   const look = () => page.evaluate(async () => {
     viewer.stepEntry(1);
     await viewer.idle();
-    const { secondReader, candidatesRevealed } = viewer.verdicts.document(), items = document.querySelectorAll('#entries li[data-id]').length;
+    const { secondReader, candidatesRevealed } = viewer.verdicts.document();
+    const items = document.querySelectorAll('#entries li[data-id]').length;
     const marks = viewer.panels[0].marks().length, isOffered = !document.getElementById('reveal').hidden;
     return { secondReader, candidatesRevealed, items, marks, isOffered, chosen: viewer.verdicts.chosen?.id ?? null };
   });
@@ -132,7 +135,8 @@ test('a second reader sees no candidates until asking for them, and verdicts say
 });
 
 test('the page lists the warnings of the stages', () => {
-  const stages = readdirSync(`${exam}/stages`).filter((f) => f.endsWith('.json')).map((f) => JSON.parse(readFileSync(`${exam}/stages/${f}`, 'utf8')));
+  const files = readdirSync(`${exam}/stages`).filter((f) => f.endsWith('.json'));
+  const stages = files.map((f) => JSON.parse(readFileSync(`${exam}/stages/${f}`, 'utf8')));
   const expected = stages.flatMap(({ stage, warnings = [] }) => warnings.map((w) => `${stage}: ${w}`));
   assert.deepEqual(infoOf(`${work}/first`).warnings.flatMap((kind) => kind.warnings).sort(), expected.sort());
 });

@@ -4,7 +4,8 @@ const SNAPSHOT_WIDTH = 900; // pixels of a snapshot
 
 // A picture of views side by side in two rows, as a data URL.
 export function snapshotOf(views) {
-  const w = SNAPSHOT_WIDTH / 2, heights = views.map((v) => Math.round((w * v.h) / v.w)), rows = [0, 2].map((i) => Math.max(...heights.slice(i, i + 2)));
+  const w = SNAPSHOT_WIDTH / 2, heights = views.map((v) => Math.round((w * v.h) / v.w));
+  const rows = [0, 2].map((i) => Math.max(...heights.slice(i, i + 2)));
   const page = element('canvas', { width: SNAPSHOT_WIDTH, height: rows[0] + rows[1] }), g = page.getContext('2d');
   views.forEach((view, i) => {
     const x = (i % 2) * w, y = i < 2 ? 0 : rows[0];

@@ -20,7 +20,8 @@ export function vertexNormals(points, faces, source) {
 // slices. replaced: 1 for vertices of the flat wall.
 export class Details {
   static async load(folder, prefix, painter) {
-    const [points, faces, replaced] = await Promise.all(['detailPoints', 'detailFaces', 'replaced'].map((n) => readBlock(folder, prefix + n)));
+    const names = ['detailPoints', 'detailFaces', 'replaced'];
+    const [points, faces, replaced] = await Promise.all(names.map((name) => readBlock(folder, prefix + name)));
     return new Details(points, faces, replaced, painter);
   }
 

@@ -4,7 +4,7 @@ import { Details, vertexNormals } from './details.mjs';
 import { hitOf, normalOf, Tree } from './tree.mjs';
 import { Volume } from './volume.mjs';
 
-export const segmentNames = ['', 'rectum', 'sigmoid', 'descending', 'transverse', 'ascending', 'cecum'];
+const segmentNames = ['', 'rectum', 'sigmoid', 'descending', 'transverse', 'ascending', 'cecum'];
 const hindranceNames = ['', 'no lumen', 'cut by the scan', 'untagged fluid', 'caliber below 10 mm'];
 const BRIDGED = 64, CAP = 128; // CAP: over a pouch that was cut off
 const NO_LUMEN = 1;       // of hindranceNames

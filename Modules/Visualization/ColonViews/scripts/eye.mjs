@@ -52,8 +52,8 @@ function shareSeen(exam, samples, eye) {
   return samples.filter(isSeen).length / samples.length;
 }
 
-// Best view of the head of a candidate: {index of the centerline, eye or null on the centerline, fov, share of the head seen} or null for a head
-// without faces.
+// Best view of the head of a candidate: {index of the centerline, eye or null on the centerline, fov, share of the head seen}, or
+// null for a head without faces.
 export function viewOfHead(exam, candidate) {
   const head = headOf(exam, candidate), { xyz, place: { arc, depth } } = candidate;
   if (!head.length) return null;

@@ -43,7 +43,8 @@ const WALL = [226, 160, 142];
 // Vertex colors for the views in space. translucent: where the tissue behind the wall is shown, or null.
 export function paintWall(exam, layers, translucent) {
   const { faces: F, kinds, colors: C, details } = exam;
-  for (let i = 0; i < C.length; i += 4) { C[i] = WALL[0]; C[i + 1] = WALL[1]; C[i + 2] = WALL[2]; C[i + 3] = details.replaced[i / 4] ? 0 : 255; }
+  for (let i = 0; i < C.length; i += 4) { C[i] = WALL[0]; C[i + 1] = WALL[1]; C[i + 2] = WALL[2]; C[i + 3] = 255; }
+  for (let i = 0; i < details.replaced.length; i++) if (details.replaced[i]) C[4 * i + 3] = 0;
   for (let i = 0; i < details.colors.length; i++) details.colors[i] = i % 4 === 3 ? 255 : WALL[i % 4];
   for (let f = 0; f < kinds.length; f++) {
     const layer = faceColor(exam, layers, f);

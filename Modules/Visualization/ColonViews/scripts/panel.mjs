@@ -10,7 +10,7 @@ const EYE_REACH = 120; // mm; wall farther away is not a target
 
 const REPAINT = 10;    // mm; the translucent area follows the crosshair in steps
 const HURRY = 6;       // times the speed of a flight where the colon is collapsed
-const HEAD_SPAN = 80, HEAD_SCALE = 1.5; // greatest size of slices in mm, and least pixels per mm of the map, at a candidate
+const HEAD_SPAN = 80, HEAD_SCALE = 1.5; // size of slices in mm, and least pixels per mm of the map, at a candidate
 
 // All views of one position, around one crosshair.
 export class Panel {

@@ -101,7 +101,7 @@ export class SliceView extends View {
     const mm = SCALES.filter((x) => x * scale < WIDEST_SCALE * w).at(-1) || SCALES[0], end = 8 + mm * scale, y = h - 8;
     this.line(g, [[8, y - 4], [8, y], [end, y], [end, y - 4]], '#000', 4);
     this.line(g, [[8, y - 4], [8, y], [end, y], [end, y - 4]], '#ffd', 1.6);
-    this.write(g, `${mm} mm`, end + 5, y);
+    this.write(g, `${mm} mm`, 12, y - 5);
   }
 
   write(g, text, x, y) {
@@ -188,13 +188,13 @@ export class SliceView extends View {
   wheel(d, at, isScaling) { if (isScaling) this.scale(1.25 ** -d); else this.step(d); }
   scale(by) { this.zoom = clamp(this.zoom * by, 1, 12); this.changed(); }
 
-  // Shows a place at the center, enlarged until at most `span` mm fit into the view: all slices have the same scale.
+  // Shows a place at the center, enlarged until `span` mm fit into the view: slices in views of one size have the same scale.
   centerOn(place, span) {
     const { exam } = this.panel, { w, h } = this;
     if (!exam.volume || !w) return;
     if (!this.letters) this.layout();
     const fits = (k, pixels) => pixels / (exam.volume.size[k] * exam.volume.spacing[k]);
-    this.scale(Math.max(1, Math.min(w, h) / span / Math.min(fits(this.across, w), fits(this.down, h)) / this.zoom));
+    this.scale(Math.min(w, h) / span / Math.min(fits(this.across, w), fits(this.down, h)) / this.zoom);
     const p = exam.toImage(place.xyz);
     this.middle = [this.across, this.down].map((k) => p[k]);
     this.changed();

@@ -75,7 +75,7 @@ export class OutsideView extends SpaceView {
 
   // Initially from the front: the patient's anterior is -y.
   camera() {
-    const fov = 0.75, d = (this.radius * 2.6) / this.zoom, c = Math.cos(this.pitch);
+    const fov = 0.75, narrow = Math.max(1, this.h / (this.w || 1)), d = (this.radius * 2.6 * narrow) / this.zoom, c = Math.cos(this.pitch);
     const back = [Math.sin(this.yaw) * c, -Math.cos(this.yaw) * c, Math.sin(this.pitch)];
     const near = Math.max(1, d - 2 * this.radius);
     return { eye: add(this.center, scaled(back, d)), at: this.center, up: [0, 0, 1], fov, near, far: d + 2 * this.radius };

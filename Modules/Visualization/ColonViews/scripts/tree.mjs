@@ -82,7 +82,7 @@ export class Tree {
   ray(o, d, far = Infinity, any = false, skip = null) {
     const inverse = d.map((x) => 1 / (Math.abs(x) < 1e-12 ? 1e-12 : x));
     const { first, count, order } = this;
-    const stack = [0];
+    const stack = this.faces.length ? [0] : [];
     let best = null;
     while (stack.length) {
       const node = stack.pop();

@@ -19,7 +19,8 @@ export class Verdicts {
     this.isSecondReader = info.isSecondReader;
     this.isRevealed = !info.isSecondReader;
     this.entries = exams.flatMap((exam, position) => exam.info.candidates.map((candidate) => ({
-      id: (position ? 'second/' : '') + candidate.candidate, position, candidate, verdict: VERDICTS[0], note: '', size: null, morphology: '',
+      id: (position ? 'second/' : '') + candidate.candidate, position, candidate,
+      verdict: VERDICTS[0], note: '', size: null, morphology: '',
     })));
     const rank = ({ candidate: c }) => (c.recognizedAs ? 1 : 0);
     this.entries.sort((a, b) => rank(a) - rank(b) || b.candidate.score - a.candidate.score);
@@ -122,7 +123,7 @@ export class Verdicts {
 
   list() {
     const polyps = this.entries.filter((e) => !e.candidate.recognizedAs), others = this.entries.filter((e) => e.candidate.recognizedAs);
-    const part = (title, entries, remark = '') => (entries.length ? [this.heading(title, remark), ...entries.map((e) => this.item(e))] : []);
+    const part = (title, all, remark = '') => (all.length ? [this.heading(title, remark), ...all.map((e) => this.item(e))] : []);
     this.root.replaceChildren(
       ...(this.isRevealed ? part('Candidates, highest score first', polyps, 'Scores are calibrated on synthetic patients.') : []),
       ...(this.isRevealed ? part('Recognized as something else, or parts of another candidate', others) : []),
@@ -172,7 +173,11 @@ export class Verdicts {
   select(entry, name, words, empty = '') {
     const select = element('select', { name }, words.map((w) => new Option(w || empty, w, false, w === entry[name])));
     select.setAttribute('aria-label', `${name} of ${entry.id}`);
-    select.onchange = () => { if (name === 'verdict') this.setVerdict(entry, select.value); else { entry[name] = select.value; this.changed(); } };
+    select.onchange = () => {
+      if (name === 'verdict') { this.setVerdict(entry, select.value); return; }
+      entry[name] = select.value;
+      this.changed();
+    };
     return select;
   }
 

@@ -107,9 +107,10 @@ PutViewerDetails(PageBlocks &        blocks,
 {
   const DetailRegion   region(flat, candidates);
   const SurfaceLocator onFlat(flat.V, flat.F);
-  const SurfaceMesh    details = FacesWithMarks(wall, MarksOf(wall.V, [&](const Vector3d & point) {
-    return region.DistanceOf(point) < 0.0 || onFlat.FindClosest(point).distance > leastDeparture;
-  }));
+  const SurfaceMesh    details =
+    FacesWithMarks(wall, MarksOf(wall.V, [&](const Vector3d & point) {
+                     return region.DistanceOf(point) < 0.0 || onFlat.FindClosest(point).distance > leastDeparture;
+                   }));
   std::vector<std::uint32_t> corners;
   for (Eigen::Index face = 0; face < details.F.rows(); ++face)
   {

@@ -300,8 +300,8 @@ PutWall(PageBlocks &        blocks,
   return mesh;
 }
 
-/** The original and the cleansed CT. Runs without cleansing.nrrd have only the latter; runs on a lumen mask have none, so
- * that the page shows the mask. */
+/** The original and the cleansed CT. Runs without cleansing.nrrd have only the latter; runs on a lumen mask have none,
+ * so that the page shows the mask. */
 ViewerVolume
 VolumeOf(const std::string & segmentation, PositionFolder & files, const Volume & lumen)
 {
@@ -329,8 +329,7 @@ PutVolume(PageBlocks &               blocks,
   const std::string  lumenPath = files.Required("segmentation/lumen.nrrd");
   const Volume       lumen = ReadImageFile(lumenPath);
   const ViewerVolume volume = VolumeOf(folder + "/segmentation/", files, lumen);
-  PutViewerVolume(
-    blocks, prefix + "volume", volume, *MaskForImage(lumen, lumenPath, volume.shown), wall, options);
+  PutViewerVolume(blocks, prefix + "volume", volume, *MaskForImage(lumen, lumenPath, volume.shown), wall, options);
 }
 } // namespace
 
@@ -358,8 +357,9 @@ PutViewerPosition(PageBlocks &               blocks,
     files.Has("landmarks/taeniae.vtp", "taeniae") ? Taeniae(exam + "/landmarks/taeniae.vtp") : Json::array();
   info["flexures"] =
     files.Has("landmarks/flexures.vtp", "flexures") ? Flexures(exam + "/landmarks/flexures.vtp") : Json::array();
-  info["candidates"] =
-    files.Has("polyps/candidates.csv", "candidates") ? CandidatesForViewer(exam + "/polyps/candidates.csv") : Json::array();
+  info["candidates"] = files.Has("polyps/candidates.csv", "candidates")
+                         ? CandidatesForViewer(exam + "/polyps/candidates.csv")
+                         : Json::array();
   const std::string wall = files.Required("segmentation/wall-repaired.vtp");
   PutViewerDetails(blocks, prefix, flat, ReadSurfaceFile(wall).mesh, info["candidates"]);
   info["missing"] = files.Missing();
