@@ -5,6 +5,7 @@ const PLANES = ['sagittal', 'coronal', 'axial'];
 const LETTERS = [['R', 'L'], ['A', 'P'], ['F', 'H']]; // for the ends of the patient's axes, LPS
 const SCALES = [1, 2, 5, 10, 20, 50, 100];             // mm, lengths of the scale bar
 const WIDEST_SCALE = 0.3;                               // of the width of the view
+const RIGHT_OF_LABEL = 170;                             // pixels
 const AROUND_HEAD = 4;                                  // pixels between a head and its ring
 export const LEAST_WIDTH = 20;                                 // HU, of the window
 
@@ -175,7 +176,7 @@ export class SliceView extends View {
     const { left, right, top, bottom } = this.letters;
     this.write(g, left, 4, h / 2);
     this.write(g, right, w - 13, h / 2);
-    this.write(g, top, w / 2 - 4, 64);
+    this.write(g, top, Math.max(w / 2 - 4, RIGHT_OF_LABEL), 15);
     this.write(g, bottom, w / 2 - 4, h - 5);
   }
 
