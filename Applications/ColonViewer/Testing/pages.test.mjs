@@ -82,6 +82,22 @@ test('a single page contains all data, with the given verdicts', async () => {
   assert.deepEqual(list.controlPoints[1].position, [1, 2, 3]);
 });
 
+test('a page opens with verdicts of version 2', async () => {
+  const saved = JSON.parse(verdictsOf(infoOf(`${work}/first`).exam.sha256));
+  Object.assign(saved, { version: 2, secondReader: true, candidatesRevealed: true, bookmarks: [] });
+  saved.assessment = { colonic: 'C3', extracolonic: 'E2', note: NOTE };
+  Object.assign(saved.candidates[0], { size: 8.5, morphology: 'flat' });
+  writeFileSync(`${work}/verdicts2.json`, JSON.stringify(saved));
+  await open(made('second', '--verdicts', `${work}/verdicts2.json`));
+  await page.until(() => Boolean(window.viewer));
+  const { assessment, candidates, secondReader } = await page.evaluate(() => viewer.verdicts.document());
+  assert.deepEqual(assessment, saved.assessment);
+  assert.deepEqual(candidates.find((c) => c.id === '1'), saved.candidates[0]);
+  assert.equal(secondReader, true);
+  writeFileSync(`${work}/verdicts3.json`, JSON.stringify({ ...saved, version: 3 }));
+  assert.match(make('third', '--verdicts', `${work}/verdicts3.json`).stderr, /unsupported version/);
+});
+
 test('the page holds the HU of the original and of the cleansed CT, and the slice numbers of the image', async () => {
   const cleansed = nrrdOf('cleansed.nrrd'), cleansing = nrrdOf('cleansing.nrrd'), [nx, ny] = cleansed.size;
   await open(`${work}/first`);

@@ -518,7 +518,7 @@ test('verdicts, assessment, findings and bookmarks are saved, reopened, and reje
   assert.ok(picture.readUInt32BE(16) <= 900 && picture.readUInt32BE(20) > 100, 'width and height of the PNG');
   await page.evaluate(() => {
     const v = viewer.verdicts;
-    v.entries[0].verdict = 'unsure';
+    Object.assign(v.entries[0], { verdict: 'unsure', size: null, morphology: '' });
     v.assessment.take({});
     v.bookmarks.take([]);
     v.removeFinding(v.findings[0]);
