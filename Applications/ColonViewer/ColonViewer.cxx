@@ -16,6 +16,8 @@ OptionsOf(const CommandLine & commandLine)
   options.isSingle = commandLine.GetFlag("single");
   options.bits = std::stoi(commandLine.GetString("bits"));
   options.near = commandLine.GetDouble("near");
+  options.isFull = commandLine.GetFlag("full");
+  options.isSecondReader = commandLine.GetFlag("secondReader");
   options.isAnonymous = commandLine.GetFlag("anonymous");
   options.verdicts = commandLine.GetString("verdicts");
   options.second = commandLine.GetString("second");
@@ -33,14 +35,32 @@ RequireCurrent(const std::string & run)
   }
 }
 
+/** Adds the warnings of all stages of a run, in their order. */
+void
+AddWarnings(const std::string & run, const std::string & position, std::vector<std::string> & warnings)
+{
+  const shapeton::RunRecords records(run);
+  for (const char * const stage :
+       { "inspection", "segmentation", "flattening", "landmarks", "folds", "search", "registration", "polyps" })
+  {
+    for (const std::string & warning : records.WarningsOf(stage))
+    {
+      warnings.push_back(std::string(position).append(stage).append(": ").append(warning));
+    }
+  }
+}
+
 void
 MakeViewer(CommandLine & commandLine)
 {
-  const std::string                  folder = commandLine.GetString("outputFolder");
-  const std::string                  exam = commandLine.GetString("exam");
-  const shapeton::ColonViewerOptions options = OptionsOf(commandLine);
+  const std::string            folder = commandLine.GetString("outputFolder");
+  const std::string            exam = commandLine.GetString("exam");
+  shapeton::ColonViewerOptions options = OptionsOf(commandLine);
+  const std::string            second = options.second.empty() ? exam + "/second" : options.second;
   RequireCurrent(exam);
-  RequireCurrent(options.second.empty() ? exam + "/second" : options.second);
+  RequireCurrent(second);
+  AddWarnings(exam, "", options.warnings);
+  AddWarnings(second, "second: ", options.warnings);
   commandLine.MakeFolder(folder);
   if (!options.isSingle)
   {

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
+import { gunzipSync } from 'node:zlib';
 import { launch } from '../../../Testing/Browser/browser.mjs';
 
 const { TOOL: tool, EXAM: exam, WORK: work } = process.env;
@@ -32,6 +33,16 @@ const open = async (folder) => {
   page.errors.length = 0;
   await page.open(`${folder}/viewer.html`);
   await page.until(() => Boolean(window.viewer) || document.body.classList.contains('failed'));
+};
+// A compressed NRRD file: its header and values.
+const NRRD_TYPES = { float: Float32Array, short: Int16Array };
+const nrrdOf = (name) => {
+  const bytes = readFileSync(`${exam}/segmentation/${name}`), end = bytes.indexOf('\n\n'), header = bytes.subarray(0, end).toString();
+  const field = (key) => header.match(new RegExp(`^${key}: (.*)$`, 'm'))[1];
+  assert.equal(field('encoding'), 'gzip');
+  const values = new NRRD_TYPES[field('type')](Uint8Array.from(gunzipSync(bytes.subarray(end + 2))).buffer);
+  const numbersIn = (text) => text.match(/-?[\d.]+(e-?\d+)?/g).map(Number);
+  return { values, size: numbersIn(field('sizes')), origin: numbersIn(field('space origin')), axes: numbersIn(field('space directions')) };
 };
 const notices = () => page.evaluate(() => document.getElementById('notices').textContent);
 const broken = (name, file) => {
@@ -91,6 +102,87 @@ test('the report of the reader states sizes, category and what is unread', () =>
   const files = readdirSync(folder).filter((name) => name.startsWith('reader-report'));
   const again = made('reportAgain', '--verdicts', `${work}/report.json`);
   for (const name of files) assert.ok(readFileSync(`${folder}/${name}`).equals(readFileSync(`${again}/${name}`)), name);
+});
+
+test('a page opens with verdicts of version 2', async () => {
+  const saved = JSON.parse(verdictsOf(infoOf(`${work}/first`).exam.sha256));
+  Object.assign(saved, { version: 2, secondReader: true, candidatesRevealed: true, bookmarks: [] });
+  saved.assessment = { colonic: 'C3', extracolonic: 'E2', note: NOTE };
+  Object.assign(saved.candidates[0], { size: 8.5, morphology: 'flat' });
+  writeFileSync(`${work}/verdicts2.json`, JSON.stringify(saved));
+  await open(made('second', '--verdicts', `${work}/verdicts2.json`));
+  await page.until(() => Boolean(window.viewer));
+  const { assessment, candidates, secondReader } = await page.evaluate(() => viewer.verdicts.document());
+  assert.deepEqual(assessment, saved.assessment);
+  assert.deepEqual(candidates.find((c) => c.id === '1'), saved.candidates[0]);
+  assert.equal(secondReader, true);
+  writeFileSync(`${work}/verdicts3.json`, JSON.stringify({ ...saved, version: 3 }));
+  assert.match(make('third', '--verdicts', `${work}/verdicts3.json`).stderr, /unsupported version/);
+});
+
+test('the page holds the HU of the original and of the cleansed CT, and the slice numbers of the image', async () => {
+  const cleansed = nrrdOf('cleansed.nrrd'), cleansing = nrrdOf('cleansing.nrrd'), [nx, ny] = cleansed.size;
+  await open(`${work}/first`);
+  await page.until(() => Boolean(window.viewer?.exams[0].volume));
+  const samples = await page.evaluate(() => {
+    const [{ volume: v }] = viewer.exams, { changes: { at, codes } } = v, out = [], [a, b] = v.size;
+    for (let i = 0; i < at.length; i += Math.ceil(at.length / 500)) {
+      const voxel = at[i], index = [voxel % a, Math.floor(voxel / a) % b, Math.floor(voxel / a / b)];
+      const block = index.map((x) => Math.floor(x / v.side));
+      if (v.coarse[block[0] + v.blocks[0] * (block[1] + v.blocks[1] * block[2])]) continue;
+      out.push({ index: index.map((x, k) => x + v.first[k]), original: v.huOf(v.data[voxel]), cleansed: v.huOf(codes[i]) });
+    }
+    return out;
+  });
+  const clamped = (hu) => Math.min(1560, Math.max(-1024, hu)), tolerance = (hu) => (hu < 300 ? 3.01 : 20.01);
+  let greatest = 0;
+  for (const { index: [i, j, k], original, cleansed: after } of samples) {
+    const at = i + nx * (j + ny * k), clean = cleansed.values[at], ct = clean + cleansing.values[at];
+    assert.ok(Math.abs(original - clamped(ct)) < tolerance(ct), `${original} instead of ${ct} HU`);
+    assert.ok(Math.abs(after - clamped(clean)) < tolerance(clean), `${after} instead of ${clean} HU`);
+    greatest = Math.max(greatest, ct - clean);
+  }
+  assert.ok(samples.length > 100 && greatest > 300, `${samples.length} voxels`);
+  const { facts, z } = await page.evaluate(() => {
+    viewer.stepEntry(1);
+    const [panel] = viewer.panels, [axial] = panel.slices, { volume: v } = panel.exam;
+    const { xyz } = panel.place, index = Math.round(panel.exam.toImage(xyz)[axial.axis] / v.spacing[axial.axis]);
+    return { facts: axial.facts(index, xyz), z: xyz[2] };
+  });
+  const slice = Math.round((z - cleansed.origin[2]) / cleansed.axes[8]) + 1;
+  assert.match(facts[0], new RegExp(`^slice ${slice} of ${cleansed.size[2]} `));
+});
+
+test('a second reader sees no candidates until asking for them, and verdicts say so', async () => {
+  await open(made('secondReader', '--secondReader'));
+  const look = () => page.evaluate(async () => {
+    viewer.stepEntry(1);
+    await viewer.idle();
+    const { secondReader, candidatesRevealed } = viewer.verdicts.document();
+    const items = document.querySelectorAll('#entries li[data-id]').length;
+    const marks = viewer.panels[0].marks().length, isOffered = !document.getElementById('reveal').hidden;
+    return { secondReader, candidatesRevealed, items, marks, isOffered, chosen: viewer.verdicts.chosen?.id ?? null };
+  });
+  await page.until(() => Boolean(window.viewer));
+  const number = await page.evaluate(() => viewer.verdicts.entries.length);
+  assert.deepEqual(await look(), { secondReader: true, candidatesRevealed: false, items: 0, marks: 0, isOffered: true, chosen: null });
+  await page.key('h');
+  const { chosen, ...revealed } = await look();
+  assert.deepEqual(revealed, { secondReader: true, candidatesRevealed: true, items: number, marks: number, isOffered: false });
+  assert.ok(number > 0 && chosen);
+});
+
+test('the page lists the warnings of the stages', () => {
+  const files = readdirSync(`${exam}/stages`).filter((f) => f.endsWith('.json'));
+  const stages = files.map((f) => JSON.parse(readFileSync(`${exam}/stages/${f}`, 'utf8')));
+  const expected = stages.flatMap(({ stage, warnings = [] }) => warnings.map((w) => `${stage}: ${w}`));
+  assert.deepEqual(infoOf(`${work}/first`).warnings.flatMap((kind) => kind.warnings).sort(), expected.sort());
+});
+
+test('a full page holds no means', async () => {
+  await open(made('full', '--full'));
+  await page.until(() => Boolean(window.viewer?.exams[0].volume));
+  assert.equal(await page.evaluate(() => viewer.exams[0].volume.coarse.includes(1)), false);
 });
 
 test('verdicts of another examination are rejected, and the old page is unchanged', () => {

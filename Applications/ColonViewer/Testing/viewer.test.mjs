@@ -195,18 +195,147 @@ test('each layer changes a view, and hiding it restores the view', async () => {
   }
 });
 
-test('a jump to a candidate moves the eye to a position that sees it', async () => {
-  const entries = await page.evaluate(() => viewer.verdicts.entries.map((e) => e.position));
+test('slices show the original CT first and say so; D shows the cleansed CT', async (t) => {
+  if (await page.evaluate(() => !viewer.exams[0].volume.changes)) { t.skip('no CT before cleansing'); return; }
+  // A voxel that cleansing changed most.
+  await page.evaluate(() => {
+    const [panel] = viewer.panels, { exam } = panel, { volume: v } = exam, { at, codes } = v.changes, [nx, ny] = v.size;
+    const change = (i) => Math.abs(v.huOf(v.data[at[i]]) - v.huOf(codes[i]));
+    const voxel = at[[...at.keys()].reduce((a, b) => (change(b) > change(a) ? b : a))];
+    const index = [voxel % nx, Math.floor(voxel / nx) % ny, Math.floor(voxel / nx / ny)];
+    viewer.current = 0;
+    panel.set(exam.fromXyz(exam.fromImage(index.map((x, k) => x * v.spacing[k]))));
+  });
+  await idle();
+  const look = () => page.evaluate(() => {
+    const [{ exam, place, slices }] = viewer.panels;
+    const pictures = slices.map((s) => s.canvas.toDataURL()).join();
+    const labels = slices.map((s) => s.label.textContent), button = document.getElementById('ct').textContent;
+    return { hu: exam.voxelAt(place.xyz).hu, labels, button, pictures };
+  });
+  const original = await look();
+  assert.deepEqual(original.labels.map((l) => l.split(' · ')[1]), Array(3).fill('Original CT'));
+  await press('d');
+  const cleansed = await look();
+  assert.deepEqual(cleansed.labels.map((l) => l.split(' · ')[1]), Array(3).fill('Cleansed CT'));
+  assert.equal(cleansed.button, 'Cleansed CT');
+  assert.ok(original.hu > 200 && cleansed.hu < -500, `tagged fluid of ${original.hu} HU becomes ${cleansed.hu} HU`);
+  assert.notEqual(cleansed.pictures, original.pictures);
+  await shot('cleansed');
+  await clickOn('#ct');
+  assert.deepEqual(await look(), original);
+});
+
+test('slices have number, position, window, scale and the sides of the patient', async () => {
+  const slices = await page.evaluate(() => {
+    const [panel] = viewer.panels, { volume: v } = panel.exam;
+    return panel.slices.map((s) => {
+      const index = Math.round(panel.exam.toImage(panel.place.xyz)[s.axis] / v.spacing[s.axis]);
+      const { axis, letters, plane } = s, { xyz } = panel.place;
+      return { facts: s.facts(index, xyz), letters, number: v.first[axis] + index + 1, of: v.whole[axis], xyz, plane };
+    });
+  });
+  for (const { facts: [where], number, of, xyz, plane } of slices) {
+    assert.equal(where, `slice ${number} of ${of} · ${'xyz'[plane]} ${xyz[plane].toFixed(1)} mm`);
+    assert.ok(number >= 1 && number <= of);
+  }
+  const [axial, coronal, sagittal] = slices.map((s) => s.letters);
+  assert.deepEqual(axial, { right: 'L', left: 'R', bottom: 'P', top: 'A' });
+  assert.deepEqual(coronal, { right: 'L', left: 'R', bottom: 'F', top: 'H' });
+  assert.deepEqual(sagittal, { right: 'P', left: 'A', bottom: 'F', top: 'H' });
+  if (await page.evaluate(() => !viewer.exams[0].volume.isCt)) return; // a mask has no window
+  const windowText = () => page.evaluate(() => viewer.panels[0].slices[0].facts(0, [0, 0, 0])[1]);
+  await press('2');
+  assert.equal(await windowText(), 'W 400  L 40');
+  await press('ArrowRight', CTRL);
+  await press('ArrowDown', CTRL);
+  assert.equal(await windowText(), 'W 450  L 15');
+  await press('1');
+  assert.equal(await windowText(), 'W 1500  L -200');
+});
+
+test('a candidate is at the center of all views, and the endoluminal view shows its head', async () => {
+  const number = await page.evaluate(() => { viewer.verdicts.choose(null); return viewer.verdicts.entries.length; });
   let seen = 0;
-  await page.evaluate(() => viewer.verdicts.choose(null));
-  for (const [i, position] of entries.entries()) {
+  for (let i = 0; i < number; i++) {
     await press('n');
-    const { shown } = await state(position);
-    if (shown.inside && !shown.inside[2]) seen++;
+    const { place, head, slices, gap, shown, share } = await page.evaluate(() => {
+      const { chosen: { candidate: c } } = viewer.verdicts, { panel } = viewer, { inside } = panel, camera = inside.camera();
+      const ahead = camera.at.map((x, k) => x - camera.eye[k]), to = [c.x, c.y, c.z].map((x, k) => x - camera.eye[k]);
+      const cosine = ahead.reduce((sum, x, k) => sum + x * to[k], 0) / Math.hypot(...ahead) / Math.hypot(...to);
+      const off = panel.slices.map((s) => Math.hypot(s.shown[0] - s.w / 2, s.shown[1] - s.h / 2));
+      const gap = Math.acos(Math.min(1, cosine));
+      return { place: panel.place.xyz, head: [c.x, c.y, c.z], slices: off, gap, shown: inside.shown, share: c.view.share };
+    });
+    assert.deepEqual(place, head, 'the crosshair is at the center of the head');
+    assert.ok(Math.max(...slices) < 1, `slices are centered: ${slices}`);
+    assert.ok(gap < 1e-3, 'the eye looks at the center of the head');
+    if (share >= 0.4 && !shown[2]) seen++;
     if (i === 0) await shot('4-candidate');
   }
-  figures.candidates = `${seen} of ${entries.length}`;
-  assert.ok(entries.length > 0 && seen >= 0.85 * entries.length, figures.candidates);
+  figures.candidates = `${seen} of ${number}`;
+  assert.ok(number > 0 && seen >= 0.75 * number, figures.candidates);
+});
+
+test('warnings and limitations are folded lists with their numbers', async () => {
+  const lists = await page.evaluate(() => ['warnings', 'limitations'].map((id) => {
+    const list = document.getElementById(id), number = Number(list.querySelector('summary').textContent.match(/\((\d+)\)/)[1]);
+    return { open: list.open, number, items: [...list.querySelectorAll('li')].filter((li) => !li.querySelector('li')).length };
+  }));
+  for (const { open, number, items } of lists) {
+    assert.equal(open, false);
+    assert.equal(number, items);
+  }
+  assert.ok(lists[1].number > 5);
+});
+
+test('fisheye: a click at the pixel of a point selects it, also 75 degrees from the axis', async () => {
+  await press('w');
+  const errors = await page.evaluate(async () => {
+    const { panel } = viewer, { inside, exam } = panel, out = [];
+    inside.go(exam.centerAt(200));
+    const { eye, at, up } = inside.camera(), ahead = at.map((x, k) => x - eye[k]);
+    for (const degrees of [0, 30, 75]) {
+      const [c, s] = [Math.cos, Math.sin].map((f) => f((degrees * Math.PI) / 180));
+      const wall = exam.fromRay(eye, ahead.map((x, k) => c * x + s * up[k]));
+      panel.set(wall, inside);
+      await viewer.idle();
+      const [x, y] = inside.shown, isInside = y > 0 && y < inside.h;
+      inside.pick(x, y);
+      out.push(isInside ? Math.hypot(...panel.place.xyz.map((v, k) => v - wall.xyz[k])) : Infinity);
+    }
+    return out;
+  });
+  assert.ok(Math.max(...errors) < 0.1, `${errors} mm`);
+  await shot('fisheye');
+  await press('w');
+});
+
+test('translucency colors the wall by the tissue behind it, and ends', async (t) => {
+  if (await page.evaluate(() => !viewer.exams[0].volume.isCt)) { t.skip('a mask'); return; }
+  await page.evaluate(() => viewer.verdicts.choose(null));
+  await press('n');
+  const colors = () => page.evaluate(() => {
+    const { exam, place } = viewer.panel, { details: d } = exam, i = d.tree.nearest(place.xyz).face;
+    return [...d.colors.subarray(4 * d.faces[3 * i], 4 * d.faces[3 * i] + 3)];
+  });
+  const before = await colors();
+  await press('u');
+  assert.notDeepEqual(await colors(), before);
+  await press('u');
+  assert.deepEqual(await colors(), before);
+});
+
+test('layouts enlarge the views that they name', async () => {
+  const area = async (name) => { const [, , w, h] = await box(name); return w * h; };
+  const all = { axial: await area('axial'), flat: await area('flat'), inside: await area('inside') };
+  for (const name of ['axial', 'flat', 'inside']) {
+    await press('l');
+    assert.ok(await area(name) > 1.2 * all[name], name);
+    await shot(`layout-${name}`);
+  }
+  await press('l');
+  assert.equal(await area('flat'), all.flat);
 });
 
 test('keys fly along the centerline, both ways', async () => {
@@ -349,13 +478,24 @@ const openVerdicts = async (text) => {
   rmSync(file);
 };
 
-test('verdicts, notes and findings are saved, reopened, and rejected for another examination', async () => {
+test('verdicts, assessment, findings and bookmarks are saved, reopened, and rejected for another examination', async () => {
   await page.evaluate(() => viewer.verdicts.choose(null));
   await press('n');
   await press('e');
   await press('t');
   for (const c of 'on a <fold>') await page.key(c);
   await press('Escape');
+  const enter = (selector, value) => page.evaluate((s, v) => {
+    const field = document.querySelector(s);
+    field.value = v;
+    for (const type of ['input', 'change']) field.dispatchEvent(new Event(type));
+  }, selector, value);
+  assert.deepEqual(await page.evaluate(() => viewer.verdicts.document().assessment), { colonic: '', extracolonic: '', note: '' });
+  await enter('#entries li.chosen .size', '7.25');
+  await enter('#entries li.chosen [name=morphology]', 'sessile');
+  await enter('#assessment [name=colonic]', 'C2a');
+  await enter('#assessment [name=assessmentNote]', 'one polyp');
+  await press('b');
   await press('f');
   await clickOn('#entries li.chosen button:not(.head)');
   const [x, y, w, h] = await box('axial');
@@ -365,13 +505,24 @@ test('verdicts, notes and findings are saved, reopened, and rejected for another
   assert.equal(await page.evaluate(() => document.getElementById('unsaved').textContent), 'not saved yet');
   await press('s', CTRL);
   const text = await saved(), verdicts = JSON.parse(text);
-  assert.equal(verdicts.version, 1);
+  assert.equal(verdicts.version, 2);
+  assert.deepEqual([verdicts.secondReader, verdicts.candidatesRevealed], [false, true]);
   assert.match(verdicts.exam.sha256, /^[0-9a-f]{64}$/);
   const id = await page.evaluate(() => viewer.verdicts.entries[0].id);
-  assert.deepEqual(verdicts.candidates[0], { id, verdict: 'polyp', note: 'on a <fold>' });
-  const [finding] = verdicts.findings;
+  assert.deepEqual(verdicts.candidates[0], { id, verdict: 'polyp', note: 'on a <fold>', size: 7.3, morphology: 'sessile' });
+  assert.deepEqual(verdicts.assessment, { colonic: 'C2a', extracolonic: '', note: 'one polyp' });
+  const [finding] = verdicts.findings, [bookmark] = verdicts.bookmarks;
   assert.ok(finding.diameter > 0 && finding.lps.length === 3 && finding.uv.length === 2);
-  await page.evaluate(() => { viewer.verdicts.entries[0].verdict = 'unsure'; viewer.verdicts.removeFinding(viewer.verdicts.findings[0]); });
+  assert.ok(finding.arcLength > 0 && typeof finding.segment === 'string' && finding.morphology === '');
+  const picture = Buffer.from(bookmark.picture.replace(/^data:image\/png;base64,/, ''), 'base64');
+  assert.ok(picture.readUInt32BE(16) <= 900 && picture.readUInt32BE(20) > 100, 'width and height of the PNG');
+  await page.evaluate(() => {
+    const v = viewer.verdicts;
+    Object.assign(v.entries[0], { verdict: 'unsure', size: null, morphology: '' });
+    v.assessment.take({});
+    v.bookmarks.take([]);
+    v.removeFinding(v.findings[0]);
+  });
   await openVerdicts(text.replace(verdicts.exam.sha256, '0'.repeat(64)));
   const refusal = await page.evaluate(() => document.getElementById('notices').textContent);
   assert.match(refusal, /belong to another examination; nothing was changed/);
@@ -382,6 +533,23 @@ test('verdicts, notes and findings are saved, reopened, and rejected for another
   await press('s', CTRL);
   assert.equal(await saved(), text);
   await shot('7-verdicts');
+  await page.evaluate(() => viewer.panels[0].inside.go(0));
+  await clickOn('#bookmarks li button.head');
+  assert.ok(far((await state()).xyz, bookmark.lps) < 1e-9, 'a click on a bookmark returns to its place');
+});
+
+test('verdicts of version 1 are opened and completed', async () => {
+  const exam = await page.evaluate(() => viewer.info.exam), { xyz, uv } = await state();
+  const id = await page.evaluate(() => viewer.verdicts.entries[0].id);
+  await openVerdicts(JSON.stringify({
+    version: 1, exam, candidates: [{ id, verdict: 'unsure', note: 'old' }],
+    findings: [{ id: 'F1', position: 0, lps: xyz, uv, diameter: 6.5, note: 'flat' }],
+  }));
+  const { candidates: [first], findings: [finding], bookmarks, version } = await page.evaluate(() => viewer.verdicts.document());
+  assert.deepEqual([version, bookmarks], [2, []]);
+  assert.deepEqual(first, { id, verdict: 'unsure', note: 'old', size: null, morphology: '' });
+  assert.equal(finding.diameter, 6.5);
+  assert.ok(finding.arcLength > 0);
 });
 
 test('the other position follows the map, and back', async (t) => {
@@ -432,7 +600,7 @@ test('the other position is dimmed where the map is unreliable', async (t) => {
 test('help lists the keys; the layout fits small and large screens', async () => {
   await press('?');
   const help = await page.evaluate(() => (document.getElementById('keys').open ? document.getElementById('keys').innerText : ''));
-  assert.match(help, /fly ahead 2 mm[^]*save verdicts\.json[^]*moves the crosshair/);
+  assert.match(help, /fly ahead 2 mm[^]*original or cleansed CT[^]*save verdicts\.json[^]*moves the crosshair/);
   await shot('9-help');
   await press('Escape');
   for (const [width, height] of [[1280, 720], [3840, 2160]]) {

@@ -48,6 +48,11 @@ struct PolypColon
 ShapetonPolypCandidates_EXPORT PolypColon
 ReadPolypColon(const std::string & folder);
 
+/** The CT before cleansing, HU: the sum of the cleansed CT and of the file cleansing.nrrd, what cleansing removed.
+ * Throws InputError if the file is on another grid. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT itk::Image<float, 3>::Pointer
+                               UncleansedCt(const itk::Image<float, 3> * cleansed, const std::string & path);
+
 /** Settings of SearchPolyps(). \ingroup ShapetonPolypCandidates */
 struct PolypSearchSettings : PolypSearchOptions
 {

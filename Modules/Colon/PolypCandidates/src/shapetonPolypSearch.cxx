@@ -54,22 +54,6 @@ ReadPart(const std::string & path, const std::string & name, const std::string &
   return std::move(surface.mesh);
 }
 
-/** The CT: the sum of the cleansed CT and of what cleansing removed. */
-itk::Image<float, 3>::Pointer
-Uncleansed(const itk::Image<float, 3> * cleansed, const std::string & path)
-{
-  const auto image = ReadImageFile(path).image;
-  if (!HaveSameGrid(image, cleansed))
-  {
-    throw InputError("\"" + path + "\" does not belong to the cleansed CT beside it; run ColonSegmentation again");
-  }
-  const std::size_t   voxels = image->GetLargestPossibleRegion().GetNumberOfPixels();
-  float * const       values = image->GetBufferPointer();
-  const float * const rest = cleansed->GetBufferPointer();
-  ParallelForBlocks(voxels, [=](std::size_t i) { values[i] += rest[i]; });
-  return image;
-}
-
 void
 ReadVolumes(const std::string & segmentation, PolypColon & colon)
 {
@@ -81,7 +65,7 @@ ReadVolumes(const std::string & segmentation, PolypColon & colon)
   }
   if (colon.ct && IsThere(segmentation + "cleansing.nrrd"))
   {
-    colon.original = Uncleansed(colon.ct, segmentation + "cleansing.nrrd");
+    colon.original = UncleansedCt(colon.ct, segmentation + "cleansing.nrrd");
   }
 }
 
@@ -160,6 +144,21 @@ Find(const PolypColon & colon, const PolypSearchSettings & options)
   return FindPolypCandidates(colon.wall, ours);
 }
 } // namespace
+
+itk::Image<float, 3>::Pointer
+UncleansedCt(const itk::Image<float, 3> * cleansed, const std::string & path)
+{
+  const auto image = ReadImageFile(path).image;
+  if (!HaveSameGrid(image, cleansed))
+  {
+    throw InputError("\"" + path + "\" does not belong to the cleansed CT beside it; run ColonSegmentation again");
+  }
+  const std::size_t   voxels = image->GetLargestPossibleRegion().GetNumberOfPixels();
+  float * const       values = image->GetBufferPointer();
+  const float * const rest = cleansed->GetBufferPointer();
+  ParallelForBlocks(voxels, [=](std::size_t i) { values[i] += rest[i]; });
+  return image;
+}
 
 PolypColon
 ReadPolypColon(const std::string & folder)

@@ -91,8 +91,8 @@ export class View {
     g.fillText(text, 10, this.h / 2, this.w - 20);
   }
 
-  // The crosshair, open at its center; dashed if the position is hidden.
-  cross(g, x, y, hidden = false) {
+  // The crosshair, open at its center by `gap` pixels; dashed if the position is hidden.
+  cross(g, x, y, hidden = false, gap = 4) {
     this.shown = [x, y, hidden];
     for (const [color, width] of [['#000a', 3.5], ['#ffd400', 1.6]]) {
       g.strokeStyle = color;
@@ -100,8 +100,8 @@ export class View {
       g.setLineDash(hidden ? [3, 3] : []);
       g.beginPath();
       for (const [a, b] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
-        g.moveTo(x + 4 * a, y + 4 * b);
-        g.lineTo(x + 14 * a, y + 14 * b);
+        g.moveTo(x + gap * a, y + gap * b);
+        g.lineTo(x + (gap + 10) * a, y + (gap + 10) * b);
       }
       g.stroke();
     }
@@ -109,18 +109,18 @@ export class View {
   }
 
   // A numbered ring around a candidate or finding; the selected one differs in color and thickness.
-  ring(g, x, y, text, chosen) {
+  ring(g, x, y, text, chosen, radius = chosen ? 11 : 9) {
     g.strokeStyle = chosen ? '#ff9d4d' : '#56b4e9';
     g.lineWidth = chosen ? 3 : 1.6;
     g.beginPath();
-    g.arc(x, y, chosen ? 11 : 9, 0, 7);
+    g.arc(x, y, radius, 0, 7);
     g.stroke();
     g.font = '12px sans-serif';
     g.lineWidth = 3;
     g.strokeStyle = '#000b';
-    g.strokeText(text, x + 12, y - 6);
+    g.strokeText(text, x + radius + 2, y - 6);
     g.fillStyle = '#fff';
-    g.fillText(text, x + 12, y - 6);
+    g.fillText(text, x + radius + 2, y - 6);
   }
 
   line(g, points, color, width) {

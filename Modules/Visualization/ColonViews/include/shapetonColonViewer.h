@@ -5,6 +5,7 @@
 #include "shapetonHtmlReport.h"
 
 #include <string>
+#include <vector>
 
 namespace shapeton
 {
@@ -14,10 +15,14 @@ struct ColonViewerOptions
   /** If true, the page contains all data; otherwise the data are script files in the folder `data`, which load faster.
    */
   bool isSingle{ false };
-  /** 8 bits hold -1024 to 512 HU in steps of 6 HU; 16 bits hold all values. */
+  /** 8 bits hold -1024 to 320 HU in steps of 6 HU, and up to 1560 HU in steps of 40 HU; 16 bits hold all values. */
   int bits{ 8 };
   /** Distance from the lumen (mm, 0 to 100) beyond which the volume is stored as means of 4^3 voxels. */
   double near{ 14.0 };
+  /** Stores all voxels; `near` has no effect. */
+  bool isFull{ false };
+  /** The page hides the candidates until the reader asks for them. */
+  bool isSecondReader{ false };
   /** Omits the series UIDs and the folder name. */
   bool isAnonymous{ false };
   /** Path of a verdicts.json saved by the page; may be empty. */
@@ -27,10 +32,13 @@ struct ColonViewerOptions
   std::string second;
   /** ColonRegistration folder for the run and `second`; without it, the positions are not linked. */
   std::string registration;
+  /** Warnings about the run, for the page. */
+  std::vector<std::string> warnings;
 };
 
 /** Writes `folder`/viewer.html, a page for reading a finished run of VirtualColonoscopy: the flat wall, the wall in
- * space, the endoluminal view and slices with a linked crosshair, candidates, verdicts. The page works offline. With
+ * space, the endoluminal view and slices of the original and the cleansed CT with a linked crosshair, candidates,
+ * verdicts. The page works offline. With
  * verdicts, also writes `folder`/verdicts.mrk.json for 3D Slicer.
  *
  * `exam` is the folder of the run. If it contains the folders `second` and `registration`, the page shows both

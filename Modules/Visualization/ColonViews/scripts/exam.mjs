@@ -1,10 +1,15 @@
 import { readBlock } from '../../../Core/Report/scripts/bytes.mjs';
 import { clamp, cross, distance, dot, norm, sub, third, unit } from '../../../Core/Report/scripts/math.mjs';
+import { Details, vertexNormals } from './details.mjs';
 import { hitOf, normalOf, Tree } from './tree.mjs';
+import { Volume } from './volume.mjs';
 
 const segmentNames = ['', 'rectum', 'sigmoid', 'descending', 'transverse', 'ascending', 'cecum'];
 const hindranceNames = ['', 'no lumen', 'cut by the scan', 'untagged fluid', 'caliber below 10 mm'];
-const BRIDGED = 64; // and 128 for the cap of a pouch
+const BRIDGED = 64, CAP = 128; // CAP: over a pouch that was cut off
+const NO_LUMEN = 1;       // of hindranceNames
+const COLLAPSED = 2.5;    // mm, radius below which a flight hurries
+const TOUCH = 1.5;        // mm before a point where the wall does not hide it
 
 // v modulo c, in [0, c).
 const turn = (v, c) => v - c * Math.floor(v / c);
@@ -23,26 +28,29 @@ export class Exam {
     }
     this.orient();
     this.wall = new Tree(this.points, this.faces);
+    this.details = await Details.load(folder, prefix, painter);
+    this.wall.skip = this.replacedFaces();
     this.makeMap();
-    this.makeNormals();
+    this.normals = vertexNormals(this.points, this.faces, (i) => this.source[i]);
     for (const c of info.candidates) this.placeCandidate(c);
     this.colors = new Uint8Array((4 * this.points.length) / 3);
     if (painter.gl) this.mesh = painter.mesh(this.points, this.normals, this.colors, this.faces);
     return this;
   }
 
-  // x, y, z of a candidate are the center of its head, behind the wall; its position on the wall is shown instead.
+  // The crosshair of a candidate is the center of its head, behind the wall; `depth` is the radius of the head.
   placeCandidate(c) {
     c.xyz = [c.x, c.y, c.z];
-    c.place = this.fromUv(c.u, c.v) || this.fromXyz(c.xyz, false);
-    c.uv = c.place.uv;
+    const wall = (c.u !== null && this.fromUv(c.u, c.v)) || this.fromXyz(c.xyz, false);
+    const depth = Math.max(c.diameter, c.height) / 2;
+    c.place = { ...wall, xyz: c.xyz, off: distance(c.xyz, wall.wall), depth, candidate: c };
+    c.uv = wall.uv;
   }
 
   async loadVolume(folder, prefix) {
-    const coarse = await readBlock(folder, prefix + 'volumeCoarse');
-    const data = await readBlock(folder, prefix + 'volume');
-    this.volume = { data, coarse, ...data.header };
-    this.volume.blocks = this.volume.size.map((n) => Math.ceil(n / this.volume.side));
+    const read = (name) => readBlock(folder, `${prefix}volume${name}`), coarse = await read('Coarse');
+    this.volume = new Volume(await read(''), coarse);
+    if (this.volume.hasCleansed) this.volume.setChanges(await read('CleansedAt'), await read('Cleansed'));
   }
 
   makeMap() {
@@ -82,18 +90,10 @@ export class Exam {
     return out;
   }
 
-  // Area-weighted normals; vertices on both sides of the cut share them.
-  makeNormals() {
-    const { points: P, faces: F, source } = this, n = P.length / 3, sum = new Float32Array(P.length);
-    for (let f = 0; f < F.length; f += 3) {
-      const a = third(P, F[f]), c = cross(sub(third(P, F[f + 1]), a), sub(third(P, F[f + 2]), a));
-      for (let j = 0; j < 3; j++) for (let k = 0; k < 3; k++) sum[3 * source[F[f + j]] + k] += c[k];
-    }
-    this.normals = new Int8Array(4 * n);
-    for (let i = 0; i < n; i++) {
-      const u = unit(third(sum, source[i]));
-      for (let k = 0; k < 3; k++) this.normals[4 * i + k] = Math.round(127 * u[k]);
-    }
+  // Faces of the flat wall that the details replace.
+  replacedFaces() {
+    const { faces: F, details: { replaced } } = this;
+    return Uint8Array.from({ length: F.length / 3 }, (_, f) => replaced[F[3 * f]] & replaced[F[3 * f + 1]] & replaced[F[3 * f + 2]]);
   }
 
   // Direction and up vector at each point of the centerline; the up vector is parallel transported, so the view does not spin.
@@ -140,6 +140,10 @@ export class Exam {
   segmentOf(face) { return this.kinds[face] & 7; }
   hindranceOf(face) { return (this.kinds[face] >> 3) & 7; }
   isSynthetic(face) { return this.kinds[face] >= BRIDGED; } // bridged, or the cap of a pouch
+  nameOfSegment(face) { return segmentNames[this.segmentOf(face)] || ''; }
+
+  // Whether there is little to see around a point of the centerline.
+  isCollapsed(c) { return c.hindrance === NO_LUMEN || c.radius < COLLAPSED; }
 
   // All properties of a point of the wall; xyz if the point is off the wall.
   place(face, weights, xyz = null) {
@@ -165,15 +169,18 @@ export class Exam {
     return this.place(face, weights);
   }
 
+  // Where a ray meets the wall as drawn; on details, the place is the nearest one of the flat wall.
   fromRay(eye, d) {
-    const hit = this.wall.ray(eye, d);
-    return hit && this.place(hit.face, hit.weights);
+    const flat = this.wall.ray(eye, d, Infinity, false, this.wall.skip), hit = this.details.tree.ray(eye, d, flat ? flat.t : Infinity);
+    if (hit) return this.fromXyz(eye.map((x, k) => x + hit.t * d[k]));
+    return flat && this.place(flat.face, flat.weights);
   }
 
-  // Whether the wall occludes a wall point from an eye.
-  hidden(eye, p) {
+  // Whether the wall occludes a point from an eye. depth: mm of the point behind its own surface.
+  hidden(eye, p, depth = 0) {
     const d = sub(p, eye);
-    return this.wall.ray(eye, unit(d), norm(d) - 1.5, true) !== null;
+    const l = norm(d) - Math.max(TOUCH, depth), ahead = unit(d);
+    return (this.wall.ray(eye, ahead, l, true, this.wall.skip) || this.details.tree.ray(eye, ahead, l, true)) !== null;
   }
 
   // Best view of a point of the wall: {index of the centerline, eye}. If eye is null, the view is from the centerline, unoccluded,
@@ -195,8 +202,14 @@ export class Exam {
     return place.wall.map((x, k) => x + (hit ? hit.t / 2 : 15) * n[k]);
   }
 
-  // Normal of a face, into the lumen. All faces have the same orientation, with the centerline in front of most of them.
+  // Normal of a face, into the lumen.
   inward(face) {
+    const side = this.orientation();
+    return normalOf(this.points, this.faces, face).map((x) => side * x);
+  }
+
+  // 1 if normals point into the lumen, else -1. All faces have the same orientation, with the centerline in front of most of them.
+  orientation() {
     if (!this.side) {
       const { points: P, faces: F, center } = this;
       let sum = 0;
@@ -206,7 +219,7 @@ export class Exam {
       }
       this.side = Math.sign(sum) || 1;
     }
-    return normalOf(this.points, this.faces, face).map((x) => this.side * x);
+    return this.side;
   }
 
   // LPS to millimeters along the image axes from the center of the first voxel, and back.
@@ -221,7 +234,7 @@ export class Exam {
     if (i < 0 || j < 0 || k < 0 || i >= nx || j >= ny || k >= nz) return null;
     const block = [i, j, k].map((x) => Math.floor(x / v.side));
     const isMean = v.coarse[block[0] + v.blocks[0] * (block[1] + v.blocks[1] * block[2])] === 1;
-    return { hu: v.hu[0] + v.hu[1] * v.data[i + nx * (j + ny * k)], isMean };
+    return { hu: v.huOf(v.data[i + nx * (j + ny * k)]), isMean };
   }
 
   // Description of a position for the status line.
@@ -229,12 +242,13 @@ export class Exam {
     const voxel = this.voxelAt(place.xyz), fold = this.folds[place.face], out = [];
     if (voxel && this.volume.isCt) out.push(`${Math.round(voxel.hu)} HU${voxel.isMean ? ' (mean of 4×4×4)' : ''}`);
     out.push(`${place.xyz.map((x) => x.toFixed(1)).join(', ')} mm (LPS)`, `${(place.arc / 10).toFixed(1)} cm from the anal verge`);
-    out.push(segmentNames[this.segmentOf(place.face)] || 'segment unknown');
+    out.push(this.nameOfSegment(place.face) || 'segment unknown');
     if (fold) out.push(`fold ${fold}`);
     if (place.off > 5) out.push(`${place.off.toFixed(0)} mm off the wall`);
     const hindrance = hindranceNames[clamp(this.hindranceOf(place.face), 0, 4)];
     if (hindrance) out.push(`not assessable: ${hindrance}`);
-    if (this.isSynthetic(place.face)) out.push('wall interpolated over a gap');
+    if (this.kinds[place.face] >= CAP) out.push('pouch: wall not shown on the flat map');
+    else if (this.isSynthetic(place.face)) out.push('interpolated wall (no CT data)');
     return out.join(' · ');
   }
 }

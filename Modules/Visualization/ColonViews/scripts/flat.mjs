@@ -1,5 +1,6 @@
 import { clamp } from '../../../Core/Report/scripts/math.mjs';
 import { paintFlat, segmentColors, taeniaColors } from './layers.mjs';
+import { Shortened } from './shortened.mjs';
 import { View } from '../../../Core/Report/scripts/view.mjs';
 
 const OVERVIEW = 34; // height of the overview strip of the whole colon, pixels
@@ -8,11 +9,13 @@ function canvasOf(columns, rows) {
   return Object.assign(document.createElement('canvas'), { width: columns, height: rows });
 }
 
-// The flat wall as seen from inside: u runs to the right from the rectum; v wraps around the tube.
+// The flat wall as seen from inside: u runs to the right from the rectum, shortened where the wall is interpolated; v wraps around
+// the tube.
 export class FlatView extends View {
   constructor(root, panel) {
-    super(root, 'flat', 'flat wall');
-    Object.assign(this, { panel, relief: panel.exam.info.relief, scale: null, u: null, v: null });
+    super(root, 'flat', 'Virtual dissection (unfolded view)');
+    Object.assign(this, { panel, relief: panel.exam.info.relief, scale: null, along: null, v: null });
+    this.short = new Shortened(panel.exam); // `along`: the center of the view on this shortened map
     const { columns, rows } = this.relief;
     this.picture = canvasOf(columns, rows);
     this.layer = canvasOf(columns, rows);
@@ -47,18 +50,18 @@ export class FlatView extends View {
   get middle() { return (this.h + OVERVIEW) / 2; }
 
   frame() {
-    const { exam } = this.panel, [lo, hi] = exam.range, c = exam.circumference, fit = this.w / (hi - lo);
+    const { exam } = this.panel, { short } = this, [lo, hi] = short.range, c = exam.circumference, fit = this.w / (hi - lo);
     const s = Math.max(this.scale ?? (this.h - OVERVIEW) / (1.15 * c), fit), half = this.w / 2 / s;
-    this.u ??= this.panel.place.uv[0];
+    this.along ??= short.of(this.panel.place.uv[0]);
     this.v ??= this.panel.place.uv[1];
-    this.u = clamp(this.u, lo + half, Math.max(lo + half, hi - half));
+    this.along = clamp(this.along, lo + half, Math.max(lo + half, hi - half));
     const sy = s * this.relief.vSign;
     return {
       s,
       sy,
-      x: (u) => this.w / 2 + (u - this.u) * s,
+      x: (u) => this.w / 2 + (short.of(u) - this.along) * s,
       y: (v) => this.middle + (v - this.v) * sy,
-      back: (x, y) => [this.u + (x - this.w / 2) / s, this.v + (y - this.middle) / sy],
+      back: (x, y) => [short.back(this.along + (x - this.w / 2) / s), this.v + (y - this.middle) / sy],
     };
   }
 
@@ -90,11 +93,11 @@ export class FlatView extends View {
   }
 
   drawPicture(g, f) {
-    const { u, v, vSign, step, rows, columns } = this.relief, x = f.x(u - step / 2), height = rows * step * f.s;
+    const { v, vSign, step, rows } = this.relief, height = rows * step * f.s;
     g.imageSmoothingEnabled = true;
     for (const y of this.turns(f.y(v - (vSign * step) / 2), f.s)) {
-      g.drawImage(this.picture, x, y, columns * step * f.s, height + 0.7);
-      g.drawImage(this.layer, x, y, columns * step * f.s, height);
+      this.short.draw(g, this.picture, this.relief, f.x, y, height + 0.7);
+      this.short.draw(g, this.layer, this.relief, f.x, y, height);
     }
   }
 
@@ -127,7 +130,7 @@ export class FlatView extends View {
   drawBands(g, f, h) {
     for (const { segment, from, to } of this.bands()) {
       g.fillStyle = `rgb(${segmentColors[segment]})`;
-      g.fillRect(f.x(from), h - 6, (to - from) * f.s, 6);
+      g.fillRect(f.x(from), h - 6, f.x(to) - f.x(from), 6);
     }
   }
 
@@ -156,9 +159,9 @@ export class FlatView extends View {
   }
 
   overview(g, w, f) {
-    const { exam, place, layers } = this.panel, [lo, hi] = exam.range, x = (u) => ((u - lo) / (hi - lo)) * w, height = OVERVIEW - 4;
-    g.drawImage(this.picture, 0, 0, w, height);
-    g.drawImage(this.layer, 0, 0, w, height);
+    const { place, layers } = this.panel, { short } = this, [lo, hi] = short.range, height = OVERVIEW - 4;
+    const x = (u) => ((short.of(u) - lo) / (hi - lo)) * w;
+    for (const image of [this.picture, this.layer]) short.draw(g, image, this.relief, x, 0, height);
     g.fillStyle = '#1b1c1f';
     g.fillRect(0, height, w, 4);
     g.fillStyle = '#0009';
@@ -179,26 +182,34 @@ export class FlatView extends View {
   reveal(place) {
     if (!this.w) return;
     const f = this.frame(), x = f.x(place.uv[0]), c = this.panel.exam.circumference;
-    if (x < 40 || x > this.w - 40) this.u = place.uv[0];
+    if (x < 40 || x > this.w - 40) this.along = this.short.of(place.uv[0]);
     const dv = place.uv[1] - this.v, around = dv - c * Math.round(dv / c);
     if (Math.abs(around * f.s) > (this.h - OVERVIEW) / 2 - 15) this.v += around;
   }
 
+  // Enlarges the map at least to this many pixels per mm, with a place at the center.
+  centerOn(place, scale) {
+    this.scale = Math.max(this.frame().s, scale);
+    this.along = this.short.of(place.uv[0]);
+    this.reveal(place);
+    this.changed();
+  }
+
   pick(x, y) {
-    const { exam } = this.panel, [lo, hi] = exam.range, inOverview = y < OVERVIEW, { vSign, v } = this.relief;
+    const { exam } = this.panel, [lo, hi] = this.short.range, inOverview = y < OVERVIEW, { vSign, v } = this.relief;
     const uv = inOverview
-      ? [lo + (x / this.w) * (hi - lo), v + (vSign * exam.circumference * y) / (OVERVIEW - 4)]
+      ? [this.short.back(lo + (x / this.w) * (hi - lo)), v + (vSign * exam.circumference * y) / (OVERVIEW - 4)]
       : this.frame().back(x, y);
     const place = exam.fromUv(...uv);
     if (!place) return false;
-    if (inOverview) this.u = place.uv[0];
+    if (inOverview) this.along = this.short.of(place.uv[0]);
     this.panel.set(place, this);
     return true;
   }
 
   drag(dx, dy) {
     const { s, sy } = this.frame();
-    this.u -= dx / s;
+    this.along -= dx / s;
     this.v -= dy / sy;
     this.changed();
   }
@@ -210,7 +221,7 @@ export class FlatView extends View {
   scaleAt(by, x, y) {
     const f = this.frame(), [u, v] = f.back(x, y), s = clamp(f.s * by, 0.05, 16);
     this.scale = s;
-    this.u = u - (x - this.w / 2) / s;
+    this.along = this.short.of(u) - (x - this.w / 2) / s;
     this.v = v - (y - this.middle) / (s * this.relief.vSign);
     this.changed();
   }

@@ -1,4 +1,5 @@
-import { axesOf, cross, distance, dot, norm, sub, third, unit } from '../../../Core/Report/scripts/math.mjs';
+import { cross, distance, norm, sub, third, unit } from '../../../Core/Report/scripts/math.mjs';
+import { pictureOf } from './lens.mjs';
 
 const SIGHT = 200;    // mm; wall farther away counts as unseen
 const AROUND = 250;  // mm along the colon, ahead of and behind the eye
@@ -32,7 +33,7 @@ export class Seen {
     const end = performance.now() + milliseconds;
     while (this.queue.length && performance.now() < end) {
       const pose = this.queue[0];
-      pose.inPicture ??= pictureOf(pose);
+      pose.inPicture ??= pictureOf(pose.camera, pose.aspect);
       for (let i = 0; i < 200 && pose.at < pose.to; i++, pose.at++) {
         if (!this.marks[pose.at] && this.sees(pose, pose.at)) this.mark(pose.at);
       }
@@ -50,13 +51,4 @@ export class Seen {
     const middle = third(this.middles, face), l = distance(middle, eye);
     return l < SIGHT && inPicture(middle) && !this.exam.wall.ray(eye, unit(sub(middle, eye)), l - TOLERANCE, true);
   }
-}
-
-// Whether a point is inside the picture of a camera.
-function pictureOf({ camera, aspect }) {
-  const { right, up, back } = axesOf(camera), high = Math.tan(camera.fov / 2), wide = high * aspect;
-  return (p) => {
-    const q = sub(p, camera.eye), z = -dot(q, back);
-    return z > 0 && Math.abs(dot(q, up)) < high * z && Math.abs(dot(q, right)) < wide * z;
-  };
 }

@@ -1,3 +1,5 @@
+import { paintDepth } from './depth.mjs';
+
 // Layers that can be shown or hidden. Colors by Okabe and Ito, which are safe for color-blind readers.
 export const layerList = [
   ['candidates', 'candidates', true],
@@ -38,17 +40,20 @@ function faceColor(exam, layers, face) {
 
 const WALL = [226, 160, 142];
 
-// Vertex colors for the views in space.
-export function paintWall(exam, layers) {
-  const { faces: F, kinds, colors: C } = exam;
+// Vertex colors for the views in space. translucent: where the tissue behind the wall is shown, or null.
+export function paintWall(exam, layers, translucent) {
+  const { faces: F, kinds, colors: C, details } = exam;
   for (let i = 0; i < C.length; i += 4) { C[i] = WALL[0]; C[i + 1] = WALL[1]; C[i + 2] = WALL[2]; C[i + 3] = 255; }
+  for (let i = 0; i < details.replaced.length; i++) if (details.replaced[i]) C[4 * i + 3] = 0;
+  for (let i = 0; i < details.colors.length; i++) details.colors[i] = i % 4 === 3 ? 255 : WALL[i % 4];
   for (let f = 0; f < kinds.length; f++) {
     const layer = faceColor(exam, layers, f);
     if (!layer) continue;
     const [color, opacity] = layer;
     for (let j = 0; j < 3; j++) for (let k = 0; k < 3; k++) C[4 * F[3 * f + j] + k] = WALL[k] + opacity * (color[k] - WALL[k]);
   }
-  if (exam.mesh) exam.painter.recolor(exam.mesh, C);
+  if (translucent) for (const surface of [exam, details]) paintDepth(exam, surface, translucent);
+  for (const { mesh, colors } of [exam, details]) if (mesh) exam.painter.recolor(mesh, colors);
 }
 
 // The layers as an overlay image of the flat wall.

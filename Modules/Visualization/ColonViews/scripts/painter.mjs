@@ -1,24 +1,31 @@
 import { glProgram } from '../../../Core/Report/scripts/gl.mjs';
 import { cross, dot, matricesOf, norm, sub, unit } from '../../../Core/Report/scripts/math.mjs';
+import { FISHEYE_LIMIT } from './lens.mjs';
 
 const VERTEX = `
 in vec3 position; in vec4 normal, color;
 uniform mat4 view, projection;
+uniform vec3 fisheye; // half the angle of view, aspect, farthest distance; 0 for perspective
 out vec3 N, E; out vec4 C;
 void main() {
   vec4 e = view * vec4(position, 1);
   E = e.xyz;
   N = mat3(view) * normal.xyz;
   C = color;
-  gl_Position = projection * e;
+  float l = length(e.xyz), side = length(e.xy);
+  vec2 away = side > 0. ? e.xy / side : vec2(0);
+  gl_Position = fisheye.x > 0.
+    ? vec4(away * acos(clamp(-e.z / l, -1., 1.)) / fisheye.x / vec2(fisheye.y, 1), 2. * l / fisheye.z - 1., 1)
+    : projection * e;
 }`;
 
 // Lit from the eye. reach: range of the light inside the colon in mm, 0 outside; clear: rim opacity of a transparent wall.
 const FRAGMENT = `
 in vec3 N, E; in vec4 C;
-uniform float reach, clear;
+uniform float reach, clear, behind;
 out vec4 o;
 void main() {
+  if (-normalize(E).z < behind || C.a < .001) discard; // triangles around the eye cross a fisheye picture; replaced by details
   float d = abs(dot(normalize(N), normalize(E)));
   float fade = reach > 0. ? exp(-length(E) / reach) : 1.;
   o = vec4(C.rgb * (.18 + .82 * d) * fade, clear > 0. ? clear * pow(1. - d, 2.) + .04 : 1.);
@@ -81,6 +88,8 @@ export class Painter {
     gl.useProgram(this.program);
     gl.uniformMatrix4fv(uniforms.view, false, view);
     gl.uniformMatrix4fv(uniforms.projection, false, projection);
+    gl.uniform3f(uniforms.fisheye, (camera.fisheye || 0) / 2, w / h, camera.far);
+    gl.uniform1f(uniforms.behind, camera.fisheye ? Math.cos(FISHEYE_LIMIT) : -2);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
     for (const { mesh, reach = 0, clear = 0, from = 0, to = mesh.count / 3 } of items) {
       gl.uniform1f(uniforms.reach, reach);

@@ -8,11 +8,16 @@ import { tube } from './painter.mjs';
 const ON_WALL = 2;     // mm; points farther from the wall have no distance along it
 const EYE_REACH = 120; // mm; wall farther away is not a target
 
+const REPAINT = 10;    // mm; the translucent area follows the crosshair in steps
+const HURRY = 6;       // times the speed of a flight where the colon is collapsed
+const HEAD_SPAN = 80, HEAD_SCALE = 1.5; // size of slices in mm, and least pixels per mm of the map, at a candidate
+
 // All views of one position, around one crosshair.
 export class Panel {
   // notify: callback with this panel after its crosshair has moved; marksOf: candidates and findings to show.
   constructor(root, exam, layers, notify, marksOf) {
     Object.assign(this, { root, exam, layers, notify, marksOf, window: [1500, -200], paintings: 0, measure: null });
+    Object.assign(this, { translucent: null, tissuePaintings: 0 }); // translucent: the place around which it is shown
     this.volumeText = 'Loading the volume …';
     this.place = exam.fromXyz(exam.center[Math.min(60, exam.center.length - 1)].xyz, false);
     this.makeLines();
@@ -45,8 +50,28 @@ export class Panel {
   // Repaints the layers.
   repaint() {
     this.paintings++;
-    paintWall(this.exam, this.layers);
+    paintWall(this.exam, this.layers, this.translucent);
     this.flat.repaintLayers();
+    this.changed();
+  }
+
+  // Shows the tissue behind the wall around the crosshair, or no longer.
+  toggleTranslucency() {
+    this.translucent = this.translucent ? null : this.place;
+    this.repaint();
+  }
+
+  followTranslucency() {
+    if (!this.translucent || distance(this.translucent.xyz, this.place.xyz) < REPAINT) return;
+    this.translucent = this.place;
+    this.tissuePaintings++;
+    paintWall(this.exam, this.layers, this.place);
+  }
+
+  // Shows the original or the cleansed CT.
+  showCleansed(isCleansed) {
+    this.exam.volume?.show(isCleansed);
+    if (this.translucent) this.repaint();
     this.changed();
   }
 
@@ -76,7 +101,15 @@ export class Panel {
     this.place = place;
     if (from !== this.flat) this.flat.reveal(place);
     if (from !== this.inside) this.inside.lookAt(place);
+    this.followTranslucency();
     this.changed();
+  }
+
+  // Sets the crosshair to a place with all views centered on it.
+  centerOn(place) {
+    this.set(place);
+    this.slices.forEach((s) => s.centerOn(place, HEAD_SPAN));
+    this.flat.centerOn(place, HEAD_SCALE);
   }
 
   // Flies by this distance (mm) along the centerline in the direction of flight.
@@ -84,6 +117,9 @@ export class Panel {
     const { center } = this.exam, i = this.inside;
     i.go(this.exam.centerAt(center[i.index].arc + mm * i.way));
   }
+
+  // One step of the autopilot, longer where there is little to see.
+  cruise(mm) { this.fly(this.exam.isCollapsed(this.inside.point) ? HURRY * mm : mm); }
 
   get isAtEnd() {
     const { index, way } = this.inside;
@@ -95,6 +131,7 @@ export class Panel {
     const camera = this.inside.camera(), place = this.exam.fromRay(camera.eye, sub(camera.at, camera.eye));
     const isNear = place && distance(place.xyz, camera.eye) < EYE_REACH;
     this.place = isNear ? place : this.exam.fromXyz(camera.eye, false);
+    this.followTranslucency();
     this.flat.reveal(this.place);
     if (this.exam.seen) this.exam.seen.look(camera, this.inside.w / (this.inside.h || 1));
     this.changed();

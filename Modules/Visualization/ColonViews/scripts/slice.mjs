@@ -2,7 +2,17 @@ import { clamp, dot } from '../../../Core/Report/scripts/math.mjs';
 import { View } from '../../../Core/Report/scripts/view.mjs';
 
 const PLANES = ['sagittal', 'coronal', 'axial'];
-const LETTERS = [['R', 'L'], ['A', 'P'], ['I', 'S']]; // for the ends of the patient's axes, LPS
+const LETTERS = [['R', 'L'], ['A', 'P'], ['F', 'H']]; // for the ends of the patient's axes, LPS
+const SCALES = [1, 2, 5, 10, 20, 50, 100];             // mm, lengths of the scale bar
+const WIDEST_SCALE = 0.3;                               // of the width of the view
+const RIGHT_OF_LABEL = 170;                             // pixels
+const AROUND_HEAD = 4;                                  // pixels between a head and its ring
+export const LEAST_WIDTH = 20;                                 // HU, of the window
+
+// Radius of the ring around a mark, and half the gap of the crosshair, in pixels: they do not cover the head of a candidate, which
+// has the radius `depth` (mm).
+export const radiusOf = ({ depth = 0 }, scale) => Math.max(9, depth * scale + AROUND_HEAD);
+export const gapOf = (place, scale) => (place.depth ? radiusOf(place, scale) : 4);
 
 // The image axis closest to each of the patient's axes.
 export function nearestAxes(axes) {
@@ -32,7 +42,7 @@ export class SliceView extends View {
     const name = (flip, patient) => LETTERS[patient][flip ? 0 : 1];
     this.letters = { right: name(false, right), left: name(true, right), bottom: name(isUp, down), top: name(!isUp, down) };
     const tilt = (Math.acos(clamp(Math.abs(axes[this.axis][plane]), 0, 1)) * 180) / Math.PI;
-    this.label.textContent = tilt > 0.5 ? `${PLANES[plane]}, oblique by ${tilt.toFixed(0)}°` : PLANES[plane];
+    this.title = tilt > 0.5 ? `${PLANES[plane]}, oblique by ${tilt.toFixed(0)}°` : PLANES[plane];
   }
 
   frame() {
@@ -61,16 +71,47 @@ export class SliceView extends View {
     this.shown = null;
     if (!v) { this.say(g, this.panel.volumeText); return; }
     if (!this.letters) this.layout();
+    this.label.textContent = `${this.title} · ${v.name}`;
+    this.label.classList.toggle('cleansed', v.isCleansed);
     const q = exam.toImage(place.xyz), index = clamp(Math.round(q[this.axis] / v.spacing[this.axis]), 0, v.size[this.axis] - 1);
     const f = this.frame(), at = (p) => f.at(exam.toImage(p));
     g.fillStyle = '#000';
     g.fillRect(0, 0, w, h);
     this.drawImage(g, f, index);
     if (layers.wall) this.drawContour(g, f, index);
-    if (layers.candidates) this.drawMarks(g, at, index);
+    if (layers.candidates) this.drawMarks(g, at, index, f.s);
     this.panel.drawMeasure(this, g, at);
     this.drawLetters(g, w, h);
-    this.cross(g, ...f.at(q));
+    this.drawFacts(g, index, place.xyz);
+    this.drawScale(g, f.s, w, h);
+    this.cross(g, ...f.at(q), false, gapOf(place, f.s));
+  }
+
+  // Number of the slice in the image, from 1, the position of the crosshair across it (LPS, mm), and the window.
+  facts(index, xyz) {
+    const { panel: { exam: { volume: v }, window: [width, level] }, axis, plane } = this;
+    const slice = `slice ${v.first[axis] + index + 1} of ${v.whole[axis]}`, place = `${'xyz'[plane]} ${xyz[plane].toFixed(1)} mm`;
+    return [`${slice} · ${place}`, v.isCt ? `W ${Math.round(width)}  L ${Math.round(level)}` : ''];
+  }
+
+  drawFacts(g, index, xyz) {
+    this.facts(index, xyz).forEach((text, i) => this.write(g, text, 6, 33 + 15 * i));
+  }
+
+  drawScale(g, scale, w, h) {
+    const mm = SCALES.filter((x) => x * scale < WIDEST_SCALE * w).at(-1) || SCALES[0], end = 8 + mm * scale, y = h - 8;
+    this.line(g, [[8, y - 4], [8, y], [end, y], [end, y - 4]], '#000', 4);
+    this.line(g, [[8, y - 4], [8, y], [end, y], [end, y - 4]], '#ffd', 1.6);
+    this.write(g, `${mm} mm`, 12, y - 5);
+  }
+
+  write(g, text, x, y) {
+    g.font = '12px sans-serif';
+    g.lineWidth = 3;
+    g.strokeStyle = '#000c';
+    g.strokeText(text, x, y);
+    g.fillStyle = '#ffd';
+    g.fillText(text, x, y);
   }
 
   drawImage(g, f, index) {
@@ -86,20 +127,19 @@ export class SliceView extends View {
 
   // Windowed gray values of a slice. Means of 4^3 voxels are bluish to distinguish them from original voxels.
   fill(index) {
-    const { exam: { volume: v }, window: [width, level] } = this.panel, key = [index, width, level].join();
+    const { exam: { volume: v }, window: [width, level] } = this.panel, key = [index, width, level, v.isCleansed].join();
     if (key === this.key) return;
     this.key = key;
     const nx = v.size[this.across], ny = v.size[this.down], { side, blocks, coarse, data } = v;
     if (!this.pixels) { Object.assign(this.image, { width: nx, height: ny }); this.pixels = new ImageData(nx, ny); }
     const words = new Uint32Array(this.pixels.data.buffer), strides = [1, v.size[0], v.size[0] * v.size[1]];
     const blockStrides = [1, blocks[0], blocks[0] * blocks[1]], block = (k, i) => blockStrides[k] * ((i / side) | 0);
-    const scale = (255 * v.hu[1]) / width, shift = (255 * (v.hu[0] - level + width / 2)) / width;
+    const grays = v.graysOf(width, level);
     for (let j = 0, o = 0; j < ny; j++) {
       const row = this.flipY ? ny - 1 - j : j;
       const start = index * strides[this.axis] + row * strides[this.down], startBlock = block(this.axis, index) + block(this.down, row);
       for (let i = 0; i < nx; i++, o++) {
-        const column = this.flipX ? nx - 1 - i : i, value = shift + scale * data[start + column * strides[this.across]];
-        const b = value < 0 ? 0 : value > 255 ? 255 : value | 0;
+        const column = this.flipX ? nx - 1 - i : i, b = grays[data[start + column * strides[this.across]]];
         const isMean = coarse[startBlock + block(this.across, column)];
         words[o] = isMean ? 0xff000000 | (b << 16) | (((b * 0.94) | 0) << 8) | ((b * 0.88) | 0) : 0xff000000 | (b * 0x10101);
       }
@@ -111,7 +151,8 @@ export class SliceView extends View {
     const { exam } = this.panel;
     if (this.contourIndex !== index) {
       this.contourIndex = index;
-      this.contour = contour(exam, this.axis, index * exam.volume.spacing[this.axis]);
+      const at = index * exam.volume.spacing[this.axis];
+      this.contour = [...contour(exam, exam, exam.wall.skip, this.axis, at), ...contour(exam, exam.details, null, this.axis, at)];
     }
     g.strokeStyle = '#00d8a0';
     g.lineWidth = 1;
@@ -123,22 +164,20 @@ export class SliceView extends View {
     g.stroke();
   }
 
-  drawMarks(g, at, index) {
+  drawMarks(g, at, index, scale) {
     const { exam } = this.panel, step = exam.volume.spacing[this.axis];
     for (const mark of this.panel.marks()) {
       const away = Math.abs(exam.toImage(mark.xyz)[this.axis] - index * step);
-      if (away < Math.max(3, mark.diameter / 2)) this.ring(g, ...at(mark.xyz), mark.text, mark.chosen);
+      if (away < Math.max(3, mark.depth)) this.ring(g, ...at(mark.xyz), mark.text, mark.chosen, radiusOf(mark, scale));
     }
   }
 
   drawLetters(g, w, h) {
-    g.fillStyle = '#ffd';
-    g.font = '12px sans-serif';
     const { left, right, top, bottom } = this.letters;
-    g.fillText(left, 4, h / 2);
-    g.fillText(right, w - 13, h / 2);
-    g.fillText(top, w / 2 - 4, 30);
-    g.fillText(bottom, w / 2 - 4, h - 5);
+    this.write(g, left, 4, h / 2);
+    this.write(g, right, w - 13, h / 2);
+    this.write(g, top, Math.max(w / 2 - 4, RIGHT_OF_LABEL), 15);
+    this.write(g, bottom, w / 2 - 4, h - 5);
   }
 
   pick(x, y) {
@@ -149,6 +188,18 @@ export class SliceView extends View {
 
   wheel(d, at, isScaling) { if (isScaling) this.scale(1.25 ** -d); else this.step(d); }
   scale(by) { this.zoom = clamp(this.zoom * by, 1, 12); this.changed(); }
+
+  // Shows a place at the center, enlarged until `span` mm fit into the view: slices in views of one size have the same scale.
+  centerOn(place, span) {
+    const { exam } = this.panel, { w, h } = this;
+    if (!exam.volume || !w) return;
+    if (!this.letters) this.layout();
+    const fits = (k, pixels) => pixels / (exam.volume.size[k] * exam.volume.spacing[k]);
+    this.scale(Math.min(w, h) / span / Math.min(fits(this.across, w), fits(this.down, h)) / this.zoom);
+    const p = exam.toImage(place.xyz);
+    this.middle = [this.across, this.down].map((k) => p[k]);
+    this.changed();
+  }
 
   // Moves the crosshair by this number of slices.
   step(n) {
@@ -161,16 +212,18 @@ export class SliceView extends View {
 
   drag(dx, dy) {
     const [width, level] = this.panel.window;
-    this.panel.setWindow([Math.max(20, width + 4 * dx), level + 4 * dy]);
+    this.panel.setWindow([Math.max(LEAST_WIDTH, width + 4 * dx), level + 4 * dy]);
   }
 }
 
-// Intersection of the wall with a plane perpendicular to an image axis: pairs of points in image millimeters.
-function contour(exam, axis, value) {
-  const { points: P, faces: F, volume: { origin, axes } } = exam, n = axes[axis], shift = dot(n, origin) + value;
+// Intersection of a surface {points, faces} with a plane perpendicular to an image axis: pairs of points in image millimeters.
+// skip: 1 for faces that are not shown, or null.
+function contour(exam, { points: P, faces: F }, skip, axis, value) {
+  const { origin, axes } = exam.volume, n = axes[axis], shift = dot(n, origin) + value;
   const height = new Float32Array(P.length / 3), out = [];
   for (let i = 0, o = 0; i < height.length; i++, o += 3) height[i] = n[0] * P[o] + n[1] * P[o + 1] + n[2] * P[o + 2] - shift;
   for (let f = 0; f < F.length; f += 3) {
+    if (skip && skip[f / 3]) continue;
     const above = height[F[f]] > 0;
     if (above === height[F[f + 1]] > 0 && above === height[F[f + 2]] > 0) continue;
     const ends = [];

@@ -1,6 +1,12 @@
-import { add, axesOf, clamp, cross, distance, dot, norm, project } from '../../../Core/Report/scripts/math.mjs';
-import { rayThrough, scaled, sub, unit } from '../../../Core/Report/scripts/math.mjs';
+import { add, axesOf, clamp, cross, distance, dot, norm, scaled, sub, unit } from '../../../Core/Report/scripts/math.mjs';
+import { tissues } from './depth.mjs';
+import { viewOfHead } from './eye.mjs';
+import { FISHEYE, pixelOf, rayOf, scaleAt } from './lens.mjs';
+import { gapOf, radiusOf } from './slice.mjs';
 import { View } from '../../../Core/Report/scripts/view.mjs';
+
+// Depth of the center of a candidate behind the surface of its head, mm.
+const hiddenDepth = ({ depth }) => (depth ? 1.2 * depth + 1 : 0);
 
 // Base of the two views in space: picking, candidates, crosshair.
 class SpaceView extends View {
@@ -17,14 +23,14 @@ class SpaceView extends View {
     this.render(camera, Math.round(w * ratio), Math.round(h * ratio));
     g.drawImage(this.kept, 0, 0, w, h);
     if (layers.candidates) this.drawMarks(g, camera, w, h);
-    this.panel.drawMeasure(this, g, (p) => project(camera, w, h, p));
-    const q = project(camera, w, h, place.xyz);
-    if (q) this.cross(g, ...q, exam.hidden(camera.eye, place.xyz));
+    this.panel.drawMeasure(this, g, (p) => pixelOf(camera, w, h, p));
+    const q = pixelOf(camera, w, h, place.xyz);
+    if (q) this.cross(g, ...q, exam.hidden(camera.eye, place.xyz, hiddenDepth(place)), gapOf(place, scaleAt(camera, h, place.xyz)));
   }
 
   // If only the crosshair moves, the picture is reused.
   render(camera, width, height) {
-    const { exam, paintings, layers } = this.panel, key = JSON.stringify([camera, width, height, layers, paintings]);
+    const { exam, paintings, layers } = this.panel, key = JSON.stringify([camera, width, height, layers, paintings, this.paintings()]);
     if (key === this.key) return;
     this.key = key;
     const picture = exam.painter.draw(width, height, camera, this.items());
@@ -35,12 +41,13 @@ class SpaceView extends View {
   drawMarks(g, camera, w, h) {
     const { exam, layers } = this.panel;
     for (const mark of this.panel.marks()) {
-      const q = this.isNear(mark.wall) && project(camera, w, h, mark.wall);
-      if (q && (layers.through || !exam.hidden(camera.eye, mark.wall))) this.ring(g, ...q, mark.text, mark.chosen);
+      const q = this.isNear(mark.xyz) && pixelOf(camera, w, h, mark.xyz), isHidden = exam.hidden(camera.eye, mark.xyz, hiddenDepth(mark));
+      if (q && (layers.through || !isHidden)) this.ring(g, ...q, mark.text, mark.chosen, radiusOf(mark, scaleAt(camera, h, mark.xyz)));
     }
   }
 
   isNear() { return true; }
+  paintings() { return 0; } // of what only this view shows
 
   lines(reach = 0) {
     const { layers, taeniae, flexures } = this.panel;
@@ -48,7 +55,7 @@ class SpaceView extends View {
   }
 
   pick(x, y) {
-    const camera = this.camera(), place = this.panel.exam.fromRay(camera.eye, rayThrough(camera, this.w, this.h, x, y));
+    const camera = this.camera(), ray = rayOf(camera, this.w, this.h, x, y), place = ray && this.panel.exam.fromRay(camera.eye, ray);
     if (place) this.panel.set(place, this);
     return Boolean(place);
   }
@@ -56,7 +63,7 @@ class SpaceView extends View {
 
 export class OutsideView extends SpaceView {
   constructor(root, panel) {
-    super(root, 'outside', 'wall in space', panel);
+    super(root, 'outside', 'Colon wall in 3D', panel);
     const { points: P } = panel.exam, lo = [Infinity, Infinity, Infinity], hi = lo.map((x) => -x);
     for (let i = 0; i < P.length; i++) {
       const k = i % 3;
@@ -68,16 +75,16 @@ export class OutsideView extends SpaceView {
 
   // Initially from the front: the patient's anterior is -y.
   camera() {
-    const fov = 0.75, d = (this.radius * 2.6) / this.zoom, c = Math.cos(this.pitch);
+    const fov = 0.75, narrow = Math.max(1, this.h / (this.w || 1)), d = (this.radius * 2.6 * narrow) / this.zoom, c = Math.cos(this.pitch);
     const back = [Math.sin(this.yaw) * c, -Math.cos(this.yaw) * c, Math.sin(this.pitch)];
     const near = Math.max(1, d - 2 * this.radius);
     return { eye: add(this.center, scaled(back, d)), at: this.center, up: [0, 0, 1], fov, near, far: d + 2 * this.radius };
   }
 
   items() {
-    const { layers, centerline, exam: { mesh } } = this.panel; // the endoluminal eye is on the centerline and does not show it
+    const { layers, centerline, exam: { mesh, details } } = this.panel; // the endoluminal eye is on the centerline and does not show it
     const lines = [...this.lines(), ...(layers.centerline ? centerline.map((line) => ({ mesh: line })) : [])];
-    return layers.through ? [...lines, { mesh, clear: 0.75 }] : [{ mesh }, ...lines];
+    return layers.through ? [...lines, { mesh, clear: 0.75 }] : [{ mesh }, { mesh: details.mesh }, ...lines];
   }
 
   drag(dx, dy, button) {
@@ -107,16 +114,37 @@ const STRETCH = 250; // visible range along the colon ahead of and behind the ey
 // the wall. way: 1 to the cecum, -1 to the rectum; look: the target point, if any; otherwise yaw and pitch apply.
 export class EndoView extends SpaceView {
   constructor(root, panel) {
-    super(root, 'inside', 'from the centerline', panel);
-    Object.assign(this, { index: 0, eye: null, yaw: 0, pitch: 0, way: 1, look: null, fov: (2 * Math.PI) / 3 });
+    super(root, 'inside', 'Endoluminal view', panel);
+    Object.assign(this, { index: 0, eye: null, yaw: 0, pitch: 0, way: 1, look: null, fov: (2 * Math.PI) / 3, isWide: false });
+    this.headFov = null; // field of view of the head of a candidate
   }
 
   get point() { return this.panel.exam.center[this.index]; }
 
-  // Moves to the best view of a point of the wall.
+  // Moves to the best view of a point of the wall, or of the head of a candidate.
   lookAt(place) {
-    Object.assign(this, this.panel.exam.viewpoint(place), { look: place.xyz, yaw: 0, pitch: 0 });
-    this.label.textContent = this.eye ? 'off the centerline' : 'from the centerline';
+    const { exam } = this.panel, { candidate } = place, view = candidate && (candidate.view ??= viewOfHead(exam, candidate));
+    const { index, eye, fov = null } = view || exam.viewpoint(place);
+    Object.assign(this, { index, eye, headFov: fov, look: place.xyz, yaw: 0, pitch: 0 });
+  }
+
+  draw(g, w, h, ratio) {
+    super.draw(g, w, h, ratio);
+    const parts = [this.eye && 'off the centerline', this.isWide && 'fisheye 160°', this.panel.translucent && 'translucency'];
+    this.label.textContent = ['Endoluminal view', ...parts.filter(Boolean)].join(' · ');
+    if (this.panel.translucent) this.drawTissues(g, h);
+  }
+
+  drawTissues(g, h) {
+    g.font = '12px sans-serif';
+    tissues.forEach(([name, , color], i) => {
+      const y = h - 8 - 15 * (tissues.length - 1 - i);
+      g.fillStyle = `rgb(${color})`;
+      g.fillRect(8, y - 9, 10, 10);
+      g.fillStyle = '#ffd';
+      g.fillText(name, 23, y);
+    });
+    g.fillText('2 to 6 mm behind the wall:', 8, h - 8 - 15 * tissues.length);
   }
 
   camera() {
@@ -125,22 +153,23 @@ export class EndoView extends SpaceView {
     let ahead = unit(add(scaled(level, cos(this.pitch)), scaled(c.up, sin(this.pitch)))), { up } = c;
     if (this.look) ahead = unit(sub(this.look, eye));
     if (norm(cross(ahead, up)) < 0.2) up = unit(cross(ahead, right)); // the view direction is parallel to up
-    return { eye, at: add(eye, ahead), up, fov: this.fov, near: 0.3, far: 600 };
+    const fisheye = this.isWide ? FISHEYE : 0;
+    return { eye, at: add(eye, ahead), up, fov: this.headFov ?? this.fov, fisheye, near: 0.3, far: 600 };
   }
 
+  paintings() { return this.panel.tissuePaintings; }
   isNear(p) { return distance(p, this.point.xyz) < REACH; }
 
   items() {
     const { exam } = this.panel, { arc } = this.point;
     const wall = { mesh: exam.mesh, reach: REACH, from: exam.facesBefore(arc - STRETCH), to: exam.facesBefore(arc + STRETCH) };
-    return [wall, ...this.lines(REACH)];
+    return [wall, { mesh: exam.details.mesh, reach: REACH }, ...this.lines(REACH)];
   }
 
   // Flies to a point of the centerline.
   go(index) {
     this.index = clamp(index, 0, this.panel.exam.center.length - 1);
-    Object.assign(this, { look: null, eye: null });
-    this.label.textContent = 'from the centerline';
+    Object.assign(this, { look: null, eye: null, headFov: null });
     this.panel.flown();
   }
 
@@ -168,5 +197,9 @@ export class EndoView extends SpaceView {
 
   drag(dx, dy) { this.turn(-dx / 200, dy / 200); }
   wheel(d) { this.panel.fly(-2 * d); }
-  scale(by) { this.fov = clamp(this.fov / by, 0.5, 2.2); this.changed(); }
+  scale(by) {
+    const name = this.headFov === null ? 'fov' : 'headFov';
+    this[name] = clamp(this[name] / by, 0.5, 2.2);
+    this.changed();
+  }
 }

@@ -79,16 +79,17 @@ export class Tree {
   }
 
   // First triangle hit by the ray from o in direction d before `far`, or null. any: any hit, which is faster.
-  ray(o, d, far = Infinity, any = false) {
+  ray(o, d, far = Infinity, any = false, skip = null) {
     const inverse = d.map((x) => 1 / (Math.abs(x) < 1e-12 ? 1e-12 : x));
     const { first, count, order } = this;
-    const stack = [0];
+    const stack = this.faces.length ? [0] : [];
     let best = null;
     while (stack.length) {
       const node = stack.pop();
       if (!this.meets(node, o, inverse, far)) continue;
       if (!count[node]) { const l = ~first[node]; stack.push(l, l + 1); continue; }
       for (let i = first[node]; i < first[node] + count[node]; i++) {
+        if (skip !== null && skip[order[i]]) continue;
         const hit = this.hit(order[i], o, d, far);
         if (hit) { best = hit; far = hit.t; if (any) return best; }
       }

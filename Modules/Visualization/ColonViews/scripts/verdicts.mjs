@@ -1,32 +1,54 @@
 import { element, saveFile } from '../../../Core/Report/scripts/page.mjs';
 
-const VERDICTS = ['unread', 'polyp', 'not a polyp', 'unsure'];
+const VERDICTS = ['unread', 'polyp', 'not a polyp', 'unsure'], ACCEPTED = 'polyp';
+const MORPHOLOGIES = ['', 'flat', 'sessile', 'pedunculated'];
+const VERSIONS = [1, 2];
 
-// The reader's verdicts on candidates and additional findings, as the list next to the views. Saved as verdicts.json.
+const wordOf = (words, word) => (words.includes(word) ? word : words[0]);
+const numberOf = (x) => (Number.isFinite(x) && x > 0 ? Math.round(10 * x) / 10 : null);
+// As in report.html.
+const scoreOf = (score) => (score < 0.01 ? '< 0.01' : score.toFixed(2));
+const cmOf = (mm) => `${(mm / 10).toFixed(1)} cm from the anal verge`;
+
+// The reader's verdicts on candidates and additional findings, as the list next to the views. Saved as verdicts.json, with the
+// assessment and the bookmarks.
 export class Verdicts {
-  // actions: jump(mark), resize(finding), changed().
-  constructor(root, info, exams, actions) {
-    Object.assign(this, { root, exam: info.exam, exams, actions, chosen: null, isSaved: true });
+  // parts: {assessment, bookmarks}; actions: jump(entry), resize(entry), changed().
+  constructor(root, info, exams, parts, actions) {
+    Object.assign(this, { root, exam: info.exam, exams, ...parts, actions, chosen: null, isSaved: true });
+    this.isSecondReader = info.isSecondReader;
+    this.isRevealed = !info.isSecondReader;
     this.entries = exams.flatMap((exam, position) => exam.info.candidates.map((candidate) => ({
-      id: (position ? 'second/' : '') + candidate.candidate, position, candidate, verdict: VERDICTS[0], note: '',
+      id: (position ? 'second/' : '') + candidate.candidate, position, candidate,
+      verdict: VERDICTS[0], note: '', size: null, morphology: '',
     })));
+    const rank = ({ candidate: c }) => (c.recognizedAs ? 1 : 0);
+    this.entries.sort((a, b) => rank(a) - rank(b) || b.candidate.score - a.candidate.score);
     this.findings = [];
     if (info.verdicts) this.take(info.verdicts);
     this.list();
   }
 
-  get all() { return [...this.entries, ...this.findings]; }
+  // What the reader sees: a second reader asks for the candidates.
+  get all() { return [...(this.isRevealed ? this.entries : []), ...this.findings]; }
 
   changed() {
     this.isSaved = false;
     this.actions.changed();
   }
 
+  reveal() {
+    if (this.isRevealed) return;
+    this.isRevealed = true;
+    this.list();
+    this.changed();
+  }
+
   // Data of an entry for the views.
   markOf(entry) {
     const chosen = entry === this.chosen, { candidate: c } = entry;
-    if (c) return { text: c.candidate, xyz: c.xyz, wall: c.place.xyz, uv: c.uv, diameter: c.diameter || 0, chosen };
-    return { text: entry.id, xyz: entry.lps, wall: entry.lps, uv: entry.uv, diameter: entry.diameter || 0, chosen };
+    if (c) return { text: c.candidate, xyz: c.xyz, uv: c.uv, depth: c.place.depth, chosen };
+    return { text: entry.id, xyz: entry.lps, uv: entry.uv, depth: (entry.diameter || 0) / 2, chosen };
   }
 
   marks(position) { return this.all.filter((e) => e.position === position).map((e) => this.markOf(e)); }
@@ -39,10 +61,14 @@ export class Verdicts {
 
   choose(entry) {
     this.chosen = entry;
-    for (const item of this.root.children) item.classList.toggle('chosen', item.dataset.id === entry?.id);
+    this.markChosen();
     if (!entry) return;
     this.itemOf(entry).scrollIntoView({ block: 'nearest' });
     this.actions.jump(entry);
+  }
+
+  markChosen() {
+    for (const item of this.root.children) item.classList.toggle('chosen', Boolean(this.chosen) && item.dataset.id === this.chosen.id);
   }
 
   itemOf(entry) { return [...this.root.children].find((item) => item.dataset.id === entry.id); }
@@ -50,20 +76,35 @@ export class Verdicts {
   // Changes the chosen entry to its next verdict.
   nextVerdict() {
     if (!this.chosen?.candidate) return;
-    this.chosen.verdict = VERDICTS[(VERDICTS.indexOf(this.chosen.verdict) + 1) % VERDICTS.length];
-    this.itemOf(this.chosen).querySelector('select').value = this.chosen.verdict;
+    this.setVerdict(this.chosen, VERDICTS[(VERDICTS.indexOf(this.chosen.verdict) + 1) % VERDICTS.length]);
+  }
+
+  setVerdict(entry, verdict) {
+    entry.verdict = verdict;
     this.changed();
+    this.list();
   }
 
   writeNote() { if (this.chosen) this.itemOf(this.chosen).querySelector('.note').focus(); }
 
   addFinding(position, place) {
     const number = 1 + Math.max(0, ...this.findings.map((f) => Number(f.id.slice(1))));
-    const finding = { id: `F${number}`, position, lps: place.xyz, uv: place.uv, diameter: null, note: '' };
+    const finding = this.findingOf({ id: `F${number}`, position, lps: place.xyz, uv: place.uv });
     this.findings.push(finding);
     this.changed();
     this.list();
     this.choose(finding);
+  }
+
+  // A complete finding; files of version 1 lack its place along the colon.
+  findingOf({ id, position = 0, lps, uv, diameter, note, segment, arcLength, morphology }) {
+    const place = this.exams[position].fromXyz(lps);
+    return {
+      id, position, lps, uv, diameter: numberOf(diameter), note: String(note ?? ''),
+      segment: segment ?? this.exams[position].nameOfSegment(place.face),
+      arcLength: arcLength ?? Math.round(10 * place.arc) / 10,
+      morphology: wordOf(MORPHOLOGIES, morphology),
+    };
   }
 
   removeFinding(finding) {
@@ -73,56 +114,101 @@ export class Verdicts {
     this.list();
   }
 
-  setDiameter(finding, diameter) {
-    finding.diameter = Math.round(10 * diameter) / 10;
+  // mm, or null
+  setSize(entry, size) {
+    entry[entry.candidate ? 'size' : 'diameter'] = numberOf(size);
     this.changed();
     this.list();
   }
 
   list() {
-    this.root.replaceChildren(...this.all.map((e) => this.item(e)));
-    for (const item of this.root.children) item.classList.toggle('chosen', item.dataset.id === this.chosen?.id);
+    const polyps = this.entries.filter((e) => !e.candidate.recognizedAs), others = this.entries.filter((e) => e.candidate.recognizedAs);
+    const part = (title, all, remark = '') => (all.length ? [this.heading(title, remark), ...all.map((e) => this.item(e))] : []);
+    this.root.replaceChildren(
+      ...(this.isRevealed ? part('Candidates, highest score first', polyps, 'Scores are calibrated on synthetic patients.') : []),
+      ...(this.isRevealed ? part('Recognized as something else, or parts of another candidate', others) : []),
+      ...part('Reader findings', this.findings),
+    );
+    this.markChosen();
+  }
+
+  heading(title, remark) {
+    return element('li', { className: 'title' }, [title, ...(remark ? [element('small', { textContent: remark })] : [])]);
   }
 
   item(entry) {
-    const head = element('button', { type: 'button', className: 'head', textContent: this.titleOf(entry) });
+    const [title, ...facts] = entry.candidate ? this.factsOf(entry) : this.factsOfFinding(entry);
+    const head = element('button', { type: 'button', className: 'head' }, [element('b', { textContent: title }), ` ${facts.join(' · ')}`]);
     head.onclick = () => this.choose(entry);
     const note = element('input', { className: 'note', placeholder: 'note', value: entry.note });
     note.setAttribute('aria-label', `note on ${entry.id}`);
     note.oninput = () => { entry.note = note.value; this.changed(); };
-    const item = element('li', {}, [head, ...(entry.candidate ? [this.select(entry)] : this.buttons(entry)), note]);
+    const isSized = !entry.candidate || entry.verdict === ACCEPTED;
+    const item = element('li', {}, [
+      head, ...(entry.candidate ? [this.select(entry, 'verdict', VERDICTS)] : []), ...(isSized ? this.measures(entry) : []), note,
+      ...(entry.candidate ? [] : [this.removal(entry)]),
+    ]);
     item.dataset.id = entry.id;
     return item;
   }
 
-  titleOf(entry) {
-    const c = entry.candidate, where = this.exams.length > 1 ? ` (${this.exams[entry.position].info.name || entry.position + 1})` : '';
-    if (!c) return `${entry.id}${where} · own finding${entry.diameter ? ` · ${entry.diameter} mm` : ''}`;
-    const other = c.otherCandidate ? ` · also ${c.otherCandidate} in the other` : '';
-    const parts = [`${c.candidate}${where}`, c.segment || 'segment unknown', `${(c.place.arc / 10).toFixed(0)} cm`];
-    if (c.diameter) parts.push(`${c.diameter.toFixed(1)} mm`);
-    parts.push(`score ${c.score.toFixed(2)}`);
-    return parts.join(' · ') + (c.remark ? ` · ${c.remark}` : '') + other;
+  whereOf(entry) { return this.exams.length > 1 ? ` (${this.exams[entry.position].info.name || entry.position + 1})` : ''; }
+
+  // The numbers of report.html.
+  factsOf(entry) {
+    const c = entry.candidate, whole = (x) => Math.round(x), facts = [`${c.candidate}${this.whereOf(entry)}`, `score ${scoreOf(c.score)}`];
+    facts.push(`${c.segment || 'segment unknown'}${c.arcLength === null ? '' : `, ${cmOf(c.arcLength)}`}`);
+    facts.push(c.plane ? `${whole(c.planeDiameter)} mm, ${c.plane}; ${whole(c.diameter)} mm in 3-D` : `${whole(c.diameter)} mm in 3-D`);
+    if (c.morphology) facts.push(c.morphology);
+    if (c.meanAttenuation !== null) facts.push(`mean attenuation ${whole(c.meanAttenuation)} HU`);
+    facts.push(...[c.recognizedAs, c.remark].filter((text, i, all) => text && all.indexOf(text) === i));
+    if (c.otherCandidate) facts.push(`also candidate ${c.otherCandidate} in the other position`);
+    return facts;
   }
 
-  select(entry) {
-    const select = element('select', {}, VERDICTS.map((v) => new Option(v, v, false, v === entry.verdict)));
-    select.setAttribute('aria-label', `verdict on ${entry.id}`);
-    select.onchange = () => { entry.verdict = select.value; this.changed(); };
+  factsOfFinding(f) {
+    return [`${f.id}${this.whereOf(f)}`, f.segment || 'segment unknown', cmOf(f.arcLength), ...(f.diameter ? [`${f.diameter} mm`] : [])];
+  }
+
+  select(entry, name, words, empty = '') {
+    const select = element('select', { name }, words.map((w) => new Option(w || empty, w, false, w === entry[name])));
+    select.setAttribute('aria-label', `${name} of ${entry.id}`);
+    select.onchange = () => {
+      if (name === 'verdict') { this.setVerdict(entry, select.value); return; }
+      entry[name] = select.value;
+      this.changed();
+    };
     return select;
   }
 
-  buttons(finding) {
-    const size = element('button', { type: 'button', textContent: 'size', title: 'measure with two clicks' });
-    size.onclick = () => this.actions.resize(finding);
+  // Size and morphology by the reader.
+  measures(entry) {
+    const value = (entry.candidate ? entry.size : entry.diameter) ?? '';
+    const size = element('input', { className: 'size', type: 'number', min: 0, step: 0.1, placeholder: 'size, mm', value });
+    size.setAttribute('aria-label', `size of ${entry.id} in mm`);
+    size.onchange = () => this.setSize(entry, size.valueAsNumber);
+    const measure = element('button', { type: 'button', textContent: 'measure', title: 'measure with two clicks' });
+    measure.onclick = () => this.actions.resize(entry);
+    return [size, measure, this.select(entry, 'morphology', MORPHOLOGIES, 'morphology')];
+  }
+
+  removal(finding) {
     const remove = element('button', { type: 'button', textContent: 'remove' });
     remove.onclick = () => this.removeFinding(finding);
-    return [size, remove];
+    return remove;
   }
 
   document() {
-    const candidates = this.entries.map(({ id, verdict, note }) => ({ id, verdict, note }));
-    return { version: 1, exam: this.exam, candidates, findings: this.findings };
+    return {
+      version: 2,
+      exam: this.exam,
+      secondReader: this.isSecondReader,
+      candidatesRevealed: this.isRevealed,
+      assessment: this.assessment.value,
+      candidates: this.entries.map(({ id, verdict, note, size, morphology }) => ({ id, verdict, note, size, morphology })),
+      findings: this.findings,
+      bookmarks: this.bookmarks.list,
+    };
   }
 
   save() {
@@ -135,7 +221,7 @@ export class Verdicts {
   open(text) {
     let saved;
     try { saved = JSON.parse(text); } catch { throw new Error('This file is not JSON: choose a verdicts.json saved by this page.'); }
-    if (saved?.version !== 1 || !Array.isArray(saved.candidates) || !Array.isArray(saved.findings)) {
+    if (!VERSIONS.includes(saved?.version) || !Array.isArray(saved.candidates) || !Array.isArray(saved.findings)) {
       throw new Error('This file contains no verdicts: choose a verdicts.json saved by this page.');
     }
     if (saved.exam?.sha256 !== this.exam.sha256) throw new Error('These verdicts belong to another examination; nothing was changed.');
@@ -145,12 +231,19 @@ export class Verdicts {
     this.actions.changed();
   }
 
+  // A reading remains that of a second reader, and candidates once shown remain so.
   take(saved) {
+    const findings = saved.findings.map((f) => this.findingOf(f)); // throws before anything is changed
+    this.isSecondReader ||= saved.secondReader === true;
+    this.isRevealed ||= saved.candidatesRevealed === true;
     for (const entry of this.entries) {
-      const { verdict, note } = saved.candidates.find((c) => c.id === entry.id) || {};
-      Object.assign(entry, { verdict: VERDICTS.includes(verdict) ? verdict : VERDICTS[0], note: String(note ?? '') });
+      const { verdict, note, size, morphology } = saved.candidates.find((c) => c.id === entry.id) || {};
+      const texts = { verdict: wordOf(VERDICTS, verdict), note: String(note ?? ''), morphology: wordOf(MORPHOLOGIES, morphology) };
+      Object.assign(entry, texts, { size: numberOf(size) });
     }
-    this.findings = saved.findings.map((f) => ({ ...f, position: f.position ?? 0 }));
+    this.findings = findings;
+    this.assessment.take(saved.assessment);
+    this.bookmarks.take(saved.bookmarks);
     this.chosen = null;
   }
 }

@@ -1,12 +1,17 @@
 import { readBlock } from '../../../Core/Report/scripts/bytes.mjs';
+import { Assessment } from './assessment.mjs';
+import { Bookmarks, snapshotOf } from './bookmarks.mjs';
 import { Exam } from './exam.mjs';
 import { Seen } from './flight.mjs';
 import { SurfacePaths } from './geodesic.mjs';
 import { viewerKeys } from './help.mjs';
 import { layerList } from './layers.mjs';
+import { layoutAfter, layouts } from './layouts.mjs';
 import { Link } from './link.mjs';
+import { fillNotes, tellMissing } from './notes.mjs';
 import { Painter } from './painter.mjs';
 import { Panel } from './panel.mjs';
+import { LEAST_WIDTH } from './slice.mjs';
 import { Verdicts } from './verdicts.mjs';
 import { toggle } from '../../../Core/Report/scripts/keys.mjs';
 import { byId, letGo, notice, openPage } from '../../../Core/Report/scripts/page.mjs';
@@ -18,12 +23,17 @@ const EXCLUDED = 255;   // in `trust`: not visible in one of the positions
 const PAGE = `
 <header>
   <b id="title"></b><span id="layers"></span>
+  <button id="ct">Original CT</button>
   <select id="window" aria-label="window of the slices">
-    <option value="1500,-200">colon</option><option value="400,40">soft tissue</option>
-    <option value="2000,300">tagged residue</option><option value="1536,-256">wide</option><option value="">by hand</option>
+    <option value="1500,-200">colon 1500/-200</option><option value="400,40">soft tissue 400/40</option>
+    <option value="2000,300">tagged residue 2000/300</option><option value="1536,-256">wide 1536/-256</option>
+    <option value="">by hand</option>
   </select>
-  <button id="fly">Fly</button><button id="way">→ cecum</button><button id="measure">Measure</button>
-  <button id="finding">Add finding</button><label id="linkBox"><input type="checkbox" id="link" checked> link</label>
+  <select id="layout" aria-label="layout of the views"></select>
+  <button id="fly">Fly-through</button><button id="way">→ cecum</button><button id="wide">Fisheye</button>
+  <button id="translucency">Translucency</button><button id="measure">Measure</button>
+  <button id="finding">Add finding</button><button id="bookmark">Bookmark</button>
+  <button id="reveal">Show candidates</button><label id="linkBox"><input type="checkbox" id="link" checked> link</label>
   <button id="help">Help ?</button>
 </header>
 <main id="panels"></main>
@@ -31,7 +41,10 @@ const PAGE = `
   <div id="notices" role="alert"></div>
   <p><button id="save">Save verdicts</button> <button id="open">Open</button><input type="file" id="file" accept=".json" hidden>
   <span id="unsaved"></span></p>
+  <div id="notes"></div>
+  <div id="assessment"></div>
   <ol id="entries"></ol>
+  <ol id="bookmarks"></ol>
 </aside>
 <footer>
   <span id="status" role="status"></span><span id="trust"></span><span id="share"></span>
@@ -48,12 +61,10 @@ class Viewer {
     this.link = maps && new Link(exams, maps.map(({ mapped }) => mapped));
     this.layers = Object.fromEntries(layerList.map(([name, , isOn]) => [name, isOn]));
     this.panels = exams.map((exam, k) => this.makePanel(exam, k));
-    this.verdicts = new Verdicts($('entries'), info, exams, {
-      jump: (entry) => this.jump(entry),
-      resize: (finding) => this.resize(finding),
-      changed: () => this.notify(),
-    });
+    this.verdicts = this.makeVerdicts();
     this.makeLayers();
+    $('layout').append(...layouts.map(([name, text]) => new Option(text, name)));
+    this.setLayout('all');
     this.listen();
   }
 
@@ -65,6 +76,19 @@ class Viewer {
     let paths = null;
     exam.paths = () => (paths ??= new SurfacePaths(exam)); // created for the first distance
     return new Panel(root, exam, this.layers, (panel) => this.moved(panel), (panel) => this.verdicts.marks(this.panels.indexOf(panel)));
+  }
+
+  makeVerdicts() {
+    const changed = () => { if (this.verdicts) this.verdicts.changed(); };
+    const parts = {
+      assessment: new Assessment($('assessment'), changed),
+      bookmarks: new Bookmarks($('bookmarks'), { go: (bookmark) => this.jump(bookmark), changed }),
+    };
+    return new Verdicts($('entries'), this.info, this.exams, parts, {
+      jump: (entry) => this.jump(entry),
+      resize: (entry) => this.resize(entry),
+      changed: () => this.notify(),
+    });
   }
 
   get panel() { return this.panels[this.current]; }
@@ -87,6 +111,12 @@ class Viewer {
     on('way', () => this.reverse());
     on('measure', () => this.toggleMeasure());
     on('finding', () => this.addFinding());
+    on('bookmark', () => this.addBookmark());
+    on('reveal', () => this.reveal());
+    on('ct', () => this.toggleCleansed());
+    on('wide', () => this.toggleWide());
+    on('translucency', () => this.toggleTranslucency());
+    $('layout').onchange = () => { this.setLayout($('layout').value); $('layout').blur(); };
     on('save', () => this.save());
     on('open', () => this.openFile());
     on('help', () => this.toggleHelp());
@@ -113,10 +143,41 @@ class Viewer {
   nextVerdict() { this.verdicts.nextVerdict(); }
   writeNote() { this.verdicts.writeNote(); }
   addFinding() { this.verdicts.addFinding(this.current, this.panel.place); }
+  addBookmark() {
+    const { inside, slices } = this.panel, label = this.panel.exam.nameOfSegment(this.panel.place.face);
+    this.verdicts.bookmarks.add(this.current, this.panel.place.xyz, label, snapshotOf([...slices, inside]));
+  }
+
+  reveal() { this.verdicts.reveal(); this.repaint(); }
   save() { this.verdicts.save(); }
   openFile() { $('file').click(); }
   toggleHelp() { toggle($('keys')); }
   setWindow(window) { this.panels.forEach((p) => p.setWindow(window)); }
+  changeWindow([width, level]) { const [w, l] = this.panel.window; this.setWindow([Math.max(LEAST_WIDTH, w + width), l + level]); }
+
+  // Shows the other CT in all positions.
+  toggleCleansed() {
+    const isCleansed = !this.panel.exam.volume?.isCleansed;
+    this.panels.forEach((p) => p.showCleansed(isCleansed));
+    this.notify();
+  }
+
+  toggleWide() {
+    for (const { inside } of this.panels) { inside.isWide = !inside.isWide; inside.changed(); }
+    this.notify();
+  }
+
+  toggleTranslucency() {
+    this.panels.forEach((p) => p.toggleTranslucency());
+    this.notify();
+  }
+
+  setLayout(name) {
+    $('panels').dataset.layout = name;
+    $('layout').value = name;
+  }
+
+  nextLayout() { this.setLayout(layoutAfter($('panels').dataset.layout)); }
   measureHere() { if (!this.panel.measure) this.toggleMeasure(); this.panel.clicked(); }
 
   nextView() {
@@ -143,11 +204,11 @@ class Viewer {
     this.notify();
   }
 
-  // Measures a finding by two clicks.
-  resize(finding) {
-    this.panels[finding.position].startMeasure((mm) => {
-      this.verdicts.setDiameter(finding, mm);
-      this.panels[finding.position].endMeasure();
+  // Measures a candidate or finding by two clicks.
+  resize(entry) {
+    this.panels[entry.position].startMeasure((mm) => {
+      this.verdicts.setSize(entry, mm);
+      this.panels[entry.position].endMeasure();
     });
     this.notify();
   }
@@ -156,21 +217,18 @@ class Viewer {
     this.isFlying = !this.isFlying;
     const { panel } = this, step = () => {
       if (!this.isFlying || panel.isAtEnd) { this.isFlying = false; this.notify(); return; }
-      panel.fly(2);
+      panel.cruise(2);
       requestAnimationFrame(step);
     };
     if (this.isFlying) step();
     this.notify();
   }
 
+  // Moves to a candidate, finding or bookmark.
   jump({ candidate, position, lps }) {
     const panel = this.panels[position];
     this.current = position;
-    panel.set(candidate ? candidate.place : panel.exam.fromXyz(lps));
-    panel.slices.forEach((s) => { s.zoom = Math.max(s.zoom, 3); });
-    panel.flat.scale = Math.max(panel.flat.frame().s, 1.5);
-    panel.flat.u = panel.place.uv[0];
-    panel.flat.reveal(panel.place);
+    panel.centerOn(candidate ? candidate.place : panel.exam.fromXyz(lps));
     this.panels.forEach((p) => p.changed());
   }
 
@@ -224,8 +282,14 @@ class Viewer {
       : this.trust === undefined ? '' : `confidence of the map ${this.trust.toFixed(2)}`;
     $('unsaved').textContent = verdicts?.isSaved === false ? 'not saved yet' : '';
     $('way').textContent = panel.inside.way > 0 ? '→ cecum' : '← anal verge';
-    $('fly').textContent = this.isFlying ? 'Stop' : 'Fly';
-    $('measure').classList.toggle('on', Boolean(panel.measure));
+    $('fly').textContent = this.isFlying ? 'Stop' : 'Fly-through';
+    for (const [id, isOn] of [['measure', panel.measure], ['wide', panel.inside.isWide], ['translucency', panel.translucent]]) {
+      $(id).classList.toggle('on', Boolean(isOn));
+    }
+    $('reveal').hidden = verdicts?.isRevealed !== false;
+    $('ct').textContent = panel.exam.volume?.name || 'CT';
+    $('ct').classList.toggle('on', Boolean(panel.exam.volume?.changes && panel.exam.volume.isCleansed));
+    $('ct').disabled = !panel.exam.volume?.changes;
     $('window').value = [...$('window').options].some((o) => o.value === String(panel.window)) ? String(panel.window) : '';
     this.panels.forEach((p) => p.views.forEach((v) => v.box.classList.toggle('active', p === panel && v === p.active)));
   }
@@ -238,7 +302,7 @@ class Viewer {
         if (!exam.volume.isCt) this.panels[k].setWindow([1, 0.5]);
       } catch (error) {
         this.panels[k].volumeText = 'The volume cannot be shown.';
-        notice(`${error.message} Flat wall and wall in space still work.`);
+        notice(`${error.message} Unfolded view and wall in 3D still work.`);
       }
       this.times[`volume${k}`] = performance.now() - started;
       this.panels[k].changed();
@@ -253,17 +317,6 @@ class Viewer {
   }
 }
 
-// Notices to show before reading.
-function tellMissing(info, painter) {
-  if (!painter.gl) notice('This browser has no WebGL 2: flat wall, slices and verdicts work, both 3D views do not.');
-  for (const position of info.positions) {
-    const { missing, name } = position, what = missing.filter((m) => m !== 'CT');
-    if (missing.includes('CT')) notice('This run is based on a lumen mask: slices show the mask, not a CT.');
-    if (what.length) notice(`The run has no ${what.join(', ')}${name ? ` (${name})` : ''}.`);
-  }
-  if (info.positions.length > 1 && !info.hasMap) notice('The run has no registration: the positions are not linked.');
-}
-
 async function open(folder) {
   const started = performance.now(), info = await readBlock(folder, 'info'), painter = new Painter();
   $('title').textContent = document.title = `${info.title} – Shapeton viewer`;
@@ -275,6 +328,7 @@ async function open(folder) {
   document.body.classList.toggle('pair', exams.length > 1);
   $('linkBox').hidden = !maps;
   tellMissing(info, painter);
+  fillNotes($('notes'), info, exams, info.bits);
   const viewer = new Viewer(info, exams, maps, painter);
   viewer.times.surface = performance.now() - started;
   viewer.repaint();

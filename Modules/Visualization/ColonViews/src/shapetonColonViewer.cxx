@@ -7,6 +7,7 @@
 #include "shapetonScriptPage.h"
 #include "shapetonViewerPosition.h"
 #include "shapetonVolume.h"
+#include "shapetonWarningKinds.h"
 
 #include <filesystem>
 
@@ -63,6 +64,18 @@ Identity(Json & positions, const std::vector<std::string> & folders, bool isAnon
   return { { "seriesUIDs", series }, { "sha256", DigestOfPositions(folders) } };
 }
 
+/** Warnings that differ only in numbers, together. */
+Json
+WarningsForPage(const std::vector<std::string> & warnings)
+{
+  Json kinds = Json::array();
+  for (const WarningKind & kind : KindsOf(warnings))
+  {
+    kinds.push_back({ { "text", kind.text }, { "warnings", kind.warnings } });
+  }
+  return kinds;
+}
+
 /** Adds both maps; false if there are none. */
 bool
 PutMaps(PageBlocks & blocks, const std::vector<std::string> & folders, const std::string & registration)
@@ -97,6 +110,9 @@ WriteColonViewer(const std::string &        exam,
   Json info;
   info["title"] = TitleOf(exam, options);
   info["exam"] = Identity(positions, folders, options.isAnonymous);
+  info["bits"] = options.bits;
+  info["isSecondReader"] = options.isSecondReader;
+  info["warnings"] = WarningsForPage(options.warnings);
   info["hasMap"] = PutMaps(blocks, folders, RegistrationOf(exam, options));
   if (!options.verdicts.empty())
   {

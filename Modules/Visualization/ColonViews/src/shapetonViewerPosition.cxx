@@ -1,7 +1,6 @@
 #include "shapetonViewerPosition.h"
 
 #include "shapetonColonFlexures.h"
-#include "shapetonCsvFile.h"
 #include "shapetonCurveSet.h"
 #include "shapetonExceptions.h"
 #include "shapetonFileErrors.h"
@@ -10,7 +9,10 @@
 #include "shapetonHaustralFoldFiles.h"
 #include "shapetonImageFile.h"
 #include "shapetonPicture.h"
+#include "shapetonPolypSearch.h"
 #include "shapetonSurfaceReader.h"
+#include "shapetonViewerCandidates.h"
+#include "shapetonViewerDetails.h"
 #include "shapetonViewerVolume.h"
 
 #include <algorithm>
@@ -121,31 +123,6 @@ Flexures(const std::string & path)
                          { "xyz", PlacesOf(curves, curve) } });
   }
   return flexures;
-}
-
-Json
-Candidates(const std::string & path)
-{
-  const std::vector<std::string> numbers{ "score", "x", "y", "z", "arcLength", "diameter", "height", "u", "v" };
-  const std::vector<std::string> texts{ "candidate", "segment", "size", "tissue", "remark", "otherCandidate" };
-  std::vector<std::string>       columns = numbers;
-  columns.insert(columns.end(), texts.begin(), texts.end());
-  const CsvFile file(path, columns);
-  Json          candidates = Json::array();
-  for (std::size_t row = 0; row < file.Rows(); ++row)
-  {
-    Json candidate;
-    for (const auto & text : texts)
-    {
-      candidate[text] = file.Text(row, text);
-    }
-    for (const auto & number : numbers)
-    {
-      candidate[number] = Hundredths(file.NumberOrNothing(row, number));
-    }
-    candidates.push_back(std::move(candidate));
-  }
-  return candidates;
 }
 
 void
@@ -297,7 +274,7 @@ PutPoints(PageBlocks & blocks, const std::string & prefix, const SurfaceMesh & m
   blocks.Put(prefix + "source", source, 1);
 }
 
-VertexMatrix
+SurfaceMesh
 PutWall(PageBlocks &        blocks,
         const std::string & prefix,
         const std::string & folder,
@@ -320,10 +297,27 @@ PutWall(PageBlocks &        blocks,
   const bool hasFolds = files.Has("folds/labels.nrrd", "folds");
   faces.PutFolds(
     blocks, prefix + "folds", hasFolds ? ReadFoldLabels(folder + "/folds/labels.nrrd").GetPointer() : nullptr);
-  return mesh.V;
+  return mesh;
 }
 
-/** The cleansed CT; the mask itself for a run on a lumen mask. */
+/** The original and the cleansed CT. Runs without cleansing.nrrd have only the latter; runs on a lumen mask have none,
+ * so that the page shows the mask. */
+ViewerVolume
+VolumeOf(const std::string & segmentation, PositionFolder & files, const Volume & lumen)
+{
+  ViewerVolume volume;
+  volume.isCt = files.Has("segmentation/cleansed.nrrd", "CT");
+  volume.shown = volume.isCt ? ReadImageFile(segmentation + "cleansed.nrrd").image : lumen.image;
+  volume.isCleansed = volume.isCt;
+  if (volume.isCt && files.Has("segmentation/cleansing.nrrd", "CT before cleansing"))
+  {
+    volume.cleansed = volume.shown;
+    volume.shown = UncleansedCt(volume.cleansed, segmentation + "cleansing.nrrd");
+    volume.isCleansed = false;
+  }
+  return volume;
+}
+
 void
 PutVolume(PageBlocks &               blocks,
           const std::string &        prefix,
@@ -332,12 +326,10 @@ PutVolume(PageBlocks &               blocks,
           const VertexMatrix &       wall,
           const ColonViewerOptions & options)
 {
-  const std::string lumenPath = files.Required("segmentation/lumen.nrrd");
-  const bool        hasCt = files.Has("segmentation/cleansed.nrrd", "CT");
-  const Volume      lumen = ReadImageFile(lumenPath);
-  const Volume      volume = hasCt ? ReadImageFile(folder + "/segmentation/cleansed.nrrd") : lumen;
-  PutViewerVolume(
-    blocks, prefix + "volume", *volume.image, *MaskForImage(lumen, lumenPath, volume.image), wall, hasCt, options);
+  const std::string  lumenPath = files.Required("segmentation/lumen.nrrd");
+  const Volume       lumen = ReadImageFile(lumenPath);
+  const ViewerVolume volume = VolumeOf(folder + "/segmentation/", files, lumen);
+  PutViewerVolume(blocks, prefix + "volume", volume, *MaskForImage(lumen, lumenPath, volume.shown), wall, options);
 }
 } // namespace
 
@@ -359,14 +351,17 @@ PutViewerPosition(PageBlocks &               blocks,
   info["name"] = quality.value("/lumen/position"_json_pointer, std::string());
   info["seriesUID"] = quality.value("/provenance/input.inputVolume"_json_pointer, std::string());
   PutCenterline(blocks, prefix, files.Required("segmentation/centerline.vtp"));
-  const VertexMatrix wall = PutWall(blocks, prefix, exam, files, info);
-  PutVolume(blocks, prefix, exam, files, wall, options);
+  const SurfaceMesh flat = PutWall(blocks, prefix, exam, files, info);
+  PutVolume(blocks, prefix, exam, files, flat.V, options);
   info["taeniae"] =
     files.Has("landmarks/taeniae.vtp", "taeniae") ? Taeniae(exam + "/landmarks/taeniae.vtp") : Json::array();
   info["flexures"] =
     files.Has("landmarks/flexures.vtp", "flexures") ? Flexures(exam + "/landmarks/flexures.vtp") : Json::array();
-  info["candidates"] =
-    files.Has("polyps/candidates.csv", "candidates") ? Candidates(exam + "/polyps/candidates.csv") : Json::array();
+  info["candidates"] = files.Has("polyps/candidates.csv", "candidates")
+                         ? CandidatesForViewer(exam + "/polyps/candidates.csv")
+                         : Json::array();
+  const std::string wall = files.Required("segmentation/wall-repaired.vtp");
+  PutViewerDetails(blocks, prefix, flat, ReadSurfaceFile(wall).mesh, info["candidates"]);
   info["missing"] = files.Missing();
   return info;
 }

@@ -18,34 +18,38 @@ using MaskType = itk::Image<unsigned char, 3>;
 constexpr double marginOfVolume = 15.0;
 constexpr int    side = 4; // of the blocks that are averaged
 
-/** HU from the lowest to the highest code of 8 bits. */
-constexpr double rangeOfByte = 1536.0;
-
-/** Encoding of a value. 8 bits: steps of 6 HU, below the noise of CT colonography. */
+/** Codes of HU: equal steps up to the code `knee`, larger ones above it, so that 8 bits also hold contrast medium. */
 struct Quantization
 {
-  double lowest{ -1024.0 };
-  double step{ rangeOfByte / 255.0 };
-  double greatest{ 255.0 };
+  double lowest;
+  double step;
+  double knee;
+  double stepAbove;
+  double greatest;
 
   double
   operator()(double value) const
   {
-    return std::clamp(std::round((value - lowest) / step), 0.0, greatest);
+    const double low = (value - lowest) / step;
+    const double code = low <= knee ? low : knee + (low - knee) * step / stepAbove;
+    return std::clamp(std::round(code), 0.0, greatest);
   }
 };
+
+/** 8 bits: -1024 to 320 HU in steps of 6 HU, below the noise of CT colonography, and up to 1560 HU, tagged residue, in
+ * steps of 40 HU. */
+constexpr Quantization byteOfCt{ -1024.0, 6.0, 224.0, 40.0, 255.0 };
 
 Quantization
 QuantizationOf(bool isCt, int bits)
 {
+  constexpr double most = std::numeric_limits<std::uint16_t>::max();
   if (!isCt)
   {
-    return { 0.0, 1.0, 255.0 };
+    constexpr double labels = 255.0;
+    return { 0.0, 1.0, labels, 1.0, labels };
   }
-  return bits == 8 ? Quantization{}
-                   : Quantization{ std::numeric_limits<std::int16_t>::lowest(),
-                                   1.0,
-                                   std::numeric_limits<std::uint16_t>::max() };
+  return bits == 8 ? byteOfCt : Quantization{ std::numeric_limits<std::int16_t>::lowest(), 1.0, most, 1.0, most };
 }
 
 VolumeType::RegionType
@@ -198,65 +202,104 @@ TakeMeans(std::vector<float> & values, const BlockGrid & grid, const std::vector
 }
 
 Json
-HeaderOf(const VolumeType & volume, const VolumeType::RegionType & box, const Quantization & quantize)
+HeaderOf(const ViewerVolume & volume, const VolumeType::RegionType & box, const Quantization & quantize)
 {
+  const VolumeType &    grid = *volume.shown;
+  const auto            whole = grid.GetLargestPossibleRegion();
   VolumeType::PointType origin;
-  volume.TransformIndexToPhysicalPoint(box.GetIndex(), origin);
-  Json header{ { "size", Json::array() }, { "origin", Json::array() }, { "spacing", Json::array() } };
-  header["axes"] = Json::array();
+  grid.TransformIndexToPhysicalPoint(box.GetIndex(), origin);
+  Json header;
   for (int k = 0; k < 3; ++k)
   {
     header["size"].push_back(box.GetSize(k));
+    header["first"].push_back(box.GetIndex(k) - whole.GetIndex(k));
+    header["whole"].push_back(whole.GetSize(k));
     header["origin"].push_back(origin[k]);
-    header["spacing"].push_back(volume.GetSpacing()[k]);
-    const auto & direction = volume.GetDirection();
+    header["spacing"].push_back(grid.GetSpacing()[k]);
+    const auto & direction = grid.GetDirection();
     header["axes"].push_back({ direction(0, k), direction(1, k), direction(2, k) });
   }
-  header["hu"] = { quantize.lowest, quantize.step };
+  header["hu"] = { quantize.lowest, quantize.step, quantize.knee, quantize.stepAbove };
   header["side"] = side;
+  header["isCt"] = volume.isCt;
+  header["isCleansed"] = volume.isCleansed;
+  header["hasCleansed"] = volume.cleansed != nullptr;
   return header;
 }
 
+/** Stores one volume completely, and of the cleansed CT the voxels that differ: few, in the fluid and at its borders.
+ */
 template <typename TStored>
-void
-PutValues(PageBlocks &               blocks,
-          const std::string &        name,
-          const std::vector<float> & values,
-          const Quantization &       quantize,
-          const Json &               header)
+class VolumeWriter
 {
-  std::vector<TStored> stored(values.size());
-  std::transform(
-    values.begin(), values.end(), stored.begin(), [&](float value) { return static_cast<TStored>(quantize(value)); });
-  blocks.Put(name, stored, 1, header);
-}
+public:
+  VolumeWriter(const VolumeType::RegionType & box, const BlockGrid & grid, const std::vector<std::uint8_t> & far)
+    : m_Box(box), m_Grid(grid), m_Far(far)
+  {}
+
+  void
+  Put(PageBlocks & blocks, const std::string & name, const ViewerVolume & volume, const Quantization & quantize) const
+  {
+    const std::vector<TStored> shown = this->CodesOf(*volume.shown, quantize);
+    blocks.Put(name, shown, 1, HeaderOf(volume, m_Box, quantize));
+    if (volume.cleansed == nullptr)
+    {
+      return;
+    }
+    const std::vector<TStored> cleansed = this->CodesOf(*volume.cleansed, quantize);
+    std::vector<std::uint32_t> places;
+    std::vector<TStored>       codes;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+    {
+      if (shown[i] != cleansed[i])
+      {
+        places.push_back(static_cast<std::uint32_t>(i));
+        codes.push_back(cleansed[i]);
+      }
+    }
+    blocks.Put(name + "CleansedAt", places, 1);
+    blocks.Put(name + "Cleansed", codes, 1);
+  }
+
+private:
+  std::vector<TStored>
+  CodesOf(const VolumeType & volume, const Quantization & quantize) const
+  {
+    std::vector<float> values = ValuesIn(volume, m_Box);
+    TakeMeans(values, m_Grid, m_Far);
+    std::vector<TStored> codes(values.size());
+    std::transform(
+      values.begin(), values.end(), codes.begin(), [&](float value) { return static_cast<TStored>(quantize(value)); });
+    return codes;
+  }
+
+  const VolumeType::RegionType &    m_Box;
+  const BlockGrid &                 m_Grid;
+  const std::vector<std::uint8_t> & m_Far;
+};
 } // namespace
 
 void
 PutViewerVolume(PageBlocks &               blocks,
                 const std::string &        name,
-                const VolumeType &         volume,
+                const ViewerVolume &       volume,
                 const MaskType &           lumen,
                 const VertexMatrix &       points,
-                bool                       isCt,
                 const ColonViewerOptions & options)
 {
-  const auto         box = BoxOf(volume, points);
-  const BlockGrid    grid(box.GetSize());
-  const auto         far = FarBlocks(lumen, box, grid, options.near);
-  std::vector<float> values = ValuesIn(volume, box);
-  TakeMeans(values, grid, far);
+  const auto                      box = BoxOf(*volume.shown, points);
+  const BlockGrid                 grid(box.GetSize());
+  const std::vector<std::uint8_t> far =
+    options.isFull ? std::vector<std::uint8_t>(grid.Count(), 0) : FarBlocks(lumen, box, grid, options.near);
   blocks.Put(name + "Coarse", far);
-  const Quantization quantize = QuantizationOf(isCt, options.bits);
-  Json               header = HeaderOf(volume, box, quantize);
-  header["isCt"] = isCt;
+  const Quantization quantize = QuantizationOf(volume.isCt, options.bits);
   if (options.bits == 8)
   {
-    PutValues<std::uint8_t>(blocks, name, values, quantize, header);
+    VolumeWriter<std::uint8_t>(box, grid, far).Put(blocks, name, volume, quantize);
   }
   else
   {
-    PutValues<std::uint16_t>(blocks, name, values, quantize, header);
+    VolumeWriter<std::uint16_t>(box, grid, far).Put(blocks, name, volume, quantize);
   }
 }
 } // namespace shapeton

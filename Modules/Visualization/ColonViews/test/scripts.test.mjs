@@ -4,10 +4,13 @@ import { test } from 'node:test';
 import { Seen } from '../scripts/flight.mjs';
 import { Exam } from '../scripts/exam.mjs';
 import { SurfacePaths } from '../scripts/geodesic.mjs';
+import { FISHEYE, pixelOf, rayOf } from '../scripts/lens.mjs';
 import { Link } from '../scripts/link.mjs';
 import { project, rayThrough } from '../../../Core/Report/scripts/math.mjs';
+import { Shortened } from '../scripts/shortened.mjs';
 import { nearestAxes } from '../scripts/slice.mjs';
 import { Tree } from '../scripts/tree.mjs';
+import { Volume } from '../scripts/volume.mjs';
 
 const far = (a, b) => Math.hypot(...a.map((x, k) => x - b[k]));
 
@@ -63,6 +66,50 @@ test('rays and nearest points match an exhaustive search', () => {
     const squared = Math.min(...all.map((f) => tree.nearestOf(f, o).squared));
     assert.equal(tree.nearest(o).squared, squared);
   }
+});
+
+test('a ray meets nothing without faces, and passes through faces to skip', () => {
+  const empty = new Tree(new Float32Array(0), new Uint32Array(0));
+  assert.equal(empty.ray([0, 0, -1], [0, 0, 1]), null);
+  const sheets = new Tree(new Float32Array([0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 5, 9, 0, 5, 0, 9, 5]), new Uint32Array([0, 1, 2, 3, 4, 5]));
+  assert.equal(sheets.ray([1, 1, -1], [0, 0, 1]).t, 1);
+  assert.equal(sheets.ray([1, 1, -1], [0, 0, 1], Infinity, false, [1, 0]).t, 6);
+});
+
+test('the codes of HU and the exchange of the original and the cleansed CT', () => {
+  const header = { size: [4, 1, 1], side: 4, isCt: true, isCleansed: false, hu: [-1024, 6, 224, 40] };
+  const volume = new Volume(Object.assign(new Uint8Array([0, 224, 255, 100]), { header }), new Uint8Array(1));
+  assert.deepEqual([...volume.data].map((code) => volume.huOf(code)), [-1024, 320, 1560, -424]);
+  assert.deepEqual([0, 224, 255].map((code) => volume.graysOf(400, 320)[code]), [0, 127, 255]);
+  volume.setChanges(new Uint32Array([1, 2]), new Uint8Array([4, 5]));
+  volume.show(true);
+  assert.deepEqual([...volume.data, volume.name], [0, 4, 5, 100, 'Cleansed CT']);
+  volume.show(true);
+  volume.show(false);
+  assert.deepEqual([...volume.data, volume.name], [0, 224, 255, 100, 'Original CT']);
+});
+
+test('a fisheye pixel and the ray through it agree up to 115 degrees from the axis', () => {
+  const camera = { eye: [3, -20, 40], at: [0, 5, 2], up: [0, 0, 1], fisheye: FISHEYE }, random = randoms(17);
+  let visible = 0;
+  for (let i = 0; i < 200; i++) {
+    const p = [0, 1, 2].map(() => 160 * (random() - 0.5)), pixel = pixelOf(camera, 640, 480, p);
+    if (!pixel) continue;
+    visible++;
+    const d = rayOf(camera, 640, 480, ...pixel), l = far(p, camera.eye);
+    assert.ok(far(p, camera.eye.map((e, k) => e + l * d[k])) < 1e-6);
+  }
+  assert.ok(visible > 100 && visible < 200);
+  assert.equal(rayOf(camera, 640, 480, 320, 480 * 1.3), null);
+});
+
+test('interpolated stretches of the map are shortened, and places map back', () => {
+  const columns = 100, relief = { columns, rows: 2, step: 1, u: 0.5 }; // 40 to 70 mm are interpolated
+  const exam = { range: [0, 100], info: { relief }, faceOfPixel: Array.from({ length: 200 }, (_, i) => i % columns) };
+  const short = new Shortened({ ...exam, isSynthetic: (face) => face >= 40 && face < 70 });
+  assert.ok(Math.abs(short.range[1] - 73) < 1e-9, `${short.range}`);
+  for (const u of [0, 39, 41, 55, 69, 71, 100]) assert.ok(Math.abs(short.back(short.of(u)) - u) < 1e-9, `${u}`);
+  assert.deepEqual(new Shortened({ ...exam, isSynthetic: (face) => face < 5 }).range, [0, 100], 'short stretches are kept');
 });
 
 test('the ray through the pixel of a point passes through the point', () => {
