@@ -179,6 +179,16 @@ test('the page lists the warnings of the stages', () => {
   assert.deepEqual(infoOf(`${work}/first`).warnings.flatMap((kind) => kind.warnings).sort(), expected.sort());
 });
 
+test('a link of the report opens the page at its place', async () => {
+  await open(`${work}/first`);
+  await page.until(() => Boolean(window.viewer?.exams[0].volume));
+  const [{ lps }] = await page.evaluate(() => viewer.verdicts.entries.filter((e) => e.candidate).map((e) => ({ lps: Array.from(e.candidate.xyz) })));
+  await page.evaluate((hash) => { location.hash = hash; }, `#lps=${lps.map(Math.round)}`);
+  await page.until(() => location.hash.startsWith('#lps'));
+  const xyz = await page.evaluate(async () => { await viewer.idle(); return Array.from(viewer.panels[0].place.xyz); });
+  assert.ok(Math.hypot(...xyz.map((x, k) => x - lps[k])) < 2, `${xyz} instead of ${lps}`);
+});
+
 test('a full page holds no means', async () => {
   await open(made('full', '--full'));
   await page.until(() => Boolean(window.viewer?.exams[0].volume));

@@ -270,10 +270,6 @@ HtmlReport::AddPicture(const std::string & pngPath, const std::string & caption)
   {
     throw InputError("the picture \"" + pngPath + "\" is not a PNG file; convert it");
   }
-<<<<<<< HEAD
-  m_Body += std::string(IsTallPng(bytes) ? "<figure class=\"tall\">" : "<figure>") + "<img alt=\"" + Escaped(caption) +
-            "\" src=\"data:image/png;base64," + Base64(bytes) + "\"/>\n" +
-=======
   this->AddPictureBytes(bytes, caption);
 }
 
@@ -284,9 +280,9 @@ HtmlReport::AddPictureBytes(const std::string & png, const std::string & caption
   {
     throw std::invalid_argument("these bytes are not a PNG file");
   }
-  m_Body += "<figure><img alt=\"" + Escaped(caption) + "\" src=\"data:image/png;base64," + Base64(png) + "\"/>\n" +
->>>>>>> ac128e420e74bf35a509ed6acf8a56a843b93c46
-            Element("figcaption", ReadableText(caption)) + "</figure>\n";
+  m_Body += std::string(IsTallPng(png) ? "<figure class=\"tall\">" : "<figure>") + "<img alt=\"" + Escaped(caption) +
+            "\" src=\"data:image/png;base64," + Base64(png) + "\"/>\n" + Element("figcaption", ReadableText(caption)) +
+            "</figure>\n";
 }
 
 void

@@ -24,11 +24,14 @@ AddPolypCandidateTable(HtmlReport &                        report,
                        const std::vector<PolypCandidate> & candidates);
 
 /** Adds a card for each possible polyp, and a list of those recognized as something else.
- * \param grid of the CT, for the numbers of slices; may be null. \ingroup ShapetonColonTools */
+ * \param grid of the CT, for the numbers of slices; may be null.
+ * \param viewer page of the viewer, to which cards link, relative to the report; may be empty.
+ * \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT void
 AddPolypCandidateCards(HtmlReport &                        report,
                        const std::vector<PolypCandidate> & candidates,
                        const itk::ImageBase<3> *           grid,
+                       const std::string &                 viewer,
                        const PolypPictureFile &            pictureOf);
 
 /** Writes index.html with these sections and the provenance, and its pictures, polyp-candidates-flat.png and

@@ -85,6 +85,12 @@ SliceNumber(const itk::ImageBase<3> * grid, const Eigen::Vector3d & place)
 }
 
 std::string
+AnchorOfPlace(const Eigen::Vector3d & place)
+{
+  return "#lps=" + WholeNumber(place.x()) + ',' + WholeNumber(place.y()) + ',' + WholeNumber(place.z());
+}
+
+std::string
 Milliliters(double ml)
 {
   constexpr double small = 10.0; // ml

@@ -14,6 +14,8 @@ namespace shapeton
 {
 namespace
 {
+constexpr const char * viewerPage = "viewer/viewer.html";
+
 /** Embeds pictures into the page only. They are written to a temporary folder, which is removed; leftovers of a killed
  * run are removed by the next one. */
 class PagePictures
@@ -74,8 +76,7 @@ LinkedLimitations(const std::vector<Limitation> & limitations, bool hasViewer)
     HtmlReport::LinkedItem item{ one.text, "", "Show in the viewer" };
     if (hasViewer && one.place)
     {
-      const Eigen::Vector3d & p = *one.place;
-      item.path = "viewer/viewer.html#lps=" + WholeNumber(p.x()) + ',' + WholeNumber(p.y()) + ',' + WholeNumber(p.z());
+      item.path = viewerPage + AnchorOfPlace(*one.place);
     }
     items.push_back(item);
   }
@@ -173,7 +174,8 @@ AddFirstPage(HtmlReport & html, const ColonoscopyReportContent & content)
 void
 AddPolyps(HtmlReport & html, const ColonoscopyResults & results)
 {
-  AddPolypCandidateCards(html, results.polyps, results.lumen, [&](int number) {
+  const std::string viewer = results.IsDone(colonoscopystage::viewer) ? viewerPage : "";
+  AddPolypCandidateCards(html, results.polyps, results.lumen, viewer, [&](int number) {
     const auto i = static_cast<std::size_t>(number);
     return i < results.polypPictures.size() ? results.polypPictures[i] : std::string();
   });
@@ -236,7 +238,7 @@ WriteColonoscopyReport(const ColonoscopyReportContent & content,
   PagePictures               pictures(html, scratchFolder);
   if (results.IsDone(colonoscopystage::viewer))
   {
-    html.AddLink("viewer/viewer.html",
+    html.AddLink(viewerPage,
                  "Read this examination: virtual dissection, wall in space, endoluminal view and slices with a linked "
                  "crosshair");
   }

@@ -154,11 +154,16 @@ void
 AddCard(HtmlReport &              report,
         const PolypCandidate &    candidate,
         const itk::ImageBase<3> * grid,
+        const std::string &       viewer,
         const PolypPictureFile &  pictureOf)
 {
   report.AddMarkup("<section class=\"card\" id=\"candidate-" + std::to_string(candidate.number) + "\">\n");
   report.AddSubheading(TitleOfCard(candidate));
   report.AddFacts(FactsOfCard(candidate, grid));
+  if (!viewer.empty())
+  {
+    report.AddLink(viewer + AnchorOfPlace(candidate.position), "Show in the viewer");
+  }
   if (const std::string path = pictureOf(candidate.number); !path.empty())
   {
     const std::string crops =
@@ -203,6 +208,7 @@ void
 AddPolypCandidateCards(HtmlReport &                        report,
                        const std::vector<PolypCandidate> & candidates,
                        const itk::ImageBase<3> *           grid,
+                       const std::string &                 viewer,
                        const PolypPictureFile &            pictureOf)
 {
   const std::vector<PolypCandidate> polyps = Select(candidates, true), others = Select(candidates, false);
@@ -212,7 +218,7 @@ AddPolypCandidateCards(HtmlReport &                        report,
   }
   for (const PolypCandidate & one : polyps)
   {
-    AddCard(report, one, grid, pictureOf);
+    AddCard(report, one, grid, viewer, pictureOf);
   }
   if (!others.empty())
   {
@@ -220,7 +226,7 @@ AddPolypCandidateCards(HtmlReport &                        report,
     report.BeginDetails("Pictures of these");
     for (const PolypCandidate & one : others)
     {
-      AddCard(report, one, grid, pictureOf);
+      AddCard(report, one, grid, viewer, pictureOf);
     }
     report.EndDetails();
   }
@@ -254,7 +260,7 @@ WritePolypCandidateReport(CommandLine &                       commandLine,
   HtmlReport report("Polyp candidates of a colon");
   report.AddHead({ { "Candidates", std::to_string(candidates.size()) } }, commandLine.GetWarnings());
   AddPolypCandidateTable(report, colon.centerline, candidates);
-  AddPolypCandidateCards(report, candidates, colon.lumen, [&](int number) {
+  AddPolypCandidateCards(report, candidates, colon.lumen, "", [&](int number) {
     const auto found = pictures.find(number);
     return found == pictures.end() ? std::string() : found->second;
   });

@@ -241,6 +241,12 @@ class Viewer {
     $('file').value = '';
   }
 
+  // Moves to the place of a link in the report: "#lps=x,y,z" in mm, in the first position.
+  follow(hash) {
+    const numbers = /^#lps=(-?[\d.]+),(-?[\d.]+),(-?[\d.]+)$/.exec(hash);
+    if (numbers) this.jump({ position: 0, lps: numbers.slice(1).map(Number) });
+  }
+
   // ---- updates after a move of the crosshair ----
   moved(panel) {
     this.current = this.panels.indexOf(panel);
@@ -333,6 +339,8 @@ async function open(folder) {
   viewer.times.surface = performance.now() - started;
   viewer.repaint();
   await viewer.loadVolumes(folder);
+  viewer.follow(location.hash);
+  addEventListener('hashchange', () => viewer.follow(location.hash));
   viewer.times.all = performance.now() - started;
   globalThis.viewer = viewer; // for tests and for use in the console
 }
