@@ -134,8 +134,10 @@ TEST(ColonAssessability, NarrowStretchesCountAndSingleFoldsDoNot)
   EXPECT_EQ(stretches[0].begin, 59.5);
   EXPECT_EQ(stretches[0].end, 79.5);
   EXPECT_EQ(stretches[1].hindrance, ColonHindrance::NoLumen);
-  const shapeton::ColonAssessability part = shapeton::Assess(stretches, 59.5, 109.5);
-  EXPECT_NEAR(part.share, 0.4, 1e-12);
+  EXPECT_EQ(stretches[1].begin, 99.0); // a gap extends to the points beside it
+  EXPECT_EQ(stretches[1].end, 110.0);
+  const shapeton::ColonAssessability part = shapeton::Assess(stretches, 60.0, 110.0);
+  EXPECT_NEAR(part.share, (50.0 - 19.5 - 11.0) / 50.0, 1e-12);
   EXPECT_EQ(part.Verdict(), "notAssessable");
   EXPECT_EQ(part.Hindrances(), (std::vector<ColonHindrance>{ ColonHindrance::Narrow, ColonHindrance::NoLumen }));
   EXPECT_EQ(shapeton::HindranceAt(stretches, 70.0), ColonHindrance::Narrow);

@@ -50,6 +50,7 @@ public:
   Write(const std::string & path) const
   {
     HtmlReport html("Reader's report of a virtual colonoscopy");
+    html.BeginPage();
     html.AddResearchNote();
     if (const std::string why = WhyPreliminary(m_Verdicts.assessment, m_Lesions); !why.empty())
     {
@@ -67,6 +68,7 @@ public:
     }
     this->AddOthers(html);
     this->AddNotAssessable(html);
+    html.EndPage();
     this->AddPictures(html);
     html.AddHeading("Sources");
     html.AddFacts(m_Content.sources);
@@ -229,7 +231,6 @@ private:
     {
       return;
     }
-    html.AddMarkup("<section class=\"pictures\">\n");
     html.AddHeading("Pictures");
     for (const ReaderLesion & one : accepted)
     {
@@ -242,7 +243,6 @@ private:
       html.AddPictureBytes(one.png, "Snapshot of the reader, " + this->PlaceOf(one.position, one.place));
       html.AddMarkup("</section>\n");
     }
-    html.AddMarkup("</section>\n");
   }
 
   std::string
@@ -290,7 +290,7 @@ private:
     }
     if (one.candidate && std::isfinite(one.candidate->diameter))
     {
-      facts.emplace_back("Size by the program", std::to_string(std::lround(one.candidate->diameter)) + " mm");
+      facts.emplace_back("Size by the program", WholeMillimeters(one.candidate->diameter));
     }
     if (one.Morphology() != PolypMorphology::Unknown)
     {
