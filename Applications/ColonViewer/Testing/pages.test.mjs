@@ -182,7 +182,7 @@ test('the page lists the warnings of the stages', () => {
 test('a link of the report opens the page at its place', async () => {
   await open(`${work}/first`);
   await page.until(() => Boolean(window.viewer?.exams[0].volume));
-  const [{ lps }] = await page.evaluate(() => viewer.verdicts.entries.filter((e) => e.candidate).map((e) => ({ lps: Array.from(e.candidate.xyz) })));
+  const lps = await page.evaluate(() => Array.from(viewer.verdicts.entries.find((e) => e.candidate).candidate.xyz));
   await page.evaluate((hash) => { location.hash = hash; }, `#lps=${lps.map(Math.round)}`);
   await page.until(() => location.hash.startsWith('#lps'));
   const xyz = await page.evaluate(async () => { await viewer.idle(); return Array.from(viewer.panels[0].place.xyz); });

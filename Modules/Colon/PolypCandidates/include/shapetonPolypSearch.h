@@ -108,6 +108,11 @@ IsListedAsPolyp(const PolypCandidate & candidate);
 ShapetonPolypCandidates_EXPORT std::string
                                SizesIfConfirmed(const std::vector<PolypCandidate> & candidates);
 
+/** The candidates with their values rounded as in the table, so that a page made from them agrees with a page made from
+ * the table. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
+                               CandidatesAsWritten(std::vector<PolypCandidate> candidates);
+
 /** One row per candidate; unknown values are empty. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT CsvTable
 TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates);

@@ -4,15 +4,26 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 namespace shapeton
 {
 namespace
 {
+/** Significant digits of lengths along the colon, coordinates, and other measured values. */
+constexpr int distanceDigits = 5, coordinateDigits = 6, measureDigits = 4;
+
 std::string
-Cell(double value, int digits = 5)
+Cell(double value, int digits = distanceDigits)
 {
   return std::isfinite(value) ? CsvTable::Rounded(value, digits) : "";
+}
+
+/** The value that is read back from a cell. */
+void
+RoundAsCell(double & value, int digits)
+{
+  value = std::isfinite(value) ? std::strtod(Cell(value, digits).c_str(), nullptr) : value;
 }
 
 void
@@ -20,7 +31,7 @@ AddPoint(const Eigen::Vector3d & point, std::vector<std::string> & cells)
 {
   for (int k = 0; k < 3; ++k)
   {
-    cells.push_back(Cell(point[k], 6));
+    cells.push_back(Cell(point[k], coordinateDigits));
   }
 }
 
@@ -38,7 +49,7 @@ AddOther(const std::optional<PolypInOtherPosition> & other, std::vector<std::str
   AddPoint(other->point, cells);
   cells.push_back(Cell(other->confidence, 3));
   cells.push_back(Cell(other->likeness, 3));
-  cells.push_back(Cell(other->ownScore, 4));
+  cells.push_back(Cell(other->ownScore, measureDigits));
 }
 
 /** The value of an enumeration, from 0 to `last`, with this name; the first one otherwise. */
@@ -69,36 +80,38 @@ SegmentNamed(const std::string & name)
 std::vector<std::string>
 CellsOf(const PolypCandidate & one)
 {
-  std::vector<std::string> cells{ std::to_string(one.number), Cell(one.score, 4), Cell(one.shapeScore, 4) };
+  std::vector<std::string> cells{ std::to_string(one.number),
+                                  Cell(one.score, measureDigits),
+                                  Cell(one.shapeScore, measureDigits) };
   AddPoint(one.position, cells);
   const PolypFeatures & features = one.features;
   for (const std::string & cell : { NameOfSegment(one.segment),
                                     Cell(one.arcLength),
-                                    Cell(one.diameter, 4),
+                                    Cell(one.diameter, measureDigits),
                                     NameOf(SizeOf(one.diameter)),
-                                    Cell(one.leastDiameter, 4),
-                                    Cell(one.height, 4),
-                                    Cell(one.planeDiameter, 4),
+                                    Cell(one.leastDiameter, measureDigits),
+                                    Cell(one.height, measureDigits),
+                                    Cell(one.planeDiameter, measureDigits),
                                     one.plane,
                                     NameOf(one.morphology),
                                     one.isOnFold ? std::string("1") : std::string("0"),
-                                    Cell(one.attenuation, 4),
-                                    Cell(one.meanAttenuation, 4),
-                                    Cell(one.lowAttenuation, 4),
-                                    Cell(one.highAttenuation, 4),
+                                    Cell(one.attenuation, measureDigits),
+                                    Cell(one.meanAttenuation, measureDigits),
+                                    Cell(one.lowAttenuation, measureDigits),
+                                    Cell(one.highAttenuation, measureDigits),
                                     NameOf(one.tissue),
                                     Cell(one.submergedShare, 3),
                                     Cell(one.filmShare, 3),
                                     Cell(one.uv.x(), 6),
                                     Cell(one.uv.y(), 6),
-                                    Cell(features.shapeIndex, 4),
-                                    Cell(features.roundness, 4),
-                                    Cell(features.hollowness, 4),
-                                    Cell(features.curvedness, 4),
-                                    Cell(features.solidAngle, 4),
-                                    Cell(features.prominence, 4),
-                                    Cell(features.heat, 4),
-                                    Cell(features.shapetonDensity, 4) })
+                                    Cell(features.shapeIndex, measureDigits),
+                                    Cell(features.roundness, measureDigits),
+                                    Cell(features.hollowness, measureDigits),
+                                    Cell(features.curvedness, measureDigits),
+                                    Cell(features.solidAngle, measureDigits),
+                                    Cell(features.prominence, measureDigits),
+                                    Cell(features.heat, measureDigits),
+                                    Cell(features.shapetonDensity, measureDigits) })
   {
     cells.push_back(cell);
   }
@@ -134,6 +147,34 @@ ReadOther(const CsvFile & table, std::size_t row)
   return other;
 }
 } // namespace
+
+std::vector<PolypCandidate>
+CandidatesAsWritten(std::vector<PolypCandidate> candidates)
+{
+  for (PolypCandidate & one : candidates)
+  {
+    for (double * const value : { &one.score,
+                                  &one.diameter,
+                                  &one.height,
+                                  &one.planeDiameter,
+                                  &one.meanAttenuation,
+                                  &one.lowAttenuation,
+                                  &one.highAttenuation })
+    {
+      RoundAsCell(*value, measureDigits);
+    }
+    RoundAsCell(one.arcLength, distanceDigits);
+    for (int k = 0; k < 3; ++k)
+    {
+      RoundAsCell(one.position[k], coordinateDigits);
+    }
+    if (one.other)
+    {
+      RoundAsCell(one.other->distance, distanceDigits);
+    }
+  }
+  return candidates;
+}
 
 CsvTable
 TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates)

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 
 namespace
@@ -852,4 +853,22 @@ TEST(PolypCandidates, LipsOfTheValveAreWeighedByItsProbability)
   EXPECT_EQ(candidates[1].remark, "the ileocecal valve");
   EXPECT_NEAR(candidates[1].score, 0.05 * (1.0 - shapeton::defaultPolypSensitivity), 1e-12);
   EXPECT_GT(candidates[0].score, 0.5);
+}
+
+TEST(PolypCandidates, AsWrittenAreThoseThatAreReadBack)
+{
+  shapeton::PolypCandidate one;
+  one.number = 1;
+  one.meanAttenuation = 40.496; // rounds to 40, but 40.5 in the table rounds to 41
+  one.diameter = 10.49996;
+  one.arcLength = 1234.56;
+  const std::string path = (std::filesystem::temp_directory_path() / "shapeton-candidates-as-written.csv").string();
+  shapeton::TableOfPolypCandidates({ one }).Write(path);
+  const shapeton::PolypCandidate read = shapeton::ReadPolypCandidates(path).at(0);
+  std::filesystem::remove(path);
+  const shapeton::PolypCandidate written = shapeton::CandidatesAsWritten({ one }).at(0);
+  EXPECT_EQ(written.meanAttenuation, read.meanAttenuation);
+  EXPECT_EQ(written.diameter, read.diameter);
+  EXPECT_EQ(written.arcLength, read.arcLength);
+  EXPECT_EQ(std::round(written.meanAttenuation), 41.0);
 }

@@ -126,10 +126,6 @@ AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
                                            " (Utano 2022, Khashab 2009)"));
   }
   AddVolumes(quality, facts);
-  if (const double share = NumberOrNaN(quality, "/assessability/whole/assessableShare"); std::isfinite(share))
-  {
-    facts.emplace_back("Evaluable wall", WholePercent(share) + " of the length");
-  }
   if (quality.contains("ileocecalValve"))
   {
     facts.emplace_back("Ileocecal valve", ValveInWords(quality["ileocecalValve"]));

@@ -64,19 +64,19 @@ AddOtherPosition(const ColonoscopyPair & pair, ColonoscopyQuality & quality)
   }
 }
 
-/** "12 to 43". */
+/** "12–43". */
 std::string
 CalibersOf(const ColonDistension & distension)
 {
-  return WholeNumber(distension.leastCaliber) + " to " + WholeNumber(distension.largestCaliber);
+  return WholeNumber(distension.leastCaliber) + "\u2013" + WholeNumber(distension.largestCaliber);
 }
 
-/** The visible part of the wall; never all of it if the flat map hides some. */
+/** The visible part of the length, or the part of the wall that the flat map shows, whichever is smaller. */
 std::string
 EvaluableInWords(const SegmentQuality & segment)
 {
   const double shown = segment.extent.area > 0.0 ? 1.0 - segment.hiddenArea / segment.extent.area : 1.0;
-  return WholePercent(segment.assessability.share * std::clamp(shown, 0.0, 1.0));
+  return WholePercent(std::min(segment.assessability.share, std::max(shown, 0.0)));
 }
 
 } // namespace
@@ -126,7 +126,7 @@ QualityTable(const ColonoscopyQuality & quality)
                                     "Fluid (HU)",
                                     "Tagged residue (cm^2)",
                                     "Untagged fluid",
-                                    "Not on the flat map (cm^2)" };
+                                    "Not on flat map (cm^2)" };
   const bool               hasOther = !quality.either.empty();
   if (hasOther)
   {

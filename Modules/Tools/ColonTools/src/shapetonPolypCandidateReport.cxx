@@ -195,12 +195,10 @@ AddPolypCandidateTable(HtmlReport & report, const CurveSet & centerline, const s
   {
     report.AddTable(TableOfCandidates(polyps).WithoutEmptyColumns(), "Candidates, highest score first");
     report.AddParagraph("Scores are probabilities, calibrated on synthetic patients. " + SizesIfConfirmed(candidates) +
-                        ". The category (C-RADS) is the decision of the reader.");
-  }
-  if (!others.empty())
-  {
-    report.AddParagraph(std::to_string(others.size()) +
-                        " more are recognized as something else, or belong to another candidate; see below.");
+                        ". The category (C-RADS) is the decision of the reader." +
+                        (others.empty() ? ""
+                                        : " More are recognized as something else, or belong to another candidate (" +
+                                            std::to_string(others.size()) + ", listed below)."));
   }
 }
 
@@ -259,8 +257,9 @@ WritePolypCandidateReport(CommandLine &                       commandLine,
   }
   HtmlReport report("Polyp candidates of a colon");
   report.AddHead({ { "Candidates", std::to_string(candidates.size()) } }, commandLine.GetWarnings());
-  AddPolypCandidateTable(report, colon.centerline, candidates);
-  AddPolypCandidateCards(report, candidates, colon.lumen, "", [&](int number) {
+  const std::vector<PolypCandidate> written = CandidatesAsWritten(candidates);
+  AddPolypCandidateTable(report, colon.centerline, written);
+  AddPolypCandidateCards(report, written, colon.lumen, "", [&](int number) {
     const auto found = pictures.find(number);
     return found == pictures.end() ? std::string() : found->second;
   });
