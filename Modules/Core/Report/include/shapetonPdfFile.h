@@ -2,6 +2,8 @@
 #define shapetonPdfFile_h
 
 #include "ShapetonReportExport.h"
+#include "shapetonHtmlReport.h"
+#include "shapetonRemarks.h"
 
 #include <string>
 
@@ -17,6 +19,11 @@ HasPdfWriter();
  * \ingroup ShapetonReport */
 ShapetonReport_EXPORT void
 WritePdf(const std::string & htmlPath, const std::string & pdfPath);
+
+/** Prints a page to a file of a result. Without WeasyPrint, an older file, which would contradict the page, is removed,
+ * and a remark says what to install. \ingroup ShapetonReport */
+ShapetonReport_EXPORT Remarks
+PrintPage(const std::string & htmlPath, const std::string & pdfPath, const OutputPath & outputPath);
 } // namespace shapeton
 
 #endif

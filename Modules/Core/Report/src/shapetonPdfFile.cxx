@@ -4,6 +4,7 @@
 #include "shapetonOperatingSystem.h"
 
 #include <cstdlib>
+#include <filesystem>
 #include <sstream>
 #include <system_error>
 
@@ -80,5 +81,19 @@ WritePdf(const std::string & htmlPath, const std::string & pdfPath)
     throw OutputError("cannot start " + std::string(printer) + " (" + error.code().message() +
                       "); close other programs");
   }
+}
+
+Remarks
+PrintPage(const std::string & htmlPath, const std::string & pdfPath, const OutputPath & outputPath)
+{
+  if (HasPdfWriter())
+  {
+    WritePdf(htmlPath, outputPath(pdfPath));
+    return {};
+  }
+  std::error_code error;
+  std::filesystem::remove(pdfPath, error);
+  return { std::filesystem::path(pdfPath).filename().string() +
+           " was not written, because WeasyPrint is not installed; install the package weasyprint" };
 }
 } // namespace shapeton

@@ -8,6 +8,8 @@
 #include "gtest/gtest.h"
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
 using namespace shapeton;
 
@@ -53,6 +55,11 @@ TEST_F(PdfFile, NamesThePackageThatIsMissing)
   {
     EXPECT_NE(std::string(error.what()).find("install the package weasyprint"), std::string::npos);
   }
+  std::ofstream(m_Folder / "page.pdf") << "old";
+  const auto same = [](const std::string & file) { return file; };
+  EXPECT_EQ(PrintPage(m_Folder / "page.html", m_Folder / "page.pdf", same).at(0).rfind("page.pdf was not written", 0),
+            0u);
+  EXPECT_FALSE(std::filesystem::exists(m_Folder / "page.pdf"));
   setenv("PATH", path.c_str(), 1);
 }
 

@@ -100,23 +100,19 @@ private:
     };
     WriteColonoscopyReport(content, m_CommandLine.Output(m_Folder + "/report.html"), m_Folder + "/.report.part");
     publish("report.html");
-    if (HasPdfWriter())
+    const OutputPath outputPath = [&](const std::string & path) { return m_CommandLine.Output(path); };
+    const Remarks    notPrinted = PrintPage(m_Folder + "/report.html", m_Folder + "/report.pdf", outputPath);
+    m_CommandLine.Warn(notPrinted);
+    if (notPrinted.empty())
     {
-      WritePdf(m_Folder + "/report.html", m_CommandLine.Output(m_Folder + "/report.pdf"));
       publish("report.pdf");
-    }
-    else
-    {
-      m_CommandLine.Warn(
-        "report.pdf was not written, because WeasyPrint was not found; install the package weasyprint");
     }
     if (!content.quality.segments.empty())
     {
-      TableOfSegmentQuality(content.quality.segments).Write(m_CommandLine.Output(m_Folder + "/segments.csv"));
+      TableOfSegmentQuality(content.quality.segments).Write(outputPath(m_Folder + "/segments.csv"));
       publish("segments.csv");
     }
     m_CommandLine.MakeFolder(m_Folder + "/slicer");
-    const OutputPath outputPath = [&](const std::string & path) { return m_CommandLine.Output(path); };
     for (const std::string & name : WriteColonoscopySlicerFiles(results, m_Folder + "/slicer", outputPath))
     {
       publish("slicer/" + name);

@@ -8,7 +8,6 @@
 #include "shapetonVolume.h"
 
 #include <cmath>
-#include <filesystem>
 
 namespace shapeton
 {
@@ -106,19 +105,6 @@ TableOf(const ReaderReportContent & content)
   return table;
 }
 
-/** Prints the page. Without a printer, an older file is removed, because it would contradict the page. */
-Remarks
-WritePdfOf(const std::string & page, const std::string & path, const OutputPath & outputPath)
-{
-  if (HasPdfWriter())
-  {
-    WritePdf(page, outputPath(path));
-    return {};
-  }
-  std::error_code error;
-  std::filesystem::remove(path, error);
-  return { "reader-report.pdf was not written, because WeasyPrint is not installed; install the package weasyprint" };
-}
 } // namespace
 
 Remarks
@@ -128,6 +114,6 @@ WriteReaderReport(const ReaderReportInput & input, const std::string & folder, c
   const std::string         page = outputPath(folder + "/reader-report.html");
   WriteReaderReportPage(content, page);
   TableOf(content).Write(outputPath(folder + "/reader-report.csv"));
-  return WritePdfOf(page, folder + "/reader-report.pdf", outputPath);
+  return PrintPage(page, folder + "/reader-report.pdf", outputPath);
 }
 } // namespace shapeton
