@@ -11,28 +11,30 @@ from pathlib import Path
 
 
 class Tables(HTMLParser):
-    """The tables of a page as lists of rows of cells, and its text without pictures."""
+    """The tables of a page as lists of rows of cells, and the card that each belongs to, if any."""
 
     def __init__(self, path):
         super().__init__()
-        self.tables, self.text, self._cell = [], "", None
+        self.tables, self.cards, self.card, self._cell = [], [], None, None
         self.feed(path.read_text(encoding="utf-8"))
 
     def handle_starttag(self, tag, attrs):
+        self.card = dict(attrs).get("id", self.card) if tag == "section" else self.card
         if tag == "table":
             self.tables.append([])
+            self.cards.append(self.card)
         elif tag == "tr":
             self.tables[-1].append([])
         elif tag in ("td", "th"):
             self._cell = ""
 
     def handle_endtag(self, tag):
+        self.card = None if tag == "section" else self.card
         if tag in ("td", "th"):
             self.tables[-1][-1].append(" ".join(self._cell.split()))
             self._cell = None
 
     def handle_data(self, data):
-        self.text += data
         if self._cell is not None:
             self._cell += data
 
@@ -87,6 +89,12 @@ def add_candidates(found, page, tables):
                 found.add(f"candidate {row['candidate']}: {name}", page, value)
 
 
+def add_cards(found, page, tables):
+    for card, table in zip(tables.cards, tables.tables):
+        for name, value in table if (card or "").startswith("candidate-") else []:
+            found.add(f"card of {card}: {name}", page, value)
+
+
 def add_documents(found, run):
     landmarks = json.loads((run / "landmarks/landmarks.json").read_text())
     for flexure in landmarks["flexures"]:
@@ -118,8 +126,10 @@ def main():
         found.add(f"{row['segment']}: end", "report", row["to"])
     add_landmarks(found, "report", report)
     add_candidates(found, "report", report)
+    add_cards(found, "report", report)
     add_landmarks(found, "landmarks", Tables(run / "landmarks/report/index.html"))
     add_candidates(found, "polyps", Tables(run / "polyps/report/index.html"))
+    add_cards(found, "polyps", Tables(run / "polyps/report/index.html"))
     add_documents(found, run)
     for name, pages in found.differing().items():
         print(f"{name}: {pages}")

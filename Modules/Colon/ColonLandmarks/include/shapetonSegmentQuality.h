@@ -71,6 +71,10 @@ struct SegmentQuality
   int    hiddenParts{ 0 };
   /** The largest of these parts. */
   HiddenWall largestHidden;
+
+  /** The visible part of the length, or the part of the wall that the flat map shows, whichever is smaller; 0 to 1. */
+  ShapetonColonLandmarks_EXPORT double
+  EvaluableShare() const;
 };
 
 /** Input of MeasureSegmentQuality(). */

@@ -200,6 +200,13 @@ GradeOf(const ColonDistension & distension)
                                          : DistensionGrade::Optimal;
 }
 
+double
+SegmentQuality::EvaluableShare() const
+{
+  const double shown = extent.area > 0.0 ? 1.0 - hiddenArea / extent.area : 1.0;
+  return std::min(assessability.share, std::max(shown, 0.0));
+}
+
 std::vector<SegmentQuality>
 MeasureSegmentQuality(const SegmentQualityInput & input)
 {
@@ -234,6 +241,7 @@ TableOfSegmentQuality(const std::vector<SegmentQuality> & segments)
                    "meanCaliber",
                    "largestCaliber",
                    "assessableShare",
+                   "evaluableShare",
                    "verdict",
                    "submergedShare",
                    "fluidHU",
@@ -253,6 +261,7 @@ TableOfSegmentQuality(const std::vector<SegmentQuality> & segments)
                    Number(one.distension.meanCaliber),
                    Number(one.distension.largestCaliber),
                    Number(one.assessability.share),
+                   Number(one.EvaluableShare()),
                    one.assessability.Verdict(),
                    Number(one.submergedShare),
                    Number(one.fluidAttenuation),

@@ -110,7 +110,7 @@ TEST(SegmentQuality, StatesWhatIsKnownOfATube)
   SegmentQualityInput input;
   input.centerline = &axis;
   input.wall = &tube;
-  input.segments = { { 1, "rectum", 0.0, border, 0.0 }, { 2, "sigmoid", border, length, 0.0 } };
+  input.segments = { { 1, "rectum", 0.0, border, 0.0 }, { 2, "sigmoid", border, length, 25000.0 } };
   input.hidden = { { { 0.0, 25.0, 250.0 }, 300.0 }, { { 0.0, -25.0, 150.0 }, 20.0 } };
   input.lumen = lumen;
   input.attenuation = [](const Eigen::Vector3d & p) {
@@ -141,6 +141,7 @@ TEST(SegmentQuality, StatesWhatIsKnownOfATube)
   EXPECT_DOUBLE_EQ(rows[1].hiddenArea, 320.0);
   EXPECT_EQ(rows[1].hiddenParts, 2);
   EXPECT_EQ(rows[1].largestHidden.place.z(), 250.0);
+  EXPECT_DOUBLE_EQ(rows[1].EvaluableShare(), 1.0 - 320.0 / 25000.0);
 }
 
 TEST(SegmentQuality, LeavesOutWhatNeedsImages)
@@ -155,7 +156,8 @@ TEST(SegmentQuality, LeavesOutWhatNeedsImages)
   EXPECT_TRUE(std::isnan(rows.at(0).submergedShare) && std::isnan(rows[0].residueArea));
   const CsvTable table = TableOfSegmentQuality(rows);
   EXPECT_EQ(table.GetRows().at(0).at(3), "optimal");
-  EXPECT_EQ(table.GetRows()[0].at(10), "");
+  EXPECT_EQ(table.GetColumns().at(11), "submergedShare");
+  EXPECT_EQ(table.GetRows()[0].at(11), "");
   tube.cellArrays.clear();
   EXPECT_THROW(MeasureSegmentQuality(input), InputError);
 }

@@ -2,6 +2,7 @@
 #include "shapetonCsvFile.h"
 #include "shapetonPolypSearch.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -256,7 +257,7 @@ ReadPolypCandidates(const std::string & path)
     one.meanAttenuation = table.NumberOrNothing(row, "meanAttenuation");
     one.lowAttenuation = table.NumberOrNothing(row, "lowAttenuation");
     one.highAttenuation = table.NumberOrNothing(row, "highAttenuation");
-    one.tissue = TissueOf(one.attenuation);
+    one.tissue = Named(table.Text(row, "tissue"), PolypTissue::Tagged);
     one.submergedShare = table.NumberOrNothing(row, "submergedShare");
     one.filmShare = table.NumberOrNothing(row, "filmShare");
     one.uv = { table.NumberOrNothing(row, "u"), table.NumberOrNothing(row, "v") };
@@ -322,7 +323,8 @@ SizesIfConfirmed(const std::vector<PolypCandidate> & candidates)
   int medium = 0, large = 0;
   for (const PolypCandidate & one : candidates)
   {
-    const PolypSize size = SizeOf(one.diameter);
+    const double    inPlane = std::isfinite(one.planeDiameter) ? one.planeDiameter : 0.0;
+    const PolypSize size = SizeOf(std::max(one.diameter, inPlane));
     const bool      isListed = IsListedAsPolyp(one);
     medium += isListed && size == PolypSize::From6To9 ? 1 : 0;
     large += isListed && (size == PolypSize::From10 || size == PolypSize::From30) ? 1 : 0;

@@ -244,7 +244,9 @@ FilmShare(const SurfaceMesh &                                                   
 std::string
 RemarkOn(const PolypCandidate & candidate)
 {
-  constexpr double leastCoated = 0.01; // fraction of the surface; a drop at a tip in a real scan has 0.016
+  constexpr double leastCoated = 0.01;  // fraction of the surface; a drop at a tip in a real scan has 0.016
+  constexpr double leastUnder = 0.9;    // fraction of the surface: all but its blurred border
+  constexpr double leastAtLevel = 0.15; // more than the rim of a head beside fluid
 
   if (candidate.tissue == PolypTissue::Gas)
   {
@@ -254,9 +256,13 @@ RemarkOn(const PolypCandidate & candidate)
   {
     return "tagged: stool or residue";
   }
-  if (candidate.submergedShare > 0.5)
+  if (candidate.submergedShare > leastUnder)
   {
     return "under tagged fluid";
+  }
+  if (candidate.submergedShare > leastAtLevel)
+  {
+    return "at a fluid level, where cleansing may leave residue";
   }
   return candidate.filmShare >= leastCoated ? "contrast on its surface" : "";
 }

@@ -170,7 +170,7 @@ HtmlReport::AddHead(const std::vector<std::pair<std::string, std::string>> & sum
   this->AddWarnings(warnings);
   if (warnings.empty())
   {
-    this->AddParagraph("Nothing is missing or doubtful. Check the pictures nevertheless.");
+    this->AddParagraph("No warnings of this step. Check the pictures nevertheless.");
   }
 }
 

@@ -23,6 +23,13 @@ AddPolypCandidateTable(HtmlReport &                        report,
                        const CurveSet &                    centerline,
                        const std::vector<PolypCandidate> & candidates);
 
+/** Adds a table of the possible polyps of another position whose partner here is missing or recognized as something
+ * else; nothing if there are none. \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT void
+AddPolypsOfOtherPosition(HtmlReport &                        report,
+                         const std::vector<PolypCandidate> & here,
+                         const std::vector<PolypCandidate> & there);
+
 /** Adds a card for each possible polyp, and a list of those recognized as something else.
  * \param grid of the CT, for the numbers of slices; may be null.
  * \param viewer page of the viewer, to which cards link, relative to the report; may be empty.

@@ -51,7 +51,7 @@ SquareCentimeters(double squareMm)
 std::string
 WholeNumber(double value)
 {
-  return Fixed(value, 0);
+  return Fixed(std::round(value) + 0.0, 0); // no negative zero
 }
 
 std::string

@@ -1,5 +1,6 @@
 #include "shapetonColonoscopyFacts.h"
 
+#include "shapetonColonAssessability.h"
 #include "shapetonColonFigures.h"
 #include "shapetonColonFlexures.h"
 #include "shapetonColonoscopyPictures.h"
@@ -39,8 +40,9 @@ PositionInWords(const ColonoscopyResults & results)
 {
   std::string position = results.quality.value("lumen", Json::object()).value("position", std::string());
   position = position.empty() ? "unknown" : position;
-  return results.pair ? position + "; a second position is registered with it"
-                      : position + "; one position only, so the examination is incomplete";
+  return results.isSecond ? position + "; read it with the first series (../report.html)"
+         : results.pair   ? position + "; a second position is registered with it"
+                          : position + "; one position only, so the examination is incomplete";
 }
 
 /** Number and description of the series. */
@@ -59,14 +61,22 @@ SeriesInWords(const Json & inspection)
   return "";
 }
 
-/** "complete", or the missing parts. */
+/** "complete", perhaps with a part outside the scan, or the missing parts. */
 std::string
-CompletenessInWords(const Json & parts)
+CompletenessInWords(const Json & parts, const Json & assessability)
 {
   std::string missing;
   for (const Json & part : parts)
   {
     missing += (missing.empty() ? "incomplete: " : "; ") + part.get<std::string>();
+  }
+  for (const Json & reason : assessability.value("/whole/reasons"_json_pointer, Json::array()))
+  {
+    if (reason.at("reason") == NameOf(ColonHindrance::CutByScan))
+    {
+      missing = (missing.empty() ? "complete" : missing) + ", except " +
+                Centimeters(reason.at("length").get<double>()) + " outside the field of view";
+    }
   }
   return missing.empty() ? "complete from rectum to cecum" : missing;
 }
@@ -97,9 +107,9 @@ AddVolumes(const Json & quality, ColonoscopyFacts & facts)
   if (std::isfinite(gas))
   {
     const std::string range = WholeNumber(leastGas) + " to " + Milliliters(greatestGas) + " (Pickhardt 2014)";
-    facts.emplace_back("Lumen",
-                       Milliliters(fluid) + " of tagged fluid, " + Milliliters(gas) + " of gas" +
-                         BesideReference(gas, leastGas, greatestGas, range));
+    facts.emplace_back("Gas",
+                       Milliliters(gas) + BesideReference(gas, leastGas, greatestGas, range) + "; tagged fluid " +
+                         Milliliters(fluid));
   }
 }
 
@@ -108,7 +118,8 @@ AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
 {
   if (quality.contains("missing"))
   {
-    facts.emplace_back("Colon", CompletenessInWords(quality["missing"]));
+    facts.emplace_back("Colon",
+                       CompletenessInWords(quality["missing"], quality.value("assessability", Json::object())));
   }
   if (quality.contains("resolution"))
   {

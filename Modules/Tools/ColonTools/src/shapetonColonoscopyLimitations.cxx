@@ -196,7 +196,7 @@ AddCompleteness(const ColonoscopyResults & results, std::vector<Limitation> & li
   {
     list.push_back({ "Incomplete: " + part.get<std::string>() + ".", {} });
   }
-  if (!results.pair)
+  if (results.IsSinglePosition())
   {
     list.push_back({ "Incomplete: one position only. A complete examination has two; the other position may show what "
                      "is hidden here, and tells stool that moves from polyps.",
@@ -258,7 +258,7 @@ AddHiddenOnMap(const ColonoscopyQuality & quality, const StretchPlaces & places,
     const std::string where = SegmentsWith(
       quality, leastShown, [](const SegmentQuality & one) { return one.hiddenArea; }, SquareCentimeters);
     list.push_back({ "Wall not shown on the flat map: " + SquareCentimeters(area) + " cm^2 in " +
-                       std::to_string(parts) + (parts == 1 ? " pouch" : " pouches") + " (" + where +
+                       std::to_string(parts) + (parts == 1 ? " place" : " places") + " (" + where +
                        "); see slices and endoluminal views. The largest has " + SquareCentimeters(largest.area) +
                        " cm^2" + places.SliceAt(largest.place) + '.',
                      largest.place });
@@ -328,8 +328,8 @@ LimitationsOf(const ColonoscopyResults & results, const ColonoscopyQuality & qua
   {
     list.push_back({ "The whole colon is " + NotAssessableInWords(below) + " at this resolution.", {} });
   }
-  AddPreparation(quality, list);
   AddHiddenOnMap(quality, places, list);
+  AddPreparation(quality, list);
   AddLandmarks(results, list);
   AddDoubts(results, places, list);
   return list;
@@ -340,6 +340,10 @@ ReasonForInadequate(const ColonoscopyResults & results, const ColonoscopyQuality
 {
   std::string reasons;
   const auto  add = [&](const std::string & reason) { reasons += (reasons.empty() ? "" : "; ") + reason; };
+  if (results.IsSinglePosition())
+  {
+    add("one position only, unless another one is read elsewhere");
+  }
   for (const Json & part : MissingPartsOf(results))
   {
     add(part.get<std::string>());

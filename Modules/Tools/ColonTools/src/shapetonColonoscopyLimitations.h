@@ -18,7 +18,7 @@ struct Limitation
 };
 
 /** Ordered by consequence: an incomplete examination; stretches without visible wall, the longest first; polyps below
- * the resolution; wall under fluid and residue; wall that the flat map does not show; doubtful landmarks, registration
+ * the resolution; wall that the flat map does not show; wall under fluid and residue; doubtful landmarks, registration
  * and loops. */
 ShapetonColonTools_EXPORT std::vector<Limitation>
                           LimitationsOf(const ColonoscopyResults & results, const ColonoscopyQuality & quality);

@@ -81,6 +81,7 @@ private:
   {
     m_CommandLine.Progress("report", 0.94);
     ColonoscopyResults results = ReadColonoscopyResults(m_Folder, m_Presentation.stages);
+    results.isSecond = m_Presentation.isSecond;
     if (results.ct)
     {
       results.device = ChooseFlatVolumeDevice(results.ct, ReadDevice(m_CommandLine));

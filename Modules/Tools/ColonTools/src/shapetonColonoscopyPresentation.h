@@ -19,6 +19,8 @@ struct ColonoscopyPresentation
   Provenance               provenance;
   /** Error message of the failed stage; "" if there was none. */
   std::string failure;
+  /** Whether this is the second series of a run. */
+  bool isSecond{ false };
 };
 
 /** Writes report.html and the files for Slicer; rewrites them if a stage or one of these files has changed. */

@@ -71,14 +71,6 @@ CalibersOf(const ColonDistension & distension)
   return WholeNumber(distension.leastCaliber) + "\u2013" + WholeNumber(distension.largestCaliber);
 }
 
-/** The visible part of the length, or the part of the wall that the flat map shows, whichever is smaller. */
-std::string
-EvaluableInWords(const SegmentQuality & segment)
-{
-  const double shown = segment.extent.area > 0.0 ? 1.0 - segment.hiddenArea / segment.extent.area : 1.0;
-  return WholePercent(std::min(segment.assessability.share, std::max(shown, 0.0)));
-}
-
 } // namespace
 
 Eigen::Vector3d
@@ -142,7 +134,7 @@ QualityTable(const ColonoscopyQuality & quality)
                                     NumberOfCentimeters(one.extent.end),
                                     NameOf(one.grade),
                                     CalibersOf(one.distension),
-                                    EvaluableInWords(one),
+                                    WholePercent(one.EvaluableShare()),
                                     WholePercent(one.submergedShare),
                                     WholeNumber(one.fluidAttenuation),
                                     SquareCentimeters(one.residueArea),

@@ -155,12 +155,15 @@ AddFirstPage(HtmlReport & html, const ColonoscopyReportContent & content)
   if (!quality.segments.empty())
   {
     html.AddHeading("Quality by segment");
-    html.AddTable(QualityTable(quality).WithoutEmptyColumns(),
-                  "Distances from the anal verge; caliber of the maximum inscribed sphere, without the anal canal");
+    html.AddTable(
+      QualityTable(quality).WithoutEmptyColumns(),
+      "Distances from the anal verge. Caliber of the maximum inscribed sphere, without the anal canal. Evaluable "
+      "wall: visible part of the length, or part shown on the flat map if that is smaller");
   }
   if (results.IsDone(colonoscopystage::polyps))
   {
     AddPolypCandidateTable(html, results.centerline, results.polyps);
+    AddPolypsOfOtherPosition(html, results.polyps, results.polypsOfSecond);
   }
   if (const std::vector<Limitation> limitations = LimitationsOf(results, quality);
       !limitations.empty() && !results.quality.is_null())
@@ -205,7 +208,6 @@ AddLandmarks(HtmlReport & html, const ColonoscopyResults & results)
     return;
   }
   html.AddTable(FlexureTable(results).WithoutEmptyColumns(), "Flexures; confidence from 0 to 1");
-  html.AddTable(TaeniaTable(results), "Taeniae; confidence from 0 to 1");
 }
 
 void
@@ -220,6 +222,10 @@ AddTechnicalDetails(HtmlReport & html, const ColonoscopyReportContent & content)
   }
   html.AddSubheading("Methods");
   html.AddFacts(MethodFactsOf(content));
+  if (content.results->IsDone(colonoscopystage::landmarks))
+  {
+    html.AddTable(TaeniaTable(*content.results), "Taeniae; confidence from 0 to 1");
+  }
   html.AddSubheading("Stages");
   html.AddTable(StageTable(content), "The files are in the folder of the stage, their SHA-256 in stages/STAGE.json");
   html.AddSubheading("Provenance");

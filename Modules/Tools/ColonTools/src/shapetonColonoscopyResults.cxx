@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 namespace shapeton
@@ -127,6 +128,10 @@ ReadAllButImages(const StageFiles & files, const std::string & folder, Colonosco
       ColonoscopyPair{ ReadColonPosition(folder, "supine"),
                        ReadColonPosition(second, "prone"),
                        ReadRegistrationResults(folder + '/' + names::registration) });
+    if (const std::string table = second + "/polyps/candidates.csv"; std::filesystem::exists(table))
+    {
+      results.polypsOfSecond = ReadPolypCandidates(table);
+    }
   }
 }
 } // namespace

@@ -77,6 +77,16 @@ struct ShapetonColonTools_EXPORT ColonoscopyResults
 
   /** Set if a second series was registered with this one. */
   std::shared_ptr<const ColonoscopyPair> pair;
+  /** Candidates of the second series. */
+  std::vector<PolypCandidate> polypsOfSecond;
+  /** Whether this is the second series of a run. */
+  bool isSecond{ false };
+
+  bool
+  IsSinglePosition() const
+  {
+    return !pair && !isSecond;
+  }
 
   /** The result of a stage; null if it was not started. */
   const StageResult *

@@ -173,7 +173,9 @@ public:
   ColonoscopyPresentation
   Presentation() const
   {
-    return { m_Folder, m_Results, m_Warnings, m_CommandLine.GetProvenance(), this->Failure() };
+    return { m_Folder,        m_Results,
+             m_Warnings,      m_CommandLine.GetProvenance(),
+             this->Failure(), m_Series == ColonoscopySeries::Second };
   }
 
 private:

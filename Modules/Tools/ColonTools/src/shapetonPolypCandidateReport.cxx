@@ -54,6 +54,14 @@ SizeInWords(const PolypCandidate & candidate)
            : WholeMillimeters(candidate.planeDiameter) + ", " + candidate.plane + "; " + inSpace + " in 3-D";
 }
 
+/** "10 / 9". */
+std::string
+SizesOf(const PolypCandidate & candidate)
+{
+  const std::string inSpace = WholeNumber(candidate.diameter);
+  return candidate.plane.empty() ? inSpace : WholeNumber(candidate.planeDiameter) + " / " + inSpace;
+}
+
 CsvTable
 TableOfCandidates(const std::vector<PolypCandidate> & candidates)
 {
@@ -61,7 +69,7 @@ TableOfCandidates(const std::vector<PolypCandidate> & candidates)
                    "Score",
                    "Segment",
                    "From the anal verge (cm)",
-                   "Largest diameter (mm)",
+                   "Size, best plane / 3-D (mm)",
                    "Morphology",
                    "Mean attenuation (HU)",
                    "Other position",
@@ -72,13 +80,31 @@ TableOfCandidates(const std::vector<PolypCandidate> & candidates)
                    ProbabilityInWords(one.score),
                    NameOfSegment(one.segment),
                    NumberOfCentimeters(one.arcLength),
-                   WholeNumber(one.diameter),
+                   SizesOf(one),
                    MorphologyInWords(one),
                    WholeNumber(one.meanAttenuation),
                    OtherPosition(one),
                    one.remark });
   }
   return table;
+}
+
+/** "tagged stool or residue", "part of candidate 3". */
+std::string
+RecognizedAs(const PolypCandidate & candidate)
+{
+  return candidate.lookalike == PolypLookalike::None ? "part of candidate " + std::to_string(candidate.mainCandidate)
+                                                     : NameOf(candidate.lookalike);
+}
+
+/** The candidate of the other position at the same place; null if there is none. */
+const PolypCandidate *
+PartnerOf(const PolypCandidate & candidate, const std::vector<PolypCandidate> & others)
+{
+  const auto found = std::find_if(others.begin(), others.end(), [&](const PolypCandidate & other) {
+    return candidate.other && candidate.other->isSeen && candidate.other->candidate == other.number;
+  });
+  return found == others.end() ? nullptr : &*found;
 }
 
 CsvTable
@@ -93,9 +119,8 @@ TableOfLookalikes(const std::vector<PolypCandidate> & candidates)
                    "Mean attenuation (HU)" });
   for (const PolypCandidate & one : candidates)
   {
-    const bool isFragment = one.lookalike == PolypLookalike::None;
     table.AddRow({ std::to_string(one.number),
-                   isFragment ? "part of candidate " + std::to_string(one.mainCandidate) : NameOf(one.lookalike),
+                   RecognizedAs(one),
                    ProbabilityInWords(one.score),
                    NameOfSegment(one.segment),
                    NumberOfCentimeters(one.arcLength),
@@ -130,7 +155,7 @@ FactsOfCard(const PolypCandidate & candidate, const itk::ImageBase<3> * grid)
     { "Largest diameter", SizeInWords(candidate) },
     { "Height", WholeMillimeters(candidate.height) },
     { "Morphology", MorphologyInWords(candidate) },
-    { "Mean attenuation, 5 to 95 % (HU)", AttenuationInWords(candidate) },
+    { "Mean attenuation after cleansing, 5th to 95th percentile (HU)", AttenuationInWords(candidate) },
     { "Other position", OtherPosition(candidate) },
     { "Remark", candidate.remark }
   };
@@ -168,7 +193,8 @@ AddCard(HtmlReport &              report,
   {
     const std::string crops =
       std::isfinite(candidate.attenuation) ? "Crops through the center of the head, marked at the borders. " : "";
-    report.AddPicture(path, crops + "The head is blue in the endoluminal and the unfolded view.");
+    report.AddPicture(
+      path, crops + "The head is blue in the endoluminal view and, unless it was left out, in the unfolded view.");
   }
   report.AddMarkup("</section>\n");
 }
@@ -193,12 +219,46 @@ AddPolypCandidateTable(HtmlReport & report, const CurveSet & centerline, const s
   }
   else
   {
-    report.AddTable(TableOfCandidates(polyps).WithoutEmptyColumns(), "Candidates, highest score first");
+    report.AddTable(TableOfCandidates(polyps).WithoutEmptyColumns(),
+                    "Candidates, highest score first; attenuation after electronic cleansing");
     report.AddParagraph("Scores are probabilities, calibrated on synthetic patients. " + SizesIfConfirmed(candidates) +
-                        ". The category (C-RADS) is the decision of the reader." +
+                        ", by the larger size. The category (C-RADS) is the decision of the reader." +
                         (others.empty() ? ""
                                         : " More are recognized as something else, or belong to another candidate (" +
                                             std::to_string(others.size()) + ", listed below)."));
+  }
+}
+
+void
+AddPolypsOfOtherPosition(HtmlReport &                        report,
+                         const std::vector<PolypCandidate> & here,
+                         const std::vector<PolypCandidate> & there)
+{
+  CsvTable table({ "Candidate there",
+                   "Score",
+                   "Segment",
+                   "From the anal verge there (cm)",
+                   "Size, best plane / 3-D (mm)",
+                   "Mean attenuation (HU)",
+                   "In this position" });
+  for (const PolypCandidate & one : Select(there, true))
+  {
+    const PolypCandidate * const partner = PartnerOf(one, here);
+    if (!partner || !IsListedAsPolyp(*partner))
+    {
+      table.AddRow(
+        { std::to_string(one.number),
+          ProbabilityInWords(one.score),
+          NameOfSegment(one.segment),
+          NumberOfCentimeters(one.arcLength),
+          SizesOf(one),
+          WholeNumber(one.meanAttenuation),
+          partner ? "candidate " + std::to_string(partner->number) + ", " + RecognizedAs(*partner) : "no candidate" });
+    }
+  }
+  if (!table.GetRows().empty())
+  {
+    report.AddTable(table, "Candidates of the other position only, or recognized differently in this one");
   }
 }
 

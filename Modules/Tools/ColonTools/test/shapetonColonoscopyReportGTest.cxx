@@ -161,10 +161,10 @@ TEST(ColonoscopyReport, RanksLimitationsByConsequence)
     "Sigmoid: poorly distended (caliber below 10 mm), 2.1 cm, at 30.0 to 32.1 cm from the anal verge, slices 151 to "
              "161.",
     "Rectum: outside the field of view, 0.5 cm, at 0.0 to 0.5 cm from the anal verge, slices 1 to 3.",
-    "Wall under tagged fluid, where polyps are seen after electronic cleansing only: sigmoid 40 %.",
-    "Wall not shown on the flat map: 1.7 cm^2 in 2 pouches (sigmoid 1.7); see slices and endoluminal views. The "
+    "Wall not shown on the flat map: 1.7 cm^2 in 2 places (sigmoid 1.7); see slices and endoluminal views. The "
              "largest "
              "has 1.2 cm^2, slice 151.",
+    "Wall under tagged fluid, where polyps are seen after electronic cleansing only: sigmoid 40 %.",
     "Loops of the colon touch at 2 places; the wall between them is interrupted there. The widest is at (1, 2, 99) mm, "
              "slice 51."
   };
@@ -185,9 +185,12 @@ TEST(ColonoscopyReport, NamesReasonsForAnInadequateExamination)
   sigmoid.extent = results.segments[1];
   sigmoid.assessability.share = 0.4;
   quality.segments = { sigmoid };
-  EXPECT_EQ(shapeton::ReasonForInadequate(results, quality),
-            "the ileocecal valve: it is unknown; only 40 % of the sigmoid can be assessed");
+  EXPECT_EQ(
+    shapeton::ReasonForInadequate(results, quality),
+    "one position only, unless another one is read elsewhere; the ileocecal valve: it is unknown; only 40 % of the "
+    "sigmoid can be assessed");
   results.quality["missing"] = shapeton::Json::array();
+  results.isSecond = true;
   shapeton::ColonAssessability either; // the other position shows the rest
   either.share = 0.95;
   quality.either = { either };

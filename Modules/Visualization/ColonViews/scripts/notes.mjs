@@ -29,7 +29,7 @@ export function fillNotes(root, { warnings, positions }, exams, bits) {
   const limits = [...LIMITATIONS, ...positions.map(({ name }, k) => assessableOf(exams[k], positions.length > 1 ? name || k + 1 : ''))];
   if (bits === 8) limits.push('HU are stored in steps of 6 up to 320 HU, and of 40 up to 1560 HU.');
   root.replaceChildren(folded('warnings', `Warnings of the examination (${number})`, warnings.map(itemOf)),
-    folded('limitations', `Limitations (${limits.length})`, limits.map((text) => element('li', { textContent: text }))));
+    folded('limitations', `Limits of this page (${limits.length})`, limits.map((text) => element('li', { textContent: text }))));
 }
 
 // Share of the centerline around which the wall is assessable.
