@@ -262,7 +262,7 @@ RemarkOn(const PolypCandidate & candidate)
   }
   if (candidate.submergedShare > leastAtLevel)
   {
-    return "at a fluid level, where cleansing may leave residue";
+    return "at a fluid level";
   }
   return candidate.filmShare >= leastCoated ? "contrast on its surface" : "";
 }

@@ -198,9 +198,9 @@ AddCompleteness(const ColonoscopyResults & results, std::vector<Limitation> & li
   }
   if (results.IsSinglePosition())
   {
-    list.push_back({ "Incomplete: one position only. A complete examination has two; the other position may show what "
-                     "is hidden here, and tells stool that moves from polyps.",
-                     {} });
+    list.push_back(
+      { "Incomplete: one position only; the other may show what is hidden here, and tells moving stool from polyps.",
+        {} });
   }
 }
 

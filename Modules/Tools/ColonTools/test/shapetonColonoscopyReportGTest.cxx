@@ -154,7 +154,7 @@ TEST(ColonoscopyReport, RanksLimitationsByConsequence)
   const std::vector<shapeton::Limitation> list = shapeton::LimitationsOf(results, quality);
   const std::vector<std::string>          expected{
     "Incomplete: the ileocecal valve: it is unknown.",
-    "Incomplete: one position only.",
+    "Incomplete: one position only; the other may show what is hidden here,",
     "Sigmoid: collapsed segment, its wall is interpolated (no CT data), 4.0 cm, at 20.0 to 24.0 cm from the anal "
              "verge, "
              "slices 101 to 121.",
