@@ -11,8 +11,8 @@ namespace shapeton
 {
 namespace
 {
-/** Significant digits of lengths along the colon, coordinates, and other measured values. */
-constexpr int distanceDigits = 5, coordinateDigits = 6, measureDigits = 4;
+/** Significant digits of lengths along the colon, coordinates, other measured values, and shares. */
+constexpr int distanceDigits = 5, coordinateDigits = 6, measureDigits = 4, shareDigits = 3;
 
 std::string
 Cell(double value, int digits = distanceDigits)
@@ -48,8 +48,8 @@ AddOther(const std::optional<PolypInOtherPosition> & other, std::vector<std::str
   cells.push_back(other->candidate > 0 ? std::to_string(other->candidate) : "");
   cells.push_back(Cell(other->distance));
   AddPoint(other->point, cells);
-  cells.push_back(Cell(other->confidence, 3));
-  cells.push_back(Cell(other->likeness, 3));
+  cells.push_back(Cell(other->confidence, shareDigits));
+  cells.push_back(Cell(other->likeness, shareDigits));
   cells.push_back(Cell(other->ownScore, measureDigits));
 }
 
@@ -101,8 +101,8 @@ CellsOf(const PolypCandidate & one)
                                     Cell(one.lowAttenuation, measureDigits),
                                     Cell(one.highAttenuation, measureDigits),
                                     NameOf(one.tissue),
-                                    Cell(one.submergedShare, 3),
-                                    Cell(one.filmShare, 3),
+                                    Cell(one.submergedShare, shareDigits),
+                                    Cell(one.filmShare, shareDigits),
                                     Cell(one.uv.x(), 6),
                                     Cell(one.uv.y(), 6),
                                     Cell(features.shapeIndex, measureDigits),
@@ -172,6 +172,8 @@ CandidatesAsWritten(std::vector<PolypCandidate> candidates)
     if (one.other)
     {
       RoundAsCell(one.other->distance, distanceDigits);
+      RoundAsCell(one.other->confidence, shareDigits);
+      RoundAsCell(one.other->ownScore, measureDigits);
     }
   }
   return candidates;

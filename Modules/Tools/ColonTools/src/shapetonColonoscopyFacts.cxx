@@ -123,7 +123,10 @@ AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
   }
   if (quality.contains("resolution"))
   {
-    facts.emplace_back("Voxels", quality["resolution"].at("text").get<std::string>());
+    const bool isThicknessKnown = std::isfinite(NumberOrNaN(quality, "/resolution/sliceThickness"));
+    facts.emplace_back("Voxels",
+                       quality["resolution"].at("text").get<std::string>() +
+                         (isThicknessKnown ? "" : "; slice thickness unknown"));
   }
   const double length = NumberOrNaN(quality, "/centerline/length");
   if (std::isfinite(length))

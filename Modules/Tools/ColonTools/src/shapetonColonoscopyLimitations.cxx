@@ -294,6 +294,22 @@ AddLandmarks(const ColonoscopyResults & results, std::vector<Limitation> & list)
 }
 
 void
+AddCatheter(const ColonoscopyResults & results, const StretchPlaces & places, std::vector<Limitation> & list)
+{
+  const Json catheter = results.quality.value("/lumen/catheter"_json_pointer, Json::object());
+  if (!catheter.value("found", false))
+  {
+    return;
+  }
+  const double          balloon = catheter.value("balloonDiameter", 0.0);
+  const Eigen::Vector3d tip = PlaceInJson(catheter.at("to"));
+  list.push_back({ "Rectum: a catheter of " + WholeMillimeters(catheter.at("outerDiameter").get<double>()) +
+                     (balloon > 0.0 ? " with a balloon of " + WholeMillimeters(balloon) : "") +
+                     " hides wall up to its tip" + places.SliceAt(tip) + ".",
+                   tip });
+}
+
+void
 AddDoubts(const ColonoscopyResults & results, const StretchPlaces & places, std::vector<Limitation> & list)
 {
   if (results.pair && results.pair->registration.document.at("confidence").at("flagged").get<bool>())
@@ -330,6 +346,7 @@ LimitationsOf(const ColonoscopyResults & results, const ColonoscopyQuality & qua
   }
   AddHiddenOnMap(quality, places, list);
   AddPreparation(quality, list);
+  AddCatheter(results, places, list);
   AddLandmarks(results, list);
   AddDoubts(results, places, list);
   return list;

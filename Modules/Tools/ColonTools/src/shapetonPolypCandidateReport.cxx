@@ -145,18 +145,41 @@ PlaceInSlices(const Eigen::Vector3d & place, const itk::ImageBase<3> * grid)
   return (grid ? "slice " + std::to_string(SliceNumber(grid, place)) + ", at " : "at ") + PlaceInWords(place);
 }
 
+/** "0.98, calibrated on synthetic patients; 0.78 from this position alone". */
+std::string
+ScoreInWords(const PolypCandidate & candidate)
+{
+  const bool isWeighed = candidate.other && std::isfinite(candidate.other->ownScore);
+  return ProbabilityInWords(candidate.score) + ", calibrated on synthetic patients" +
+         (isWeighed ? "; " + ProbabilityInWords(candidate.other->ownScore) + " from this position alone" : "");
+}
+
+/** "candidate 7, 3 mm from the mapped place, confidence of the map 0.65". */
+std::string
+OtherPositionOnCard(const PolypCandidate & candidate)
+{
+  if (!candidate.other || !candidate.other->isSeen)
+  {
+    return OtherPosition(candidate);
+  }
+  const PolypInOtherPosition & other = *candidate.other;
+  return "candidate " + std::to_string(other.candidate) + ", " + WholeMillimeters(other.distance) +
+         " from the mapped place" +
+         (std::isfinite(other.confidence) ? ", confidence of the map " + ProbabilityInWords(other.confidence) : "");
+}
+
 /** The rows of a card that have a value. */
 std::vector<std::pair<std::string, std::string>>
 FactsOfCard(const PolypCandidate & candidate, const itk::ImageBase<3> * grid)
 {
   std::vector<std::pair<std::string, std::string>> facts{
     { "Place", PlaceInSlices(candidate.position, grid) },
-    { "Score", ProbabilityInWords(candidate.score) + ", calibrated on synthetic patients" },
+    { "Score", ScoreInWords(candidate) },
     { "Largest diameter", SizeInWords(candidate) },
     { "Height", WholeMillimeters(candidate.height) },
     { "Morphology", MorphologyInWords(candidate) },
     { "Mean attenuation after cleansing, 5th to 95th percentile (HU)", AttenuationInWords(candidate) },
-    { "Other position", OtherPosition(candidate) },
+    { "Other position", OtherPositionOnCard(candidate) },
     { "Remark", candidate.remark }
   };
   facts.erase(std::remove_if(facts.begin(), facts.end(), [](const auto & fact) { return fact.second.empty(); }),

@@ -92,13 +92,13 @@ RegistrationFacts(const RegistrationParts & parts)
   const Json & matches = document["matches"];
   const Json & map = document["map"];
   Facts        facts{
-    { "Confidence",
+    { "Confidence of the registration as a whole",
              Rounded(document["confidence"]["whole"], 2) +
                (document["confidence"]["flagged"].get<bool>() ? ", flagged as doubtful" : "") },
     { "Pairs of folds",
              Rounded(matches["followed"], 9) + " matched, " + Rounded(matches["contradicted"], 9) + " contradicted, of " +
                Rounded(matches["supineFolds"], 9) + " supine and " + Rounded(matches["proneFolds"], 9) + " prone folds" },
-    { "Excluded (not visible)",
+    { "Left out of the map (collapsed or narrow in a position)",
              Percent(map["excludedShareOfSupine"]) + " supine, " + Percent(map["excludedShareOfProne"]) + " prone" },
     { "Triangles turned over in the map", Rounded(map["flips"], 9) }
   };

@@ -67,8 +67,8 @@ CollapsedColon()
     Array("notAssessable", between(0.0, 4.0, 2.0) + between(201.0, 239.0, 1.0) + between(300.0, 320.0, 4.0))
   };
   results.segments = shapeton::SegmentsOf(Landmarks(), 1760.0);
-  results.quality =
-    shapeton::Json::parse(R"({"missing": ["the ileocecal valve: it is unknown"], "centerline": {"merges":
+  results.quality = shapeton::Json::parse(R"({"missing": ["the ileocecal valve: it is unknown"],
+    "lumen": {"catheter": {"found": true, "outerDiameter": 9.8, "balloonDiameter": 25.2, "to": [0, 0, 60]}}, "centerline": {"merges":
     [{"place": [1, 2, 99], "clearance": 2, "loop": 100}, {"place": [1, 2, 9], "clearance": 1, "loop": 90}]}})");
   results.lumen = itk::Image<unsigned char, 3>::New();
   results.lumen->SetRegions(itk::Size<3>{ { 1, 1, 900 } });
@@ -165,6 +165,7 @@ TEST(ColonoscopyReport, RanksLimitationsByConsequence)
              "largest "
              "has 1.2 cm^2, slice 151.",
     "Wall under tagged fluid, where polyps are seen after electronic cleansing only: sigmoid 40 %.",
+    "Rectum: a catheter of 10 mm with a balloon of 25 mm hides wall up to its tip, slice 31.",
     "Loops of the colon touch at 2 places; the wall between them is interrupted there. The widest is at (1, 2, 99) mm, "
              "slice 51."
   };

@@ -185,6 +185,6 @@ TEST(RegistrationReport, ASectionHoldsPicturesAndTheTableOfSegments)
   shapeton::AddRegistrationSection(html, TestPair().Parts(), add, Small());
   EXPECT_EQ(names, (std::vector<std::string>{ "aligned", "confidence", "checkerboard", "errors" }));
   const auto facts = shapeton::RegistrationFacts(TestPair().Parts());
-  EXPECT_EQ(facts.front().first, "Confidence");
+  EXPECT_EQ(facts.front().first, "Confidence of the registration as a whole");
   EXPECT_EQ(facts.back().first, "Mean error of known points (mm)");
 }
