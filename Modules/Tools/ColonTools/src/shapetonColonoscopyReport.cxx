@@ -135,6 +135,24 @@ AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & r
   pictures.Add(drawings);
 }
 
+/** Adds what identifies the examination, which is printed on each page: the series or the beginning of the hash of the
+ * input, and the version. */
+void
+AddIdentity(HtmlReport & html, const ColonoscopyReportContent::Facts & provenance)
+{
+  constexpr std::size_t enough = 23; // characters: "sha256:" and 16 digits
+  std::string           series, version;
+  for (const auto & [name, value] : provenance)
+  {
+    series = name == "input.inputVolume" ? value : series;
+    version = name == "version" ? value : version;
+  }
+  series = series.rfind("sha256:", 0) == 0 ? series.substr(0, enough) : series;
+  html.AddMarkup("<div class=\"identity\">");
+  html.AddParagraph((series.empty() ? "" : series + ", ") + "Shapeton " + version);
+  html.AddMarkup("</div>\n");
+}
+
 /** The first page: what a reader needs before the pictures. */
 void
 AddFirstPage(HtmlReport & html, const ColonoscopyReportContent & content)
@@ -142,6 +160,7 @@ AddFirstPage(HtmlReport & html, const ColonoscopyReportContent & content)
   const ColonoscopyResults & results = *content.results;
   const ColonoscopyQuality & quality = content.quality;
   html.BeginPage();
+  AddIdentity(html, content.provenance);
   html.AddResearchNote();
   if (!content.failure.empty())
   {
