@@ -17,11 +17,14 @@ class CommandLine;
 using PolypPictureFile = std::function<std::string(int number)>;
 
 /** Adds the section on candidates for a first page: how to read them, the limit of the resolution stored with the
- * centerline, a table, and their sizes if confirmed. \ingroup ShapetonColonTools */
+ * centerline, a table, and their sizes if confirmed.
+ * \param otherPosition candidates of the other position, whose sizes and forms are shown beside their partners; may be
+ * empty. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT void
 AddPolypCandidateTable(HtmlReport &                        report,
                        const CurveSet &                    centerline,
-                       const std::vector<PolypCandidate> & candidates);
+                       const std::vector<PolypCandidate> & candidates,
+                       const std::vector<PolypCandidate> & otherPosition = {});
 
 /** Adds a table of the possible polyps of another position whose partner here is missing or recognized as something
  * else; nothing if there are none. \ingroup ShapetonColonTools */

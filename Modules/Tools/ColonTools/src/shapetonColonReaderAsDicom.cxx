@@ -86,6 +86,7 @@ CategoryOf(const DicomCode & name, const std::string & category)
 {
   return { name, {}, category.empty() ? "no category entered" : category + " (C-RADS), as entered by the reader" };
 }
+
 /** Counts, what is preliminary or unsure, and the polyps of the other series. */
 std::vector<std::string>
 CommentsOn(const ColonReading & reading, std::size_t position, const std::string & whyPreliminary)

@@ -1,6 +1,7 @@
 #include "shapetonColonoscopyLimitations.h"
 
 #include "shapetonColonFigures.h"
+#include "shapetonColonSegments.h"
 #include "shapetonHiddenInBoth.h"
 #include "shapetonPlaceInWords.h"
 #include "shapetonScanResolution.h"
@@ -309,9 +310,46 @@ AddCatheter(const ColonoscopyResults & results, const StretchPlaces & places, st
                    tip });
 }
 
+/** Parts of the segments that the map between the positions leaves out. */
+void
+AddLeftOutOfMap(const ColonoscopyResults & results, std::vector<Limitation> & list)
+{
+  constexpr double                         least = 0.05; // of a segment
+  const SurfaceMesh &                      map = results.pair->registration.supineToProne;
+  const SurfaceArray * const               arc = FindSurfaceArray(map.pointArrays, "arcLength");
+  const SurfaceArray * const               excluded = FindSurfaceArray(map.pointArrays, "excluded");
+  std::map<int, std::pair<double, double>> vertices; // of a segment: left out, all
+  for (Eigen::Index i = 0; arc && excluded && i < arc->values.rows(); ++i)
+  {
+    if (const ColonSegmentExtent * const segment = FindSegment(results.segments, arc->values(i, 0)))
+    {
+      vertices[segment->label].first += excluded->values(i, 0) != 0.0 ? 1.0 : 0.0;
+      vertices[segment->label].second += 1.0;
+    }
+  }
+  std::string parts;
+  for (const auto & [label, numbers] : vertices)
+  {
+    if (const double share = numbers.first / numbers.second; share >= least)
+    {
+      parts += (parts.empty() ? "" : ", ") + NameOfSegment(label) + ' ' + WholePercent(share);
+    }
+  }
+  if (!parts.empty())
+  {
+    list.push_back({ "Left out of the map between the positions, because one of them is collapsed or narrow there: " +
+                       parts + ". Find these places in the other position by eye.",
+                     {} });
+  }
+}
+
 void
 AddDoubts(const ColonoscopyResults & results, const StretchPlaces & places, std::vector<Limitation> & list)
 {
+  if (results.pair)
+  {
+    AddLeftOutOfMap(results, list);
+  }
   if (results.pair && results.pair->registration.document.at("confidence").at("flagged").get<bool>())
   {
     list.push_back({ "Registration of the positions: doubtful; do not rely on places in the other position.", {} });

@@ -181,7 +181,7 @@ AddFirstPage(HtmlReport & html, const ColonoscopyReportContent & content)
   }
   if (results.IsDone(colonoscopystage::polyps))
   {
-    AddPolypCandidateTable(html, results.centerline, results.polyps);
+    AddPolypCandidateTable(html, results.centerline, results.polyps, results.polypsOfSecond);
     AddPolypsOfOtherPosition(html, results.polyps, results.polypsOfSecond);
   }
   if (const std::vector<Limitation> limitations = LimitationsOf(results, quality);

@@ -26,9 +26,8 @@ OtherPosition(const PolypCandidate & candidate)
   }
   const PolypInOtherPosition & other = *candidate.other;
   return other.isExcluded ? "not imaged"
-         : other.isSeen
-           ? "candidate " + std::to_string(other.candidate) + ", " + WholeMillimeters(other.distance) + " away"
-           : "no candidate";
+         : other.isSeen   ? "no. " + std::to_string(other.candidate) + ", " + WholeMillimeters(other.distance)
+                          : "no candidate";
 }
 
 /** "46 (-58 to 155), soft tissue". */
@@ -62,8 +61,18 @@ SizesOf(const PolypCandidate & candidate)
   return candidate.plane.empty() ? inSpace : WholeNumber(candidate.planeDiameter) + " / " + inSpace;
 }
 
+/** The candidate of the other position at the same place; null if there is none. */
+const PolypCandidate *
+PartnerOf(const PolypCandidate & candidate, const std::vector<PolypCandidate> & others)
+{
+  const auto found = std::find_if(others.begin(), others.end(), [&](const PolypCandidate & other) {
+    return candidate.other && candidate.other->isSeen && candidate.other->candidate == other.number;
+  });
+  return found == others.end() ? nullptr : &*found;
+}
+
 CsvTable
-TableOfCandidates(const std::vector<PolypCandidate> & candidates)
+TableOfCandidates(const std::vector<PolypCandidate> & candidates, const std::vector<PolypCandidate> & others)
 {
   CsvTable table({ "Candidate",
                    "Score",
@@ -73,9 +82,11 @@ TableOfCandidates(const std::vector<PolypCandidate> & candidates)
                    "Morphology",
                    "Mean attenuation (HU)",
                    "Other position",
+                   "There (mm)",
                    "Remark" });
   for (const PolypCandidate & one : candidates)
   {
+    const PolypCandidate * const partner = PartnerOf(one, others);
     table.AddRow({ std::to_string(one.number),
                    ProbabilityInWords(one.score),
                    NameOfSegment(one.segment),
@@ -84,6 +95,7 @@ TableOfCandidates(const std::vector<PolypCandidate> & candidates)
                    MorphologyInWords(one),
                    WholeNumber(one.meanAttenuation),
                    OtherPosition(one),
+                   partner ? SizesOf(*partner) + ", " + MorphologyInWords(*partner) : "",
                    one.remark });
   }
   return table;
@@ -95,16 +107,6 @@ RecognizedAs(const PolypCandidate & candidate)
 {
   return candidate.lookalike == PolypLookalike::None ? "part of candidate " + std::to_string(candidate.mainCandidate)
                                                      : NameOf(candidate.lookalike);
-}
-
-/** The candidate of the other position at the same place; null if there is none. */
-const PolypCandidate *
-PartnerOf(const PolypCandidate & candidate, const std::vector<PolypCandidate> & others)
-{
-  const auto found = std::find_if(others.begin(), others.end(), [&](const PolypCandidate & other) {
-    return candidate.other && candidate.other->isSeen && candidate.other->candidate == other.number;
-  });
-  return found == others.end() ? nullptr : &*found;
 }
 
 CsvTable
@@ -224,7 +226,10 @@ AddCard(HtmlReport &              report,
 } // namespace
 
 void
-AddPolypCandidateTable(HtmlReport & report, const CurveSet & centerline, const std::vector<PolypCandidate> & candidates)
+AddPolypCandidateTable(HtmlReport &                        report,
+                       const CurveSet &                    centerline,
+                       const std::vector<PolypCandidate> & candidates,
+                       const std::vector<PolypCandidate> & otherPosition)
 {
   report.AddHeading("Polyp candidates");
   report.AddParagraph(
@@ -242,7 +247,7 @@ AddPolypCandidateTable(HtmlReport & report, const CurveSet & centerline, const s
   }
   else
   {
-    report.AddTable(TableOfCandidates(polyps).WithoutEmptyColumns(),
+    report.AddTable(TableOfCandidates(polyps, otherPosition).WithoutEmptyColumns(),
                     "Candidates, highest score first; attenuation after electronic cleansing");
     report.AddParagraph("Scores are probabilities, calibrated on synthetic patients. " + SizesIfConfirmed(candidates) +
                         ", by the larger size. The category (C-RADS) is the decision of the reader." +

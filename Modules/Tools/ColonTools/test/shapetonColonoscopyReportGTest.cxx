@@ -1,5 +1,6 @@
 #include "shapetonColonoscopyLimitations.h"
 #include "shapetonColonoscopyReport.h"
+#include "shapetonPolypCandidateReport.h"
 
 #include "shapetonFileBytes.h"
 #include "shapetonTestFolder.h"
@@ -196,4 +197,34 @@ TEST(ColonoscopyReport, NamesReasonsForAnInadequateExamination)
   either.share = 0.95;
   quality.either = { either };
   EXPECT_EQ(shapeton::ReasonForInadequate(results, quality), "");
+}
+
+TEST(ColonoscopyReport, ShowsPolypsThatThisPositionLacksOrNamesDifferently)
+{
+  shapeton::PolypCandidate stool, same;
+  stool.number = 9;
+  stool.lookalike = shapeton::PolypLookalike::Tagged;
+  same.number = 1;
+  const std::vector<shapeton::PolypCandidate> here{ same, stool };
+  const auto                                  partnerOf = [](int number, int partner) {
+    shapeton::PolypCandidate one;
+    one.number = number;
+    one.other = shapeton::PolypInOtherPosition();
+    one.other->isSeen = partner > 0;
+    one.other->candidate = partner;
+    return one;
+  };
+  const Folder         folder;
+  shapeton::HtmlReport html("Candidates");
+  shapeton::AddPolypsOfOtherPosition(html, here, { partnerOf(1, 1), partnerOf(5, 9), partnerOf(6, 0) });
+  html.Write(folder / "page.html");
+  const std::string page = shapeton::ReadFileBytes(folder / "page.html");
+  EXPECT_NE(page.find("<td>candidate 9, tagged stool or residue</td>"), std::string::npos);
+  EXPECT_NE(page.find("<td>no candidate</td>"), std::string::npos);
+  EXPECT_EQ(page.find("candidate 1"), std::string::npos); // a candidate in both positions
+
+  shapeton::HtmlReport none("Candidates");
+  shapeton::AddPolypsOfOtherPosition(none, here, { partnerOf(1, 1) });
+  none.Write(folder / "none.html");
+  EXPECT_EQ(shapeton::ReadFileBytes(folder / "none.html").find("<table>"), std::string::npos);
 }
