@@ -5,6 +5,7 @@ Exits with 1 and names the quantity and its values if they differ, or if fewer t
 
 import csv
 import json
+import math
 import sys
 from html.parser import HTMLParser
 from pathlib import Path
@@ -64,7 +65,7 @@ class Quantities:
 
 
 def cm(millimeters):
-    return f"{round(float(millimeters)) / 10:.1f}"
+    return f"{math.floor(float(millimeters) + 0.5) / 10:.1f}"  # halves are rounded up, as on the pages
 
 
 def probability(value):
