@@ -103,6 +103,11 @@ WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates
 ShapetonPolypCandidates_EXPORT bool
 IsListedAsPolyp(const PolypCandidate & candidate);
 
+/** What a candidate that is not listed as a possible polyp is: "tagged stool or residue", "part of candidate 3"; empty
+ * for a possible polyp. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT std::string
+                               RecognizedAs(const PolypCandidate & candidate);
+
 /** "If confirmed: 2 of 10 mm and more, 0 of 6 to 9 mm": the candidates listed as possible polyps by size,
  * the larger of the sizes in the best plane and in space. The C-RADS
  * category (Zalis et al., Radiology 2005) is the decision of a reader. \ingroup ShapetonPolypCandidates */

@@ -103,8 +103,8 @@ CellsOf(const PolypCandidate & one)
                                     NameOf(one.tissue),
                                     Cell(one.submergedShare, shareDigits),
                                     Cell(one.filmShare, shareDigits),
-                                    Cell(one.uv.x(), 6),
-                                    Cell(one.uv.y(), 6),
+                                    Cell(one.uv.x(), coordinateDigits),
+                                    Cell(one.uv.y(), coordinateDigits),
                                     Cell(features.shapeIndex, measureDigits),
                                     Cell(features.roundness, measureDigits),
                                     Cell(features.hollowness, measureDigits),
@@ -317,6 +317,14 @@ IsListedAsPolyp(const PolypCandidate & candidate)
 {
   const bool isFragment = candidate.mainCandidate > 0 && candidate.mainCandidate != candidate.number;
   return candidate.lookalike == PolypLookalike::None && !isFragment;
+}
+
+std::string
+RecognizedAs(const PolypCandidate & candidate)
+{
+  return IsListedAsPolyp(candidate)                    ? ""
+         : candidate.lookalike == PolypLookalike::None ? "part of candidate " + std::to_string(candidate.mainCandidate)
+                                                       : NameOf(candidate.lookalike);
 }
 
 std::string

@@ -13,7 +13,7 @@ namespace shapeton
 /** The reader of an examination. \ingroup ShapetonColonTools */
 struct ColonDicomReader
 {
-  /** Path of a verdicts.json saved by the viewer page of `exam`; if empty, there is no reader. */
+  /** Path of a verdicts.json saved by the viewer page of `exam`; if empty, no reader's report is written. */
   std::string verdicts;
   /** Folder of the run with all positions. */
   std::string exam;

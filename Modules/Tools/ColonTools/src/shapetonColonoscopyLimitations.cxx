@@ -2,7 +2,6 @@
 
 #include "shapetonColonFigures.h"
 #include "shapetonColonSegments.h"
-#include "shapetonHiddenInBoth.h"
 #include "shapetonPlaceInWords.h"
 #include "shapetonScanResolution.h"
 
@@ -126,14 +125,9 @@ AddStretch(const HinderedStretch & stretch, Hidden & hidden)
 /** Groups stretches by segment, hindrance and whether the other position shows them; the longest first, those hidden in
  * both positions before all others. */
 std::vector<Hidden>
-GroupStretches(const ColonoscopyResults & results)
+GroupStretches(const ColonoscopyResults & results, const ColonoscopyQuality & quality)
 {
-  std::vector<HinderedStretch> inBoth;
-  if (results.pair)
-  {
-    const ColonoscopyPair & pair = *results.pair;
-    inBoth = FindHiddenInBoth(pair.first.position, pair.second.position, pair.registration.supineToProne);
-  }
+  const std::vector<HinderedStretch> &                            inBoth = quality.hiddenInBoth;
   std::map<std::tuple<bool, std::string, ColonHindrance>, Hidden> groups;
   const auto add = [&](const HinderedStretch & stretch, bool isInOther) {
     const ColonSegmentExtent * const segment = FindSegment(results.segments, 0.5 * (stretch.begin + stretch.end));
@@ -177,9 +171,12 @@ Heading(std::string segment)
 }
 
 void
-AddHiddenStretches(const ColonoscopyResults & results, const StretchPlaces & places, std::vector<Limitation> & list)
+AddHiddenStretches(const ColonoscopyResults & results,
+                   const ColonoscopyQuality & quality,
+                   const StretchPlaces &      places,
+                   std::vector<Limitation> &  list)
 {
-  for (const Hidden & one : GroupStretches(results))
+  for (const Hidden & one : GroupStretches(results, quality))
   {
     std::string text = Heading(one.segment) + HindranceForReader(one.hindrance) + ", " + Centimeters(one.length);
     text += one.number == 1 ? "" : " in " + std::to_string(one.number) + " stretches";
@@ -377,7 +374,7 @@ LimitationsOf(const ColonoscopyResults & results, const ColonoscopyQuality & qua
     return list;
   }
   const StretchPlaces places(results);
-  AddHiddenStretches(results, places, list);
+  AddHiddenStretches(results, quality, places, list);
   if (const double below = NotAssessableBelow(results.centerline); below > 0.0)
   {
     list.push_back({ "The whole colon is " + NotAssessableInWords(below) + " at this resolution.", {} });

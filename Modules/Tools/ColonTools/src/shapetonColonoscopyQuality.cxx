@@ -12,25 +12,16 @@ namespace shapeton
 {
 namespace
 {
-using CtImage = itk::Image<float, 3>;
-
-/** Interpolated values of the CT before cleansing. */
+/** Interpolated values; NaN outside. */
 std::function<double(const Eigen::Vector3d &)>
-AttenuationOf(const ColonoscopyResults & results)
+ValuesOf(const itk::Image<float, 3> * image)
 {
-  if (!results.ct || !results.cleansing)
-  {
-    return {};
-  }
-  using Interpolator = itk::LinearInterpolateImageFunction<CtImage, double>;
-  const auto cleansed = Interpolator::New();
-  const auto cleansing = Interpolator::New();
-  cleansed->SetInputImage(results.ct);
-  cleansing->SetInputImage(results.cleansing);
+  const auto interpolator = itk::LinearInterpolateImageFunction<itk::Image<float, 3>, double>::New();
+  interpolator->SetInputImage(image);
   return [=](const Eigen::Vector3d & place) {
     const itk::Point<double, 3> point(place.data());
-    return cleansed->IsInsideBuffer(point) ? cleansed->Evaluate(point) + cleansing->Evaluate(point)
-                                           : std::numeric_limits<double>::quiet_NaN();
+    return interpolator->IsInsideBuffer(point) ? interpolator->Evaluate(point)
+                                               : std::numeric_limits<double>::quiet_NaN();
   };
 }
 
@@ -49,12 +40,10 @@ HiddenWallsOf(const Json & flatStatistics)
 void
 AddOtherPosition(const ColonoscopyPair & pair, ColonoscopyQuality & quality)
 {
-  const std::vector<HinderedStretch> inBoth =
-    FindHiddenInBoth(pair.first.position, pair.second.position, pair.registration.supineToProne);
   const std::vector<HinderedStretch> there = FindHinderedStretches(pair.second.position.centerline);
   for (const SegmentQuality & segment : quality.segments)
   {
-    quality.either.push_back(Assess(inBoth, segment.extent.begin, segment.extent.end));
+    quality.either.push_back(Assess(quality.hiddenInBoth, segment.extent.begin, segment.extent.end));
     const auto same =
       std::find_if(pair.second.segments.begin(), pair.second.segments.end(), [&](const ColonSegmentExtent & other) {
         return other.label == segment.extent.label;
@@ -83,6 +72,11 @@ ColonoscopyQuality
 MeasureColonoscopyQuality(const ColonoscopyResults & results)
 {
   ColonoscopyQuality quality;
+  if (results.pair)
+  {
+    const ColonoscopyPair & pair = *results.pair;
+    quality.hiddenInBoth = FindHiddenInBoth(pair.first.position, pair.second.position, pair.registration.supineToProne);
+  }
   if (results.segments.empty() || !FindSurfaceArray(results.labeled.cellArrays, "segment"))
   {
     return quality;
@@ -95,7 +89,10 @@ MeasureColonoscopyQuality(const ColonoscopyResults & results)
   if (results.ct)
   {
     input.lumen = results.lumen;
-    input.attenuation = AttenuationOf(results);
+    if (results.original)
+    {
+      input.attenuation = ValuesOf(results.original);
+    }
   }
   quality.segments = MeasureSegmentQuality(input);
   if (results.pair)

@@ -161,7 +161,7 @@ ReadColonoscopyResults(const std::string & folder, const std::vector<StageResult
   files.Read(
     names::segmentation, "cleansed.nrrd", [&](const std::string & path) { results.ct = ReadImageFile(path).image; });
   files.Read(names::segmentation, "cleansing.nrrd", [&](const std::string & path) {
-    results.cleansing = ReadImageFile(path).image;
+    results.original = UncleansedCt(results.ct, path);
   });
   files.Read(names::segmentation, "lumen.nrrd", [&](const std::string & path) {
     results.lumen =

@@ -50,9 +50,8 @@ struct ShapetonColonTools_EXPORT ColonoscopyResults
   Json                          quality;    ///< quality report of the segmentation
   CurveSet                      centerline;
   SurfaceMesh                   wall;
-  itk::Image<float, 3>::Pointer ct; ///< cleansed; null for a mask
-  /** CT minus cleansed CT, on the same grid; null for a mask. */
-  itk::Image<float, 3>::Pointer cleansing;
+  itk::Image<float, 3>::Pointer ct;       ///< cleansed; null for a mask
+  itk::Image<float, 3>::Pointer original; ///< CT before cleansing; null for a mask
   /** 1 gas, 2 tagged fluid, 3 terminal ileum; null if it was not read. */
   itk::Image<unsigned char, 3>::Pointer lumen;
   DeviceUse                             device; ///< device that renders the CT

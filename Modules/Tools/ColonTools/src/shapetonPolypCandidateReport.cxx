@@ -101,14 +101,6 @@ TableOfCandidates(const std::vector<PolypCandidate> & candidates, const std::vec
   return table;
 }
 
-/** "tagged stool or residue", "part of candidate 3". */
-std::string
-RecognizedAs(const PolypCandidate & candidate)
-{
-  return candidate.lookalike == PolypLookalike::None ? "part of candidate " + std::to_string(candidate.mainCandidate)
-                                                     : NameOf(candidate.lookalike);
-}
-
 CsvTable
 TableOfLookalikes(const std::vector<PolypCandidate> & candidates)
 {

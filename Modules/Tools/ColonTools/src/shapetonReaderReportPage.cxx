@@ -308,12 +308,7 @@ private:
   static std::string
   ListedAs(const PolypCandidate & candidate)
   {
-    if (candidate.lookalike != PolypLookalike::None)
-    {
-      return NameOf(candidate.lookalike);
-    }
-    return IsListedAsPolyp(candidate) ? "polyp candidate"
-                                      : "part of candidate " + std::to_string(candidate.mainCandidate);
+    return IsListedAsPolyp(candidate) ? "polyp candidate" : RecognizedAs(candidate);
   }
 
   const ReaderReportContent &       m_Content;

@@ -1,5 +1,6 @@
 #include "shapetonRegistrationReport.h"
 
+#include "shapetonColonFigures.h"
 #include "shapetonCommandLine.h"
 #include "shapetonJson.h"
 
@@ -21,7 +22,7 @@ Rounded(const Json & value, int digits = 3)
 std::string
 Percent(const Json & share)
 {
-  return share.is_number() ? CsvTable::Rounded(std::round(100.0 * share.get<double>()), 3) + " %" : "";
+  return share.is_number() ? WholePercent(share.get<double>()) : "";
 }
 
 CsvTable

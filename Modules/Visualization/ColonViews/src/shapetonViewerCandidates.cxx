@@ -16,18 +16,6 @@ NumberOrNull(double value)
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-/** What a candidate is if not a polyp; empty if it may be one. */
-std::string
-RecognizedAs(const PolypCandidate & one)
-{
-  if (IsListedAsPolyp(one))
-  {
-    return "";
-  }
-  return one.lookalike == PolypLookalike::None ? "part of candidate " + std::to_string(one.mainCandidate)
-                                               : NameOf(one.lookalike);
-}
-
 Json
 ForViewer(const PolypCandidate & one)
 {
