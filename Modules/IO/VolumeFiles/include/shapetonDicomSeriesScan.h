@@ -153,6 +153,8 @@ struct DicomSeries
   itk::Matrix<double, 3, 3> direction{};
   /** The pixels were compressed lossily. */
   bool isLossy{ false };
+  /** The images were computed from others (Image Type DERIVED). */
+  bool isDerived{ false };
   /** MONOCHROME1: low values are displayed bright. The values are not affected. */
   bool isInverted{ false };
   /** Ascending along the normal. */

@@ -500,6 +500,7 @@ ReadIdentity(DcmFileFormat & format, DcmDataset & dataset, DicomFile & file)
   const DicomEncoding encoding = DicomEncodingOf(format);
   file.transferSyntax = encoding.name;
   file.isUnsupportedTransferSyntax = !encoding.isSupported;
+  file.isDerived = GetText(dataset, DCM_ImageType).rfind("DERIVED", 0) == 0; // the first of its values
   file.isLossy = IsLossy(dataset.getOriginalXfer()) || GetText(dataset, DCM_LossyImageCompression) == "01";
 }
 

@@ -68,7 +68,9 @@ struct DicomFile
   std::uint16_t rows{ 0 };
   std::uint16_t columns{ 0 };
   bool          isLossy{ false };
-  bool          isInverted{ false };
+  /** Computed from other images, by Image Type. */
+  bool isDerived{ false };
+  bool isInverted{ false };
   /** The image has functional groups, so its frames are slices. */
   bool isMultiFrame{ false };
   /** The pixel encoding is not supported. */
@@ -97,10 +99,10 @@ Transmit(TStream & stream, TFile & file)
   stream & file.kind & file.what & file.studyUID & file.sopClassUID & file.sopInstanceUID & file.seriesUID & file
     .frameOfReferenceUID & file.patientID & file.description & file.isUndecodable & file.modality & file
     .patientPosition & file.transferSyntax & file.seriesNumber & file.instanceNumber & file.rows & file.columns & file
-    .isLossy & file.isInverted & file.isMultiFrame & file.isUnsupportedTransferSyntax & file.truncation & file
-    .malformedValue & file.refusal & file.isOtherObject;
-  auto                               count = static_cast<std::uint64_t>(file.frames.size());
-  stream &                           count;
+    .isLossy & file.isDerived & file.isInverted & file.isMultiFrame & file.isUnsupportedTransferSyntax & file
+    .truncation & file.malformedValue & file.refusal & file.isOtherObject;
+  auto                                                 count = static_cast<std::uint64_t>(file.frames.size());
+  stream &                                             count;
   if constexpr (!std::is_const<TFile>::value)
   {
     if (count > stream.GetLeft())

@@ -269,6 +269,7 @@ DescribeSeries(const DicomScan & scan, const DicomSeries & series, const AdviceI
            { "patientPosition", series.patientPosition },
            { "transferSyntax", series.transferSyntax },
            { "lossy", series.isLossy },
+           { "derived", series.isDerived },
            { "plane", PlaneOf(series) },
            { "size", series.size },
            { "spacing", series.spacing },

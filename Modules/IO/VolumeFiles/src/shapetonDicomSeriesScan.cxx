@@ -526,6 +526,7 @@ DescribeSeries(DicomSeries & series, const Items & items)
   for (const Item & item : items)
   {
     series.isLossy = series.isLossy || item.file->isLossy;
+    series.isDerived = series.isDerived || item.file->isDerived;
     series.isInverted = series.isInverted || item.file->isInverted;
     series.slices.push_back(MakeSlice(item));
   }
