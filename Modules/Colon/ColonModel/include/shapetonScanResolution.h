@@ -37,11 +37,11 @@ struct ScanResolution
 ShapetonColonModel_EXPORT ScanResolution
 MeasureScanResolution(const itk::ImageBase<3> * grid, double sliceThickness, double smoothing);
 
-/** For example "1.25 x 1.25 x 2 mm: polyps of 6 mm and more are assessable". \ingroup ShapetonColonModel */
+/** For example "1.25 x 1.25 x 2 mm: polyps of 6 mm and more are evaluable". \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT std::string
                           InWords(const ScanResolution & resolution);
 
-/** Warns if polyps of 6 mm are not assessable, or slices are thicker than the 3 mm that the ACR-SAR-SCBT-MR practice
+/** Warns if polyps of 6 mm are not evaluable, or slices are thicker than the 3 mm that the ACR-SAR-SCBT-MR practice
  * parameter and ESGAR allow. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT Remarks
 WarningsOf(const ScanResolution & resolution);
@@ -55,7 +55,7 @@ SetNotAssessableBelow(const ScanResolution & resolution, CurveSet & centerline);
 ShapetonColonModel_EXPORT double
 NotAssessableBelow(const CurveSet & centerline);
 
-/** "not assessable for polyps below 9 mm"; empty for 0. \ingroup ShapetonColonModel */
+/** "not evaluable for polyps below 9 mm"; empty for 0. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT std::string
                           NotAssessableInWords(double below);
 } // namespace shapeton

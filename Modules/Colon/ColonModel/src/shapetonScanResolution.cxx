@@ -59,7 +59,7 @@ InWords(const ScanResolution & resolution)
   }
   return text + (resolution.smallestPolyp > SmallestReported
                    ? ": " + NotAssessableInWords(resolution.smallestPolyp)
-                   : ": polyps of " + InMm(SmallestReported) + " mm and more are assessable");
+                   : ": polyps of " + InMm(SmallestReported) + " mm and more are evaluable");
 }
 
 Remarks
@@ -100,6 +100,6 @@ NotAssessableBelow(const CurveSet & centerline)
 std::string
 NotAssessableInWords(double below)
 {
-  return below > 0.0 ? "not assessable for polyps below " + InMm(below) + " mm" : "";
+  return below > 0.0 ? "not evaluable for polyps below " + InMm(below) + " mm" : "";
 }
 } // namespace shapeton

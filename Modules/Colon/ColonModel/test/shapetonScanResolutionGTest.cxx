@@ -64,16 +64,16 @@ TEST(ScanResolution, DoesNotDependOnTheDirectionOfTheAxes)
 
 TEST(ScanResolution, IsToldInWords)
 {
-  EXPECT_EQ(shapeton::InWords(Measure(1.25, 1.25, 2.0)), "1.25 x 1.25 x 2 mm: polyps of 6 mm and more are assessable");
+  EXPECT_EQ(shapeton::InWords(Measure(1.25, 1.25, 2.0)), "1.25 x 1.25 x 2 mm: polyps of 6 mm and more are evaluable");
   EXPECT_EQ(shapeton::InWords(Measure(0.75, 0.75, 1.5, 3.0)),
-            "0.75 x 0.75 x 1.5 mm, slices 3 mm thick: not assessable for polyps below 9 mm");
+            "0.75 x 0.75 x 1.5 mm, slices 3 mm thick: not evaluable for polyps below 9 mm");
 }
 
 TEST(ScanResolution, WarnsOfCoarseScansAndOfThickSlices)
 {
   EXPECT_TRUE(shapeton::WarningsOf(Measure(1.25, 1.25, 2.0, 2.0)).empty());
   EXPECT_EQ(shapeton::WarningsOf(Measure(0.8, 0.8, 3.0)),
-            shapeton::Remarks{ "the colon is not assessable for polyps below 9 mm: in the coarsest direction, the scan "
+            shapeton::Remarks{ "the colon is not evaluable for polyps below 9 mm: in the coarsest direction, the scan "
                                "resolves 3 mm" });
   const shapeton::Remarks thick = shapeton::WarningsOf(Measure(0.8, 0.8, 3.0, 5.0));
   ASSERT_EQ(thick.size(), 2U);

@@ -172,6 +172,8 @@ struct PolypCandidate
   double meanAttenuation{ std::numeric_limits<double>::quiet_NaN() };
   double lowAttenuation{ std::numeric_limits<double>::quiet_NaN() };
   double highAttenuation{ std::numeric_limits<double>::quiet_NaN() };
+  /** Mean HU of the same part in the CT before cleansing; NaN if unknown. */
+  double uncleansedAttenuation{ std::numeric_limits<double>::quiet_NaN() };
   /** Fraction of the head covered by tagged fluid, 0 to 1; NaN without a CT. */
   double submergedShare{ std::numeric_limits<double>::quiet_NaN() };
   /** Fraction of the surface of the head with contrast on it (at least 250 HU up to 1 mm above or 1.5 mm below),

@@ -27,7 +27,8 @@ MeasureMorphology(const SurfaceMesh &                                  wall,
 ShapetonPolypCandidates_EXPORT void
 JoinFragments(const SurfaceMesh & wall, std::vector<PolypCandidate> & candidates);
 
-/** "Sessile", "Pedunculated, on a fold", ...; empty if unknown. \ingroup ShapetonPolypCandidates */
+/** "sessile", "pedunculated, on a fold", ...; "diminutive" instead of a form at 5 mm and less, by the larger size;
+ * empty if unknown. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
                                MorphologyInWords(const PolypCandidate & candidate);
 } // namespace shapeton

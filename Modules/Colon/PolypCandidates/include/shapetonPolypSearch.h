@@ -108,11 +108,32 @@ IsListedAsPolyp(const PolypCandidate & candidate);
 ShapetonPolypCandidates_EXPORT std::string
                                RecognizedAs(const PolypCandidate & candidate);
 
-/** "If confirmed: 2 of 10 mm and more, 0 of 6 to 9 mm": the candidates listed as possible polyps by size,
- * the larger of the sizes in the best plane and in space. The C-RADS
- * category (Zalis et al., Radiology 2005) is the decision of a reader. \ingroup ShapetonPolypCandidates */
+/** A possible polyp, seen in one or both positions. \ingroup ShapetonPolypCandidates */
+struct PolypLesion
+{
+  /** "A", "B", ..., "Z", "AA", ... */
+  std::string letter;
+  /** Numbers of its candidates in the first and the second position; 0 for none. */
+  int first{ 0 };
+  int second{ 0 };
+};
+
+/** Whether one of two candidates of different positions was found in the other position as the other one.
+ * \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT bool
+AreSameLesion(const PolypCandidate & first, const PolypCandidate & second);
+
+/** Lesions with a candidate that is listed as a possible polyp in at least one position: in the order of the first
+ * position, then those of the second. Each candidate belongs to at most one lesion. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT std::vector<PolypLesion>
+LesionsOfPositions(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second);
+
+/** "If confirmed: 2 of 10 mm and more, 0 of 6 to 9 mm": the lesions of two positions, or the candidates of one
+ * position that are listed as possible polyps, by their larger size in the best plane, and by that in space if it makes
+ * a difference. The C-RADS category (Zalis et al., Radiology 2005) is the decision of a reader.
+ * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
-                               SizesIfConfirmed(const std::vector<PolypCandidate> & candidates);
+SizesIfConfirmed(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second = {});
 
 /** The candidates with their values rounded as in the table, so that a page made from them agrees with a page made from
  * the table. \ingroup ShapetonPolypCandidates */

@@ -100,6 +100,7 @@ CellsOf(const PolypCandidate & one)
                                     Cell(one.meanAttenuation, measureDigits),
                                     Cell(one.lowAttenuation, measureDigits),
                                     Cell(one.highAttenuation, measureDigits),
+                                    Cell(one.uncleansedAttenuation, measureDigits),
                                     NameOf(one.tissue),
                                     Cell(one.submergedShare, shareDigits),
                                     Cell(one.filmShare, shareDigits),
@@ -147,6 +148,46 @@ ReadOther(const CsvFile & table, std::size_t row)
   }
   return other;
 }
+/** "A" for 0, "Z" for 25, "AA" for 26. */
+std::string
+LetterOfLesion(std::size_t index)
+{
+  constexpr std::size_t letters = 26;
+  const std::string     last(1, static_cast<char>('A' + index % letters));
+  return index < letters ? last : LetterOfLesion(index / letters - 1) + last;
+}
+
+/** The size in the best plane, if known, or in space, mm. */
+double
+DiameterOf(const PolypCandidate & candidate, bool isInPlane)
+{
+  return isInPlane && std::isfinite(candidate.planeDiameter) ? candidate.planeDiameter : candidate.diameter;
+}
+
+/** Numbers of lesions of 10 mm and more, and of 6 to 9 mm. */
+struct LesionCounts
+{
+  int large{ 0 };
+  int medium{ 0 };
+};
+
+LesionCounts
+CountLesions(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second, bool isInPlane)
+{
+  const auto diameterOf = [&](const std::vector<PolypCandidate> & candidates, int number) {
+    const auto found = std::find_if(
+      candidates.begin(), candidates.end(), [&](const PolypCandidate & one) { return one.number == number; });
+    return found == candidates.end() ? 0.0 : DiameterOf(*found, isInPlane);
+  };
+  LesionCounts counts;
+  for (const PolypLesion & lesion : LesionsOfPositions(first, second))
+  {
+    const PolypSize size = SizeOf(std::max(diameterOf(first, lesion.first), diameterOf(second, lesion.second)));
+    counts.medium += size == PolypSize::From6To9 ? 1 : 0;
+    counts.large += size == PolypSize::From10 || size == PolypSize::From30 ? 1 : 0;
+  }
+  return counts;
+}
 } // namespace
 
 std::vector<PolypCandidate>
@@ -160,7 +201,8 @@ CandidatesAsWritten(std::vector<PolypCandidate> candidates)
                                   &one.planeDiameter,
                                   &one.meanAttenuation,
                                   &one.lowAttenuation,
-                                  &one.highAttenuation })
+                                  &one.highAttenuation,
+                                  &one.uncleansedAttenuation })
     {
       RoundAsCell(*value, measureDigits);
     }
@@ -202,6 +244,7 @@ TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
                    "meanAttenuation",
                    "lowAttenuation",
                    "highAttenuation",
+                   "uncleansedAttenuation",
                    "tissue",
                    "submergedShare",
                    "filmShare",
@@ -260,6 +303,7 @@ ReadPolypCandidates(const std::string & path)
     one.lowAttenuation = table.NumberOrNothing(row, "lowAttenuation");
     one.highAttenuation = table.NumberOrNothing(row, "highAttenuation");
     one.tissue = Named(table.Text(row, "tissue"), PolypTissue::Tagged);
+    one.uncleansedAttenuation = table.NumberOrNothing(row, "uncleansedAttenuation");
     one.submergedShare = table.NumberOrNothing(row, "submergedShare");
     one.filmShare = table.NumberOrNothing(row, "filmShare");
     one.uv = { table.NumberOrNothing(row, "u"), table.NumberOrNothing(row, "v") };
@@ -327,18 +371,58 @@ RecognizedAs(const PolypCandidate & candidate)
                                                        : NameOf(candidate.lookalike);
 }
 
-std::string
-SizesIfConfirmed(const std::vector<PolypCandidate> & candidates)
+bool
+AreSameLesion(const PolypCandidate & first, const PolypCandidate & second)
 {
-  int medium = 0, large = 0;
-  for (const PolypCandidate & one : candidates)
+  const auto isFoundAs = [](const PolypCandidate & one, const PolypCandidate & other) {
+    return one.other && one.other->isSeen && one.other->candidate == other.number;
+  };
+  return isFoundAs(first, second) || isFoundAs(second, first);
+}
+
+std::vector<PolypLesion>
+LesionsOfPositions(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second)
+{
+  std::vector<PolypLesion> lesions;
+  const auto               isFree = [&](int PolypLesion::*member, int number) {
+    return std::none_of(
+      lesions.begin(), lesions.end(), [&](const PolypLesion & lesion) { return lesion.*member == number; });
+  };
+  const auto add = [&](int firstNumber, int secondNumber) {
+    lesions.push_back({ LetterOfLesion(lesions.size()), firstNumber, secondNumber });
+  };
+  for (const PolypCandidate & one : first)
   {
-    const double    inPlane = std::isfinite(one.planeDiameter) ? one.planeDiameter : 0.0;
-    const PolypSize size = SizeOf(std::max(one.diameter, inPlane));
-    const bool      isListed = IsListedAsPolyp(one);
-    medium += isListed && size == PolypSize::From6To9 ? 1 : 0;
-    large += isListed && (size == PolypSize::From10 || size == PolypSize::From30) ? 1 : 0;
+    if (IsListedAsPolyp(one))
+    {
+      const auto other = std::find_if(second.begin(), second.end(), [&](const PolypCandidate & candidate) {
+        return AreSameLesion(one, candidate) && isFree(&PolypLesion::second, candidate.number);
+      });
+      add(one.number, other == second.end() ? 0 : other->number);
+    }
   }
-  return "If confirmed: " + std::to_string(large) + " of 10 mm and more, " + std::to_string(medium) + " of 6 to 9 mm";
+  for (const PolypCandidate & one : second)
+  {
+    if (IsListedAsPolyp(one) && isFree(&PolypLesion::second, one.number))
+    {
+      const auto other = std::find_if(first.begin(), first.end(), [&](const PolypCandidate & candidate) {
+        return AreSameLesion(candidate, one) && isFree(&PolypLesion::first, candidate.number);
+      });
+      add(other == first.end() ? 0 : other->number, one.number);
+    }
+  }
+  return lesions;
+}
+
+std::string
+SizesIfConfirmed(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second)
+{
+  const LesionCounts inPlane = CountLesions(first, second, true), inSpace = CountLesions(first, second, false);
+  const std::string  text = "If confirmed: " + std::to_string(inPlane.large) + " of 10 mm and more, " +
+                           std::to_string(inPlane.medium) + " of 6 to 9 mm";
+  const bool isSame = inPlane.large == inSpace.large && inPlane.medium == inSpace.medium;
+  return text + (isSame ? ""
+                        : " by the size in the best plane; " + std::to_string(inSpace.large) + " and " +
+                            std::to_string(inSpace.medium) + " by the size in 3-D");
 }
 } // namespace shapeton

@@ -164,6 +164,13 @@ Quantile(const std::vector<double> & sorted, double share)
            : sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(share * static_cast<double>(sorted.size())))];
 }
 
+double
+MeanOf(const std::vector<double> & values)
+{
+  return values.empty() ? std::numeric_limits<double>::quiet_NaN()
+                        : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
 /** HU inside a head: where the lumen does not affect it or, if a film of contrast does, below such a film; sorted. */
 std::vector<double>
 ValuesInside(const std::vector<InnerPoint> & points)
@@ -186,9 +193,7 @@ MeasureAttenuation(const std::vector<InnerPoint> & points, PolypCandidate & cand
   candidate.attenuation = Quantile(values, 0.5);
   candidate.lowAttenuation = Quantile(values, low);
   candidate.highAttenuation = Quantile(values, high);
-  candidate.meanAttenuation =
-    values.empty() ? std::numeric_limits<double>::quiet_NaN()
-                   : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  candidate.meanAttenuation = MeanOf(values);
   candidate.tissue = TissueOf(candidate.attenuation);
   candidate.lookalike = candidate.tissue == PolypTissue::Gas      ? PolypLookalike::Gas
                         : candidate.tissue == PolypTissue::Tagged ? PolypLookalike::Tagged
@@ -320,8 +325,9 @@ NoteResidue(const SurfaceMesh &           wall,
   const LumenAt lumenAt(lumen);
   for (PolypCandidate & candidate : candidates)
   {
-    const double before = Quantile(ValuesInside(InnerPointsOf(wall, candidate, *interpolator, lumenAt)), 0.5);
-    if (candidate.lookalike == PolypLookalike::None && before >= leastOfFluid)
+    const std::vector<double> before = ValuesInside(InnerPointsOf(wall, candidate, *interpolator, lumenAt));
+    candidate.uncleansedAttenuation = MeanOf(before);
+    if (candidate.lookalike == PolypLookalike::None && Quantile(before, 0.5) >= leastOfFluid)
     {
       candidate.lookalike = PolypLookalike::Residue;
       AddRemark(NameOf(candidate.lookalike), candidate);

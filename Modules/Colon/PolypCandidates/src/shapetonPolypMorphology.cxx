@@ -194,7 +194,10 @@ JoinFragments(const SurfaceMesh & wall, std::vector<PolypCandidate> & candidates
 std::string
 MorphologyInWords(const PolypCandidate & candidate)
 {
-  const std::string name = NameOf(candidate.morphology);
+  const double      largest = std::max(candidate.diameter, candidate.planeDiameter); // the former if the latter is NaN
+  const bool        isDiminutive = SizeOf(largest) == PolypSize::AtMost5;
+  const std::string name =
+    candidate.morphology != PolypMorphology::Unknown && isDiminutive ? "diminutive" : NameOf(candidate.morphology);
   return name.empty() || !candidate.isOnFold ? name : name + ", on a fold";
 }
 } // namespace shapeton

@@ -116,7 +116,7 @@ NameSegments(const SurfaceMesh & segments, std::vector<PolypCandidate> & candida
   }
 }
 
-/** Adds remarks to candidates where the wall is not assessable. */
+/** Adds remarks to candidates in stretches where wall is hidden: their own wall may be visible. */
 void
 NoteHindrances(const CurveSet & centerline, std::vector<PolypCandidate> & candidates)
 {
@@ -124,7 +124,7 @@ NoteHindrances(const CurveSet & centerline, std::vector<PolypCandidate> & candid
   for (PolypCandidate & candidate : candidates)
   {
     const ColonHindrance hindrance = HindranceAt(stretches, candidate.arcLength);
-    AddRemark(hindrance == ColonHindrance::None ? "" : "not assessable: " + InWords(hindrance), candidate);
+    AddRemark(hindrance == ColonHindrance::None ? "" : "stretch not fully evaluable: " + InWords(hindrance), candidate);
   }
 }
 

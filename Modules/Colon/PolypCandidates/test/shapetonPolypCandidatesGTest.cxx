@@ -457,6 +457,7 @@ TEST(PolypCandidates, FluidThatCleansingLeftIsResidue)
     shapeton::NoteResidue(wall, original, lumen, candidates);
     EXPECT_EQ(candidates.front().lookalike,
               inside > 100.0 ? shapeton::PolypLookalike::Residue : shapeton::PolypLookalike::None);
+    EXPECT_NEAR(candidates.front().uncleansedAttenuation, inside, 30.0);
   }
   EXPECT_EQ(candidates.front().remark, "residue of electronic cleansing");
 }
@@ -583,12 +584,40 @@ TEST(PolypCandidates, SizesIfConfirmedLeaveOutWhatIsNamed)
            " of 6 to 9 mm";
   };
   EXPECT_EQ(shapeton::SizesIfConfirmed({}), confirmed(0, 0));
-  EXPECT_EQ(shapeton::SizesIfConfirmed({ medium, large, medium }), confirmed(1, 2));
+  medium.number = 1;
+  large.number = 2;
+  EXPECT_EQ(shapeton::SizesIfConfirmed({ medium, large }), confirmed(1, 1));
   PolypCandidate valve = large, fragment = large;
   valve.lookalike = shapeton::PolypLookalike::Valve;
-  fragment.number = 2;
-  fragment.mainCandidate = 1;
+  valve.number = 3;
+  fragment.number = 4;
+  fragment.mainCandidate = 2;
   EXPECT_EQ(shapeton::SizesIfConfirmed({ large, valve, fragment }), confirmed(1, 0));
+}
+
+TEST(PolypCandidates, LesionsOfTwoPositionsCountOnce)
+{
+  const auto candidate = [](int number, double diameter, int there) {
+    PolypCandidate one;
+    one.number = number;
+    one.diameter = diameter;
+    one.other.emplace();
+    one.other->isSeen = there > 0;
+    one.other->candidate = there;
+    return one;
+  };
+  std::vector<PolypCandidate> first{ candidate(1, 8.0, 2), candidate(2, 12.0, 0), candidate(3, 7.0, 2) };
+  std::vector<PolypCandidate> second{ candidate(1, 6.0, 0), candidate(2, 10.0, 1), candidate(3, 9.0, 4) };
+  first.push_back(candidate(4, 9.0, 3));
+  first.back().lookalike = shapeton::PolypLookalike::Tagged;
+  std::string lesions;
+  for (const shapeton::PolypLesion & one : shapeton::LesionsOfPositions(first, second))
+  {
+    lesions += one.letter + std::to_string(one.first) + std::to_string(one.second) + ' ';
+  }
+  EXPECT_EQ(lesions, "A12 B20 C30 D01 E43 ");
+  EXPECT_EQ(shapeton::SizesIfConfirmed(first, second), "If confirmed: 2 of 10 mm and more, 3 of 6 to 9 mm");
+  EXPECT_EQ(shapeton::LesionsOfPositions(std::vector<PolypCandidate>(28), {}).back().letter, "AB");
 }
 
 TEST(PolypCandidates, FormIsThatOfTheBody)
@@ -616,6 +645,9 @@ TEST(PolypCandidates, FormIsThatOfTheBody)
   EXPECT_EQ(shapeton::MorphologyInWords(flat), "flat");
   const auto onFold = formOf({ Ellipsoid(Base(8.0), 5.0, 6.0) });
   EXPECT_EQ(shapeton::MorphologyInWords(onFold), "sessile, on a fold");
+  PolypCandidate small = onFold;
+  small.diameter = small.planeDiameter = 5.4; // rounded to 5 mm
+  EXPECT_EQ(shapeton::MorphologyInWords(small), "diminutive, on a fold");
 }
 
 TEST(PolypCandidates, FragmentsBelongToTheBestOne)
@@ -737,7 +769,7 @@ TEST(PolypCandidates, TooSmallForTheResolutionIsNoted)
   large.diameter = 9.0;
   std::vector<PolypCandidate> candidates{ small, large };
   shapeton::NoteSmallerThan(9.0, candidates);
-  EXPECT_EQ(candidates[0].remark, "tagged; not assessable for polyps below 9 mm");
+  EXPECT_EQ(candidates[0].remark, "tagged; not evaluable for polyps below 9 mm");
   EXPECT_EQ(candidates[1].remark, "");
 }
 
