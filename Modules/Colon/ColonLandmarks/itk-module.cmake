@@ -12,6 +12,7 @@ itk_module(ShapetonColonLandmarks
     ShapetonFlatColon
     ShapetonColonModel
     ITKCommon
+    ITKImageFunction
   PRIVATE_DEPENDS
     ShapetonConformalFlattening
   TEST_DEPENDS

@@ -71,11 +71,26 @@ struct SegmentQuality
   int    hiddenParts{ 0 };
   /** The largest of these parts. */
   HiddenWall largestHidden;
+  /** Visible part of the length in the other position, and in at least one of the positions, 0 to 1; NaN if unknown. */
+  double otherShare{ std::numeric_limits<double>::quiet_NaN() };
+  double eitherShare{ std::numeric_limits<double>::quiet_NaN() };
 
   /** The visible part of the length, or the part of the wall that the flat map shows, whichever is smaller; 0 to 1. */
   ShapetonColonLandmarks_EXPORT double
   EvaluableShare() const;
 };
+
+/** HU of a CT at a place (LPS, mm), NaN outside. */
+using AttenuationAt = std::function<double(const Eigen::Vector3d &)>;
+
+/** Interpolates linearly; the image must outlive the result. */
+ShapetonColonLandmarks_EXPORT AttenuationAt
+AttenuationOf(const itk::Image<float, 3> * ct);
+
+/** Whether tagged matter coats the faces of a wall, see SegmentQuality::residueArea.
+ * \param lumen 1 gas, 2 tagged fluid. \param original HU before cleansing. */
+ShapetonColonLandmarks_EXPORT std::vector<bool>
+FindCoatedFaces(const SurfaceMesh & wall, const LumenMask * lumen, const AttenuationAt & original);
 
 /** Input of MeasureSegmentQuality(). */
 struct SegmentQualityInput
@@ -88,8 +103,8 @@ struct SegmentQualityInput
   std::vector<HiddenWall>         hidden;
   /** 1 gas, 2 tagged fluid; null if unknown or if the input was a mask. */
   const LumenMask * lumen{ nullptr };
-  /** HU of the CT before cleansing at a place (LPS, mm), NaN outside; empty if unknown. */
-  std::function<double(const Eigen::Vector3d &)> attenuation;
+  /** Of the CT before cleansing; empty if unknown. */
+  AttenuationAt attenuation;
 };
 
 /** In the order of the segments. Throws InputError if the wall or the centerline lacks an array. */

@@ -28,7 +28,7 @@ SetArray(std::vector<SurfaceArray> & arrays, const SurfaceArray & array)
     arrays.end());
   arrays.push_back(array);
 }
-/** Adds a remark for each segment that is not completely assessable. */
+/** Adds a remark for each segment that is not completely evaluable. */
 void
 WarnOfHindrances(ColonLandmarks & landmarks)
 {
@@ -47,7 +47,7 @@ WarnOfHindrances(ColonLandmarks & landmarks)
     }
     landmarks.warnings.push_back(
       "the " + NameOfSegment(segment) + " is " +
-      (assessability->Verdict() == "partly" ? "partly assessable, " : "not assessable: assessable along ") +
+      (assessability->Verdict() == "partly" ? "partly evaluable, " : "not evaluable: evaluable along ") +
       std::to_string(std::lround(100.0 * assessability->share)) + " % of its length; " + why);
   }
 }

@@ -3,6 +3,8 @@
 #include "shapetonExceptions.h"
 #include "shapetonSurfaceLocator.h"
 
+#include "itkLinearInterpolateImageFunction.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -69,17 +71,40 @@ IsNearFluid(const LumenMask * lumen, const Eigen::Vector3d & point)
   return false;
 }
 
-/** Whether tagged matter is behind the wall. */
+/** A face, seen from the lumen. */
+struct FaceFront
+{
+  Eigen::Vector3d middle;
+  Eigen::Vector3d inwards;
+  double          area;
+};
+
+FaceFront
+FrontOf(const SurfaceMesh & wall, int face)
+{
+  const auto            corner = [&](int k) -> Eigen::Vector3d { return wall.V.row(wall.F(face, k)); };
+  const Eigen::Vector3d cross = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+  return { (corner(0) + corner(1) + corner(2)) / 3.0, -cross.stableNormalized(), 0.5 * cross.norm() };
+}
+
 bool
-IsCoated(const SegmentQualityInput & input, const Eigen::Vector3d & wall, const Eigen::Vector3d & outwards)
+IsSubmerged(const LumenMask * lumen, const FaceFront & front)
+{
+  constexpr double inLumen = 2.0; // mm from the wall, beyond the blur of a scan
+  return LabelAt(lumen, front.middle + inLumen * front.inwards) == fluidLabel;
+}
+
+/** Whether tagged matter is behind a wall under gas. */
+bool
+IsCoated(const LumenMask * lumen, const AttenuationAt & original, const FaceFront & front)
 {
   constexpr double tagged = 300.0;            // HU, as for candidates: see TissueLikelihood()
   constexpr double deepest = 2.0, step = 0.5; // mm
   for (double depth = step; depth <= deepest; depth += step)
   {
-    if (input.attenuation(wall + depth * outwards) > tagged)
+    if (original(front.middle - depth * front.inwards) > tagged)
     {
-      return !IsNearFluid(input.lumen, wall);
+      return !IsSubmerged(lumen, front) && !IsNearFluid(lumen, front.middle);
     }
   }
   return false;
@@ -87,26 +112,21 @@ IsCoated(const SegmentQualityInput & input, const Eigen::Vector3d & wall, const 
 
 /** Adds a face by the lumen in front of it. */
 void
-AddFace(const SegmentQualityInput & input, int face, WallSums & sums)
+AddFace(const SegmentQualityInput & input, const FaceFront & front, WallSums & sums)
 {
-  constexpr double      inLumen = 2.0, inFluid = 3.0, beyond = 4.5; // mm from the wall, beyond the blur of a scan
-  const auto            corner = [&](int k) -> Eigen::Vector3d { return input.wall->V.row(input.wall->F(face, k)); };
-  const Eigen::Vector3d cross = (corner(1) - corner(0)).cross(corner(2) - corner(0));
-  const double          area = 0.5 * cross.norm();
-  const Eigen::Vector3d inwards = -cross.stableNormalized();
-  const Eigen::Vector3d middle = (corner(0) + corner(1) + corner(2)) / 3.0;
-  sums.area += area;
-  if (LabelAt(input.lumen, middle + inLumen * inwards) != fluidLabel)
+  constexpr double inFluid = 3.0, beyond = 4.5; // mm from the wall, beyond the blur of a scan
+  sums.area += front.area;
+  if (!IsSubmerged(input.lumen, front))
   {
-    sums.residueArea += input.attenuation && IsCoated(input, middle, -inwards) ? area : 0.0;
+    sums.residueArea += input.attenuation && IsCoated(input.lumen, input.attenuation, front) ? front.area : 0.0;
     return;
   }
-  sums.submerged += area;
-  if (input.attenuation && LabelAt(input.lumen, middle + beyond * inwards) == fluidLabel)
+  sums.submerged += front.area;
+  if (input.attenuation && LabelAt(input.lumen, front.middle + beyond * front.inwards) == fluidLabel)
   {
-    const double value = input.attenuation(middle + inFluid * inwards);
-    sums.fluidArea += std::isfinite(value) ? area : 0.0;
-    sums.fluidSum += std::isfinite(value) ? area * value : 0.0;
+    const double value = input.attenuation(front.middle + inFluid * front.inwards);
+    sums.fluidArea += std::isfinite(value) ? front.area : 0.0;
+    sums.fluidSum += std::isfinite(value) ? front.area * value : 0.0;
   }
 }
 
@@ -145,7 +165,8 @@ AddWall(const SegmentQualityInput & input, const std::vector<int> & segmentOfFac
   SumsOfSegments sums;
   for (int f = 0; f < input.wall->NumberOfFaces(); ++f)
   {
-    AddFace(input, f, sums.at(static_cast<std::size_t>(segmentOfFace[static_cast<std::size_t>(f)])));
+    AddFace(
+      input, FrontOf(*input.wall, f), sums.at(static_cast<std::size_t>(segmentOfFace[static_cast<std::size_t>(f)])));
   }
   for (SegmentQuality & row : rows)
   {
@@ -181,6 +202,29 @@ Number(double value)
   return std::isfinite(value) ? CsvTable::Rounded(value, digits) : "";
 }
 } // namespace
+
+AttenuationAt
+AttenuationOf(const itk::Image<float, 3> * ct)
+{
+  const auto interpolator = itk::LinearInterpolateImageFunction<itk::Image<float, 3>, double>::New();
+  interpolator->SetInputImage(ct);
+  return [=](const Eigen::Vector3d & place) {
+    const itk::Point<double, 3> point(place.data());
+    return interpolator->IsInsideBuffer(point) ? interpolator->Evaluate(point)
+                                               : std::numeric_limits<double>::quiet_NaN();
+  };
+}
+
+std::vector<bool>
+FindCoatedFaces(const SurfaceMesh & wall, const LumenMask * lumen, const AttenuationAt & original)
+{
+  std::vector<bool> coated;
+  for (int face = 0; face < wall.NumberOfFaces(); ++face)
+  {
+    coated.push_back(IsCoated(lumen, original, FrontOf(wall, face)));
+  }
+  return coated;
+}
 
 std::string
 NameOf(DistensionGrade grade)
@@ -248,7 +292,9 @@ TableOfSegmentQuality(const std::vector<SegmentQuality> & segments)
                    "residueArea",
                    "untaggedFluid",
                    "hiddenArea",
-                   "hiddenParts" });
+                   "hiddenParts",
+                   "otherAssessableShare",
+                   "eitherAssessableShare" });
   for (const SegmentQuality & one : segments)
   {
     const auto untagged = static_cast<std::size_t>(ColonHindrance::UntaggedFluid);
@@ -268,7 +314,9 @@ TableOfSegmentQuality(const std::vector<SegmentQuality> & segments)
                    Number(one.residueArea),
                    Number(one.assessability.lengths.at(untagged)),
                    Number(one.hiddenArea),
-                   std::to_string(one.hiddenParts) });
+                   std::to_string(one.hiddenParts),
+                   Number(one.otherShare),
+                   Number(one.eitherShare) });
   }
   return table;
 }

@@ -132,6 +132,14 @@ TEST(SegmentQuality, StatesWhatIsKnownOfATube)
   EXPECT_TRUE(std::isnan(rows[0].fluidAttenuation));
   EXPECT_NEAR(rows[0].residueArea, 20.0 * radius * 2.0 * std::atan(0.5), 15.0); // a third of a ring of triangles
   EXPECT_EQ(rows[0].hiddenParts, 0);
+  double                  coatedArea = 0.0;
+  const std::vector<bool> coated = FindCoatedFaces(tube, lumen, input.attenuation);
+  for (int f = 0; f < tube.NumberOfFaces(); ++f)
+  {
+    const Eigen::Vector3d a = tube.V.row(tube.F(f, 0)), b = tube.V.row(tube.F(f, 1)), c = tube.V.row(tube.F(f, 2));
+    coatedArea += coated[static_cast<std::size_t>(f)] ? 0.5 * (b - a).cross(c - a).norm() : 0.0;
+  }
+  EXPECT_NEAR(coatedArea, rows[0].residueArea, 1e-9);
 
   EXPECT_EQ(rows[1].grade, DistensionGrade::Optimal);
   const double wetLength = (length - poolBegin) / (length - border);
