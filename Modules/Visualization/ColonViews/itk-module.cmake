@@ -17,6 +17,7 @@ itk_module(ShapetonColonViews
   PRIVATE_DEPENDS
     ShapetonVolumeFiles
     ITKCommon
+    ITKIONRRD
   TEST_DEPENDS
     ITKGoogleTest
     ITKIOImageBase

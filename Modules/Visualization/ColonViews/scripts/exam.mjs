@@ -8,6 +8,7 @@ const segmentNames = ['', 'rectum', 'sigmoid', 'descending', 'transverse', 'asce
 const hindranceNames = ['', 'no lumen', 'cut by the scan', 'untagged fluid', 'caliber below 10 mm'];
 const BRIDGED = 64, CAP = 128; // CAP: over a pouch that was cut off
 const NO_LUMEN = 1;       // of hindranceNames
+const COATED = 5;         // in place of a hindrance: visible wall with tagged residue
 const COLLAPSED = 2.5;    // mm, radius below which a flight hurries
 const TOUCH = 1.5;        // mm before a point where the wall does not hide it
 
@@ -43,7 +44,8 @@ export class Exam {
     c.xyz = [c.x, c.y, c.z];
     const wall = (c.u !== null && this.fromUv(c.u, c.v)) || this.fromXyz(c.xyz, false);
     const depth = Math.max(c.diameter, c.height) / 2;
-    c.place = { ...wall, xyz: c.xyz, off: distance(c.xyz, wall.wall), depth, candidate: c };
+    const arc = c.arcLength ?? wall.arc; // as in the report
+    c.place = { ...wall, arc, xyz: c.xyz, off: distance(c.xyz, wall.wall), depth, candidate: c };
     c.uv = wall.uv;
   }
 
@@ -138,7 +140,9 @@ export class Exam {
   }
 
   segmentOf(face) { return this.kinds[face] & 7; }
-  hindranceOf(face) { return (this.kinds[face] >> 3) & 7; }
+  stateOf(face) { return (this.kinds[face] >> 3) & 7; }
+  hindranceOf(face) { return this.isCoated(face) ? 0 : this.stateOf(face); }
+  isCoated(face) { return this.stateOf(face) === COATED; }
   isSynthetic(face) { return this.kinds[face] >= BRIDGED; } // bridged, or the cap of a pouch
   nameOfSegment(face) { return segmentNames[this.segmentOf(face)] || ''; }
 
@@ -246,8 +250,9 @@ export class Exam {
     if (fold) out.push(`fold ${fold}`);
     if (place.off > 5) out.push(`${place.off.toFixed(0)} mm off the wall`);
     const hindrance = hindranceNames[clamp(this.hindranceOf(place.face), 0, 4)];
-    if (hindrance) out.push(`not assessable: ${hindrance}`);
-    if (this.kinds[place.face] >= CAP) out.push('pouch: wall not shown on the flat map');
+    if (hindrance) out.push(`stretch not fully evaluable: ${hindrance}`);
+    if (this.isCoated(place.face)) out.push('tagged residue on the wall');
+    if (this.kinds[place.face] >= CAP) out.push('wall that the unfolded view does not show');
     else if (this.isSynthetic(place.face)) out.push('interpolated wall (no CT data)');
     return out.join(' · ');
   }

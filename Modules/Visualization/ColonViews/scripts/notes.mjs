@@ -5,7 +5,7 @@ const LIMITATIONS = [
   'The list of candidates may miss polyps. A candidate may be stool, the ileocecal valve or the end of a fold.',
   'Scores are calibrated on synthetic patients.',
   'Light gray wall is interpolated (no CT data): polyps there are not shown.',
-  'Pouches that were cut off: wall not shown on the flat map; look at the slices.',
+  'Wall that cannot be flattened, such as heads on stalks, is not shown on the unfolded view: look at the slices.',
   'Electronic cleansing may remove or add structures: check each finding on the original CT.',
   'Sizes on the unfolded view are distorted: measure on slices or along the wall.',
   'The volume ends 15 mm beyond the colon: the page does not suit extracolonic findings.',
@@ -26,16 +26,16 @@ function folded(id, title, items) {
 // The folded lists of warnings and limitations.
 export function fillNotes(root, { warnings, positions }, exams, bits) {
   const number = warnings.reduce((sum, kind) => sum + kind.warnings.length, 0);
-  const limits = [...LIMITATIONS, ...positions.map(({ name }, k) => assessableOf(exams[k], positions.length > 1 ? name || k + 1 : ''))];
+  const limits = [...LIMITATIONS, ...positions.map(({ name }, k) => evaluableOf(exams[k], positions.length > 1 ? name || k + 1 : ''))];
   if (bits === 8) limits.push('HU are stored in steps of 6 up to 320 HU, and of 40 up to 1560 HU.');
   root.replaceChildren(folded('warnings', `Warnings of the examination (${number})`, warnings.map(itemOf)),
     folded('limitations', `Limits of this page (${limits.length})`, limits.map((text) => element('li', { textContent: text }))));
 }
 
-// Share of the centerline around which the wall is assessable.
-function assessableOf({ center }, name) {
+// Share of the centerline around which the wall is evaluable.
+function evaluableOf({ center }, name) {
   const good = center.filter((c) => !c.hindrance).length / center.length;
-  return `The wall is assessable along ${Math.floor(100 * good)} % of the centerline${name ? ` (${name})` : ''}.`;
+  return `The wall is evaluable along ${Math.floor(100 * good)} % of the centerline${name ? ` (${name})` : ''}.`;
 }
 
 // Notices to show before reading.

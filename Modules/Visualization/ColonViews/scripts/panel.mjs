@@ -14,9 +14,10 @@ const HEAD_SPAN = 80, HEAD_SCALE = 1.5; // size of slices in mm, and least pixel
 
 // All views of one position, around one crosshair.
 export class Panel {
-  // notify: callback with this panel after its crosshair has moved; marksOf: candidates and findings to show.
-  constructor(root, exam, layers, notify, marksOf) {
-    Object.assign(this, { root, exam, layers, notify, marksOf, window: [1500, -200], paintings: 0, measure: null });
+  // notify: callback with this panel after its crosshair has moved; zoomed: with a slice after its scale has changed; marksOf:
+  // candidates and findings to show.
+  constructor(root, exam, layers, { notify, zoomed, marksOf }) {
+    Object.assign(this, { root, exam, layers, notify, zoomed, marksOf, window: [1500, -200], paintings: 0, measure: null });
     Object.assign(this, { translucent: null, tissuePaintings: 0 }); // translucent: the place around which it is shown
     this.volumeText = 'Loading the volume …';
     this.place = exam.fromXyz(exam.center[Math.min(60, exam.center.length - 1)].xyz, false);
@@ -108,8 +109,13 @@ export class Panel {
   // Sets the crosshair to a place with all views centered on it.
   centerOn(place) {
     this.set(place);
-    this.slices.forEach((s) => s.centerOn(place, HEAD_SPAN));
-    this.flat.centerOn(place, HEAD_SCALE);
+    this.showAround();
+  }
+
+  // Centers all views on the crosshair.
+  showAround() {
+    this.slices.forEach((s) => s.centerOn(this.place, HEAD_SPAN));
+    this.flat.centerOn(this.place, HEAD_SCALE);
   }
 
   // Flies by this distance (mm) along the centerline in the direction of flight.

@@ -45,11 +45,23 @@ export class SliceView extends View {
     this.title = tilt > 0.5 ? `${PLANES[plane]}, oblique by ${tilt.toFixed(0)}°` : PLANES[plane];
   }
 
+  // Width and height of a whole slice, mm.
+  extent() {
+    if (!this.letters) this.layout();
+    const { size, spacing } = this.panel.exam.volume;
+    return [this.across, this.down].map((k) => size[k] * spacing[k]);
+  }
+
+  // Pixels per mm at which a whole slice fits into the view; `room`, if set, is the larger slice of two positions.
+  fit() {
+    const [width, height] = this.room ?? this.extent();
+    return Math.min(this.w / width, this.h / height);
+  }
+
   frame() {
     const { exam, place } = this.panel, v = exam.volume, p = exam.toImage(place.xyz), pair = [this.across, this.down];
-    const extent = (k) => v.size[k] * v.spacing[k];
-    const s = this.zoom * Math.min(this.w / extent(this.across), this.h / extent(this.down));
-    if (this.zoom === 1 || !this.middle) this.middle = pair.map((k) => extent(k) / 2 - v.spacing[k] / 2);
+    const s = this.zoom * this.fit();
+    if (this.zoom === 1 || !this.middle) this.middle = this.extent().map((mm, i) => mm / 2 - v.spacing[pair[i]] / 2);
     // Scrolls only if the crosshair would leave the view, so two clicks can measure a distance.
     const leaves = pair.some((k, i) => Math.abs(p[k] - this.middle[i]) * s > 0.46 * [this.w, this.h][i]);
     if (this.zoom > 1 && leaves) this.middle = pair.map((k) => p[k]);
@@ -187,15 +199,14 @@ export class SliceView extends View {
   }
 
   wheel(d, at, isScaling) { if (isScaling) this.scale(1.25 ** -d); else this.step(d); }
-  scale(by) { this.zoom = clamp(this.zoom * by, 1, 12); this.changed(); }
+  scale(by) { this.zoomTo(this.zoom * by); this.panel.zoomed(this); }
+  zoomTo(zoom) { this.zoom = clamp(zoom, 1, 12); this.changed(); }
 
   // Shows a place at the center, enlarged until `span` mm fit into the view: slices in views of one size have the same scale.
   centerOn(place, span) {
     const { exam } = this.panel, { w, h } = this;
     if (!exam.volume || !w) return;
-    if (!this.letters) this.layout();
-    const fits = (k, pixels) => pixels / (exam.volume.size[k] * exam.volume.spacing[k]);
-    this.scale(Math.min(w, h) / span / Math.min(fits(this.across, w), fits(this.down, h)) / this.zoom);
+    this.zoomTo(Math.min(w, h) / span / this.fit());
     const p = exam.toImage(place.xyz);
     this.middle = [this.across, this.down].map((k) => p[k]);
     this.changed();

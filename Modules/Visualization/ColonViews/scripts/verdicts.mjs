@@ -22,8 +22,10 @@ export class Verdicts {
       id: (position ? 'second/' : '') + candidate.candidate, position, candidate,
       verdict: VERDICTS[0], note: '', size: null, morphology: '',
     })));
-    const rank = ({ candidate: c }) => (c.recognizedAs ? 1 : 0);
-    this.entries.sort((a, b) => rank(a) - rank(b) || b.candidate.score - a.candidate.score);
+    // Lesions of two positions in the order of the report, then by score; what was recognized as something else last.
+    const rank = ({ candidate: c }) => (c.recognizedAs ? 1 : 0), lesion = ({ candidate: c }) => (c.lesion ?? '').padStart(2);
+    this.entries.sort((a, b) => rank(a) - rank(b) || (lesion(a) < lesion(b) ? -1 : lesion(a) > lesion(b) ? 1 : 0)
+      || a.position - b.position || b.candidate.score - a.candidate.score);
     this.findings = [];
     if (info.verdicts) this.take(info.verdicts);
     this.list();
@@ -152,11 +154,14 @@ export class Verdicts {
     return item;
   }
 
+  lesionOf({ lesion }) { return lesion ? `Lesion ${lesion}: ` : ''; }
+
   whereOf(entry) { return this.exams.length > 1 ? ` (${this.exams[entry.position].info.name || entry.position + 1})` : ''; }
 
   // The numbers of report.html.
   factsOf(entry) {
-    const c = entry.candidate, whole = (x) => Math.round(x), facts = [`${c.candidate}${this.whereOf(entry)}`, `score ${scoreOf(c.score)}`];
+    const c = entry.candidate, whole = (x) => Math.round(x);
+    const facts = [`${this.lesionOf(c)}${c.candidate}${this.whereOf(entry)}`, `score ${scoreOf(c.score)}`];
     facts.push(`${c.segment || 'segment unknown'}${c.arcLength === null ? '' : `, ${cmOf(c.arcLength)}`}`);
     facts.push(c.plane ? `${whole(c.planeDiameter)} mm, ${c.plane}; ${whole(c.diameter)} mm in 3-D` : `${whole(c.diameter)} mm in 3-D`);
     if (c.morphology) facts.push(c.morphology);

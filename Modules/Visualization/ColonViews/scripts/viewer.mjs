@@ -75,7 +75,11 @@ class Viewer {
     exam.seen = new Seen(exam);
     let paths = null;
     exam.paths = () => (paths ??= new SurfacePaths(exam)); // created for the first distance
-    return new Panel(root, exam, this.layers, (panel) => this.moved(panel), (panel) => this.verdicts.marks(this.panels.indexOf(panel)));
+    return new Panel(root, exam, this.layers, {
+      notify: (panel) => this.moved(panel),
+      zoomed: (slice) => this.zoomOthers(slice),
+      marksOf: (panel) => this.verdicts.marks(this.panels.indexOf(panel)),
+    });
   }
 
   makeVerdicts() {
@@ -229,6 +233,7 @@ class Viewer {
     const panel = this.panels[position];
     this.current = position;
     panel.centerOn(candidate ? candidate.place : panel.exam.fromXyz(lps));
+    if (this.isLinked) this.panels[1 - position].showAround();
     this.panels.forEach((p) => p.changed());
   }
 
@@ -247,10 +252,26 @@ class Viewer {
     if (numbers) this.jump({ position: 0, lps: numbers.slice(1).map(Number) });
   }
 
+  get isLinked() { return Boolean(this.maps) && $('link').checked; }
+
+  // Slices of both positions have the same scale.
+  zoomOthers(slice) {
+    if (!this.isLinked) return;
+    for (const { slices } of this.panels) slices[slice.panel.slices.indexOf(slice)].zoomTo(slice.zoom);
+  }
+
+  shareScale() {
+    if (this.exams.some(({ volume }) => !volume)) return;
+    this.panel.slices.forEach((_, k) => {
+      const slices = this.panels.map((p) => p.slices[k]), extents = slices.map((s) => s.extent());
+      for (const slice of slices) slice.room = [0, 1].map((i) => Math.max(...extents.map((e) => e[i])));
+    });
+  }
+
   // ---- updates after a move of the crosshair ----
   moved(panel) {
     this.current = this.panels.indexOf(panel);
-    if (this.maps && $('link').checked) this.linkFrom(this.current);
+    if (this.isLinked) this.linkFrom(this.current);
     if (panel.exam.seen.queue.length) this.lookAround(panel.exam.seen);
     this.notify();
   }
@@ -284,7 +305,7 @@ class Viewer {
     const { panel, verdicts } = this, { seen } = panel.exam;
     $('status').textContent = panel.describe();
     $('share').textContent = seen.sum ? `wall seen in flight: ${(100 * seen.share).toFixed(1)} %` : '';
-    $('trust').textContent = !this.maps ? '' : this.trust === null ? 'not visible in one position: the mapped point is unreliable'
+    $('trust').textContent = !this.maps ? '' : this.trust === null ? 'no correspondence: collapsed, narrow or not scanned in one position'
       : this.trust === undefined ? '' : `confidence of the map ${this.trust.toFixed(2)}`;
     $('unsaved').textContent = verdicts?.isSaved === false ? 'not saved yet' : '';
     $('way').textContent = panel.inside.way > 0 ? '→ cecum' : '← anal verge';
@@ -313,6 +334,7 @@ class Viewer {
       this.times[`volume${k}`] = performance.now() - started;
       this.panels[k].changed();
     }
+    this.shareScale();
     this.notify();
   }
 

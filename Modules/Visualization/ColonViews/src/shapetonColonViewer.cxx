@@ -3,6 +3,7 @@
 #include "shapetonExceptions.h"
 #include "shapetonFileBytes.h"
 #include "shapetonHtmlReport.h"
+#include "shapetonPolypSearch.h"
 #include "shapetonReaderVerdicts.h"
 #include "shapetonScriptPage.h"
 #include "shapetonViewerPosition.h"
@@ -76,6 +77,30 @@ WarningsForPage(const std::vector<std::string> & warnings)
   return kinds;
 }
 
+/** Names the lesions of candidates of two positions. */
+void
+NameLesions(const std::vector<std::string> & folders, Json & positions)
+{
+  if (folders.size() < 2)
+  {
+    return;
+  }
+  const auto candidates = CandidatesOfPositions(folders);
+  for (const PolypLesion & lesion : LesionsOfPositions(candidates[0], candidates[1]))
+  {
+    for (const std::size_t k : { 0, 1 })
+    {
+      for (Json & candidate : positions[k]["candidates"])
+      {
+        if (candidate["candidate"] == std::to_string(k == 0 ? lesion.first : lesion.second))
+        {
+          candidate["lesion"] = lesion.letter;
+        }
+      }
+    }
+  }
+}
+
 /** Adds both maps; false if there are none. */
 bool
 PutMaps(PageBlocks & blocks, const std::vector<std::string> & folders, const std::string & registration)
@@ -107,6 +132,7 @@ WriteColonViewer(const std::string &        exam,
   {
     positions.push_back(PutViewerPosition(blocks, std::to_string(k) + "/", folders[k], options));
   }
+  NameLesions(folders, positions);
   Json info;
   info["title"] = TitleOf(exam, options);
   info["exam"] = Identity(positions, folders, options.isAnonymous);

@@ -9,6 +9,7 @@
 #include "shapetonPageColors.h"
 #include "shapetonParallelFor.h"
 #include "shapetonPictureAnnotation.h"
+#include "shapetonPolypSearch.h"
 #include "shapetonSurfaceLocator.h"
 #include "shapetonExceptions.h"
 
@@ -151,7 +152,7 @@ AnnotationsOf(const std::vector<PolypCandidate> & candidates)
   for (const PolypCandidate & candidate : candidates)
   {
     FlatAnnotation one;
-    one.kind = FlatAnnotation::Kind::Polyp;
+    one.kind = IsListedAsPolyp(candidate) ? FlatAnnotation::Kind::Polyp : FlatAnnotation::Kind::Mark;
     one.text = std::to_string(candidate.number);
     one.point = candidate.position;
     one.diameter = std::max(smallestRing, ringOfDiameter * candidate.diameter);
@@ -313,7 +314,7 @@ PolypCandidatePictures::DrawCloseUp(const PolypCandidate & candidate) const
   if (!widthOnMap)
   {
     FillRectangle(picture, 0, 0, viewWidth, cardLabel, ground, shareOfHead);
-    DrawLabel(picture, "Head not shown: it is in a pouch that was cut off", 3, 3, viewWidth);
+    DrawLabel(picture, "Head not drawn: its surface cannot be flattened", 3, 3, viewWidth);
     return picture;
   }
   const double headOnMap = *widthOnMap / step;

@@ -126,7 +126,9 @@ NoteOnMatches(const RegistrationResults & results)
   return std::to_string(results.matches.size()) +
          " pairs of folds, each of one color in both; red: " + std::to_string(doubtful) +
          (results.points.empty() ? " that the map contradicts" : " contradicted or wrong") +
-         "; black: unmatched.\nThe prone wall is drawn as mapped. Striped: not visible in one position.\n" + seenFrom;
+         "; black: unmatched.\nThe prone wall is drawn as mapped. Striped: no correspondence (collapsed, narrow or not "
+         "scanned in one position).\n" +
+         seenFrom;
 }
 } // namespace
 
@@ -173,7 +175,7 @@ DrawCurvatureCheckerboard(const RegistrationParts & parts, const AlignedColonsOp
   FlatColonPageOptions page;
   page.title = "Curvature of both walls in squares";
   page.note = std::string("Greenish squares: prone; the others: supine. Folds continue across squares where the map is "
-                          "correct.\nStriped: not visible in one position.\n") +
+                          "correct.\nStriped: no correspondence, narrow or hidden.\n") +
               seenFrom;
   page.greatestColumns = options.greatestColumns;
   return DrawFlatColonPage(board, colons.Grid(), colons.Distances(), SegmentAnnotations(parts.supine->segments), page);

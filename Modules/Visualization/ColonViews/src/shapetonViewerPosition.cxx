@@ -10,10 +10,14 @@
 #include "shapetonImageFile.h"
 #include "shapetonPicture.h"
 #include "shapetonPolypSearch.h"
+#include "shapetonReadImage.h"
+#include "shapetonSegmentQuality.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonViewerCandidates.h"
 #include "shapetonViewerDetails.h"
 #include "shapetonViewerVolume.h"
+
+#include "itkNrrdImageIO.h"
 
 #include <algorithm>
 #include <cmath>
@@ -192,12 +196,15 @@ public:
     blocks.Put(name, corners, 3);
   }
 
-  /** Bits 0 to 2: segment; 3 to 5: hindrance (why the wall is not visible); 6: interpolated over a gap; 7: cap of a
-   * pouch.
-   */
+  /** Bits 0 to 2: segment; 3 to 5: hindrance (why the wall is not visible), or 5 for visible wall coated by tagged
+   * residue; 6: interpolated over a gap; 7: cap of a pouch. \param coated by face; empty if unknown. */
   void
-  PutKinds(PageBlocks & blocks, const std::string & name, const Eigen::MatrixXd & segments) const
+  PutKinds(PageBlocks &              blocks,
+           const std::string &       name,
+           const Eigen::MatrixXd &   segments,
+           const std::vector<bool> & coated) const
   {
+    constexpr int             isCoated = 5;
     const Eigen::MatrixXd     hindrance = this->MarksOf("notAssessable");
     const Eigen::MatrixXd     bridged = this->MarksOf("bridged");
     const Eigen::MatrixXd     cap = this->MarksOf("cap");
@@ -205,8 +212,10 @@ public:
     for (const int face : m_Order)
     {
       const int segment = segments.size() > 0 ? static_cast<int>(segments(face, 0)) & 7 : 0;
-      kinds.push_back(static_cast<std::uint8_t>(segment | (static_cast<int>(hindrance(face, 0)) & 7) << 3 |
-                                                (bridged(face, 0) != 0 ? 64 : 0) | (cap(face, 0) != 0 ? 128 : 0)));
+      const int reason = static_cast<int>(hindrance(face, 0)) & 7;
+      const int state = reason == 0 && !coated.empty() && coated[static_cast<std::size_t>(face)] ? isCoated : reason;
+      kinds.push_back(static_cast<std::uint8_t>(segment | state << 3 | (bridged(face, 0) != 0 ? 64 : 0) |
+                                                (cap(face, 0) != 0 ? 128 : 0)));
     }
     blocks.Put(name, kinds);
   }
@@ -274,32 +283,6 @@ PutPoints(PageBlocks & blocks, const std::string & prefix, const SurfaceMesh & m
   blocks.Put(prefix + "source", source, 1);
 }
 
-SurfaceMesh
-PutWall(PageBlocks &        blocks,
-        const std::string & prefix,
-        const std::string & folder,
-        PositionFolder &    files,
-        Json &              info)
-{
-  const std::string path = files.Required("flattening/flat.vtp");
-  const FlatColon   flat(ReadSurfaceFile(path).mesh, {}, '"' + path + '"');
-  const auto &      mesh = flat.Surface();
-  info["circumference"] = flat.Grid().Circumference();
-  info["faces"] = mesh.NumberOfFaces();
-  info["relief"] = PutRelief(blocks, prefix, flat);
-  PutPoints(blocks, prefix, mesh, path);
-  const FlatFaces faces(mesh, path);
-  faces.PutCorners(blocks, prefix + "faces");
-  const bool            hasSegments = files.Has("landmarks/segments.vtp", "segments");
-  const Eigen::MatrixXd segments =
-    hasSegments ? SegmentsOf(folder + "/landmarks/segments.vtp", mesh) : Eigen::MatrixXd();
-  faces.PutKinds(blocks, prefix + "kinds", segments);
-  const bool hasFolds = files.Has("folds/labels.nrrd", "folds");
-  faces.PutFolds(
-    blocks, prefix + "folds", hasFolds ? ReadFoldLabels(folder + "/folds/labels.nrrd").GetPointer() : nullptr);
-  return mesh;
-}
-
 /** The original and the cleansed CT. Runs without cleansing.nrrd have only the latter; runs on a lumen mask have none,
  * so that the page shows the mask. */
 ViewerVolume
@@ -318,18 +301,43 @@ VolumeOf(const std::string & segmentation, PositionFolder & files, const Volume 
   return volume;
 }
 
-void
-PutVolume(PageBlocks &               blocks,
-          const std::string &        prefix,
-          const std::string &        folder,
-          PositionFolder &           files,
-          const VertexMatrix &       wall,
-          const ColonViewerOptions & options)
+/** Whether tagged residue coats the faces of the wall; empty without the CT before cleansing. */
+std::vector<bool>
+CoatedFaces(const SurfaceMesh & wall, const std::string & lumen, const ViewerVolume & volume)
 {
-  const std::string  lumenPath = files.Required("segmentation/lumen.nrrd");
-  const Volume       lumen = ReadImageFile(lumenPath);
-  const ViewerVolume volume = VolumeOf(folder + "/segmentation/", files, lumen);
-  PutViewerVolume(blocks, prefix + "volume", volume, *MaskForImage(lumen, lumenPath, volume.shown), wall, options);
+  if (!volume.cleansed)
+  {
+    return {};
+  }
+  const auto labels = ReadImage<LumenMask>(lumen, itk::NrrdImageIO::New(), "run VirtualColonoscopy again");
+  return FindCoatedFaces(wall, labels, AttenuationOf(volume.shown));
+}
+
+SurfaceMesh
+PutWall(PageBlocks &         blocks,
+        const std::string &  prefix,
+        const std::string &  folder,
+        const ViewerVolume & volume,
+        PositionFolder &     files,
+        Json &               info)
+{
+  const std::string path = files.Required("flattening/flat.vtp");
+  const FlatColon   flat(ReadSurfaceFile(path).mesh, {}, '"' + path + '"');
+  const auto &      mesh = flat.Surface();
+  info["circumference"] = flat.Grid().Circumference();
+  info["faces"] = mesh.NumberOfFaces();
+  info["relief"] = PutRelief(blocks, prefix, flat);
+  PutPoints(blocks, prefix, mesh, path);
+  const FlatFaces faces(mesh, path);
+  faces.PutCorners(blocks, prefix + "faces");
+  const bool            hasSegments = files.Has("landmarks/segments.vtp", "segments");
+  const Eigen::MatrixXd segments =
+    hasSegments ? SegmentsOf(folder + "/landmarks/segments.vtp", mesh) : Eigen::MatrixXd();
+  faces.PutKinds(blocks, prefix + "kinds", segments, CoatedFaces(mesh, folder + "/segmentation/lumen.nrrd", volume));
+  const bool hasFolds = files.Has("folds/labels.nrrd", "folds");
+  faces.PutFolds(
+    blocks, prefix + "folds", hasFolds ? ReadFoldLabels(folder + "/folds/labels.nrrd").GetPointer() : nullptr);
+  return mesh;
 }
 } // namespace
 
@@ -351,8 +359,11 @@ PutViewerPosition(PageBlocks &               blocks,
   info["name"] = quality.value("/lumen/position"_json_pointer, std::string());
   info["seriesUID"] = quality.value("/provenance/input.inputVolume"_json_pointer, std::string());
   PutCenterline(blocks, prefix, files.Required("segmentation/centerline.vtp"));
-  const SurfaceMesh flat = PutWall(blocks, prefix, exam, files, info);
-  PutVolume(blocks, prefix, exam, files, flat.V, options);
+  const std::string  lumenPath = files.Required("segmentation/lumen.nrrd");
+  const Volume       lumen = ReadImageFile(lumenPath);
+  const ViewerVolume volume = VolumeOf(exam + "/segmentation/", files, lumen);
+  const SurfaceMesh  flat = PutWall(blocks, prefix, exam, volume, files, info);
+  PutViewerVolume(blocks, prefix + "volume", volume, *MaskForImage(lumen, lumenPath, volume.shown), flat.V, options);
   info["taeniae"] =
     files.Has("landmarks/taeniae.vtp", "taeniae") ? Taeniae(exam + "/landmarks/taeniae.vtp") : Json::array();
   info["flexures"] =
