@@ -10,7 +10,7 @@ from cohort.files import read_json
 SERIES_MEASURES = {
     "length": ("mm", "Length of the centerline"),
     "distended": ("%", "Distended: caliber of at least 10 mm"),
-    "assessable": ("%", "Assessable wall"),
+    "assessable": ("%", "Evaluable wall"),
     "caliber": ("mm", "Mean caliber"),
     "gaps": ("", "Bridged gaps"),
     "flexures": ("", "Flexures found"),

@@ -115,7 +115,7 @@ def add_documents(found, run):
             key = f"candidate {row['candidate']}: "
             found.add(key + "score", "candidates.csv", probability(row["score"]))
             found.add(key + "segment", "candidates.csv", row["segment"])
-            found.add(key + "from the anal verge", "candidates.csv", cm(row["arcLength"]))
+            found.add(key + "at", "candidates.csv", cm(row["arcLength"]))
 
 
 def main():

@@ -33,16 +33,25 @@ AddPolypsOfOtherPosition(HtmlReport &                        report,
                          const std::vector<PolypCandidate> & here,
                          const std::vector<PolypCandidate> & there);
 
-/** Adds a card for each possible polyp, and a list of those recognized as something else.
- * \param grid of the CT, for the numbers of slices; may be null.
- * \param viewer page of the viewer, to which cards link, relative to the report; may be empty.
- * \ingroup ShapetonColonTools */
+/** Content of the cards of candidates. \ingroup ShapetonColonTools */
+struct PolypCards
+{
+  std::vector<PolypCandidate> candidates;
+  /** Candidates of the other position; may be empty. */
+  std::vector<PolypCandidate> otherPosition;
+  /** Of the CT, for the numbers of slices; may be null. */
+  const itk::ImageBase<3> * grid{ nullptr };
+  /** Page of the viewer, and the page with the cards of the other position, to which cards link, relative to the
+   * report; may be empty. */
+  std::string      viewer;
+  std::string      otherPage;
+  PolypPictureFile pictureOf;
+};
+
+/** Adds a card for each candidate that is a possible polyp in one of the positions, and a list of those recognized as
+ * something else. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT void
-AddPolypCandidateCards(HtmlReport &                        report,
-                       const std::vector<PolypCandidate> & candidates,
-                       const itk::ImageBase<3> *           grid,
-                       const std::string &                 viewer,
-                       const PolypPictureFile &            pictureOf);
+AddPolypCandidateCards(HtmlReport & report, const PolypCards & cards);
 
 /** Writes index.html with these sections and the provenance, and its pictures, polyp-candidates-flat.png and
  * polyp-candidate-NUMBER.png, into an existing folder; does nothing if the folder name is empty. Without a flat map,

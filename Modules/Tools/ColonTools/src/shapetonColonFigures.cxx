@@ -85,6 +85,16 @@ SliceNumber(const itk::ImageBase<3> * grid, const Eigen::Vector3d & place)
 }
 
 std::string
+SliceOrderInWords(const itk::ImageBase<3> * grid)
+{
+  constexpr double leastCosine = 0.7; // the third axis of an axial series
+  const double     upwards = grid->GetDirection()(2, 2);
+  return std::abs(upwards) < leastCosine ? "Slices are counted from 1 along the third axis of the image."
+         : upwards > 0.0                 ? "Slices are counted from 1 at the feet."
+                                         : "Slices are counted from 1 at the head.";
+}
+
+std::string
 AnchorOfPlace(const Eigen::Vector3d & place)
 {
   return "#lps=" + WholeNumber(place.x()) + ',' + WholeNumber(place.y()) + ',' + WholeNumber(place.z());

@@ -38,6 +38,10 @@ Milliliters(double ml);
 /** The slice at a place (LPS, mm), counted from 1 along the third axis of the image. */
 long
 SliceNumber(const itk::ImageBase<3> * grid, const Eigen::Vector3d & place);
+
+/** "Slices are counted from 1 at the feet." */
+std::string
+SliceOrderInWords(const itk::ImageBase<3> * grid);
 /** End of a link that opens the viewer at a place (LPS, mm): "#lps=-175,-125,100". */
 std::string
 AnchorOfPlace(const Eigen::Vector3d & place);

@@ -15,7 +15,7 @@ std::string
 RemarkOn(const SegmentBorder & border, const ColonLandmarks & landmarks)
 {
   const std::string hindrance = landmarks.hindered ? InWords(HindranceAt(*landmarks.hindered, border.arcLength)) : "";
-  return !hindrance.empty() ? "not assessable: " + hindrance : border.confidence < 0.5 ? "uncertain: check it" : "";
+  return !hindrance.empty() ? "not evaluable: " + hindrance : border.confidence < 0.5 ? "uncertain: check it" : "";
 }
 
 CsvTable
@@ -147,7 +147,7 @@ ColonLandmarkReport::Write(const FlatColon & flat, const ColonLandmarks & landma
   report.AddTable(FlexureTable(landmarks), "Flexures");
   report.AddParagraph(ValveInWords(landmarks));
   report.AddHeading("Flat colon");
-  report.AddPicture(pictures[2].path, "Taeniae and flexures on the flat colon; hatched parts are not assessable");
+  report.AddPicture(pictures[2].path, "Taeniae and flexures on the flat colon; hatched parts are not evaluable");
   report.AddParagraph(HowTaeniaeWereFound(landmarks.taeniae));
   report.AddTable(TaeniaTable(landmarks.taeniae), "Taeniae");
   report.AddHeading("Folds on the surface");

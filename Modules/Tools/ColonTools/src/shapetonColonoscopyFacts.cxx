@@ -34,39 +34,42 @@ ValveInWords(const Json & valve)
            : "not found: " + valve.at("reason").get<std::string>();
 }
 
-/** "prone"; the DICOM position code beside it if there is one. */
+/** "prone", or "unknown". */
+std::string
+NameOfPosition(const Json & quality)
+{
+  const std::string position = quality.value("/lumen/position"_json_pointer, std::string());
+  return position.empty() ? "unknown" : position;
+}
+
 std::string
 PositionInWords(const ColonoscopyResults & results)
 {
-  std::string position = results.quality.value("lumen", Json::object()).value("position", std::string());
-  position = position.empty() ? "unknown" : position;
+  const std::string position = NameOfPosition(results.quality);
   return results.isSecond ? position + "; read it with the first series (../report.html)"
-         : results.pair   ? position + "; a second position is registered with it"
-                          : position + "; one position only, so the examination is incomplete";
+         : results.pair
+           ? position + " and " + NameOfPosition(results.qualityOfSecond) + ", registered; this page is on the " +
+               position + " one, " + colonoscopySecondFolder + "/report.html on the other"
+           : position + "; one position only, so the examination is incomplete";
 }
 
 /** Number and description of the series. */
 std::string
 SeriesInWords(const Json & inspection)
 {
-  for (const Json & series : inspection.is_null() ? Json::array() : inspection.value("series", Json::array()))
-  {
-    if (series.value("usable", false))
-    {
-      const Json & number = series.value("seriesNumber", Json());
-      return (number.is_number() ? std::to_string(number.get<int>()) + ": " : "") +
-             series.value("description", std::string());
-    }
-  }
-  return "";
+  const Json series = UsedSeries(inspection);
+  const Json number = series.value("seriesNumber", Json());
+  return (number.is_number() ? std::to_string(number.get<int>()) + ": " : "") +
+         series.value("description", std::string());
 }
 
 /** "complete", perhaps with a part outside the scan, or the missing parts. */
 std::string
-CompletenessInWords(const Json & parts, const Json & assessability)
+CompletenessInWords(const Json & quality)
 {
+  const Json  assessability = quality.value("assessability", Json::object());
   std::string missing;
-  for (const Json & part : parts)
+  for (const Json & part : quality.value("missing", Json::array()))
   {
     missing += (missing.empty() ? "incomplete: " : "; ") + part.get<std::string>();
   }
@@ -114,12 +117,17 @@ AddVolumes(const Json & quality, ColonoscopyFacts & facts)
 }
 
 void
-AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
+AddModelFacts(const ColonoscopyResults & results, ColonoscopyFacts & facts)
 {
+  const Json & quality = results.quality;
   if (quality.contains("missing"))
   {
-    facts.emplace_back("Colon",
-                       CompletenessInWords(quality["missing"], quality.value("assessability", Json::object())));
+    facts.emplace_back("Colon", CompletenessInWords(quality));
+  }
+  if (results.pair && results.qualityOfSecond.contains("missing"))
+  {
+    facts.emplace_back("Colon, " + NameOfPosition(results.qualityOfSecond),
+                       CompletenessInWords(results.qualityOfSecond));
   }
   if (quality.contains("resolution"))
   {
@@ -143,6 +151,28 @@ AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
   if (quality.contains("ileocecalValve"))
   {
     facts.emplace_back("Ileocecal valve", ValveInWords(quality["ileocecalValve"]));
+  }
+}
+
+/** Fluid and residue of the whole colon. */
+void
+AddPreparation(const ColonoscopyQuality & quality, ColonoscopyFacts & facts)
+{
+  double area = 0.0, submerged = 0.0, residue = 0.0, untagged = 0.0;
+  for (const SegmentQuality & one : quality.segments)
+  {
+    area += one.extent.area;
+    submerged += one.extent.area * one.submergedShare;
+    residue += one.residueArea;
+    untagged += one.assessability.lengths.at(static_cast<std::size_t>(ColonHindrance::UntaggedFluid));
+  }
+  if (std::isfinite(submerged) && area > 0.0)
+  {
+    facts.emplace_back(
+      "Preparation",
+      WholePercent(submerged / area) + " of the wall under tagged fluid" +
+        (std::isfinite(residue) ? ", " + SquareCentimeters(residue) + " cm^2 coated by tagged residue" : "") +
+        (untagged > 0.0 ? ", untagged fluid along " + Centimeters(untagged) : ""));
   }
 }
 
@@ -230,8 +260,21 @@ FoldsInWords(const ColonoscopyResults & results)
 
 } // namespace
 
+Json
+UsedSeries(const Json & inspection)
+{
+  for (const Json & series : inspection.is_null() ? Json::array() : inspection.value("series", Json::array()))
+  {
+    if (series.value("usable", false))
+    {
+      return series;
+    }
+  }
+  return Json::object();
+}
+
 std::string
-AssessableInWords(const Json & landmarks, int number)
+EvaluableInWords(const Json & landmarks, int number)
 {
   for (const Json & segment : landmarks.at("segments"))
   {
@@ -240,8 +283,8 @@ AssessableInWords(const Json & landmarks, int number)
       continue;
     }
     const std::string verdict = segment["verdict"].get<std::string>();
-    std::string       text = verdict == "assessable" ? "yes" : verdict == "partly" ? "in part" : "not assessable";
-    text += ", " + WholePercent(NumberOrNaN(segment, "/assessableShare"));
+    std::string       text = verdict == "assessable" ? "yes" : verdict == "partly" ? "in part" : "not evaluable";
+    text += ", along " + WholePercent(NumberOrNaN(segment, "/assessableShare")) + " of the length";
     for (const Json & reason : segment.at("reasons"))
     {
       text += "; " + Centimeters(NumberOrNaN(reason, "/length")) + " " + reason.at("words").get<std::string>();
@@ -269,7 +312,8 @@ SummaryOf(const ColonoscopyReportContent & content)
   {
     facts.emplace_back("Series", series);
   }
-  AddModelFacts(results.quality, facts);
+  AddModelFacts(results, facts);
+  AddPreparation(content.quality, facts);
   return facts;
 }
 
@@ -320,7 +364,7 @@ FlexureTable(const ColonoscopyResults & results)
                      WholeNumber(p[2].get<double>()),
                    ProbabilityInWords(NumberOrNaN(flexure, "/confidence")),
                    flexure.contains("notAssessable")
-                     ? "not assessable: " + flexure["notAssessable"].at("words").get<std::string>()
+                     ? "not evaluable: " + flexure["notAssessable"].at("words").get<std::string>()
                      : "" });
   }
   return table;

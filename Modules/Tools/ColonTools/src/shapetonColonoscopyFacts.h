@@ -15,10 +15,14 @@ SummaryOf(const ColonoscopyReportContent & content);
 ColonoscopyFacts
 MethodFactsOf(const ColonoscopyReportContent & content);
 
-/** Whether segment `number` (1 rectum to 6 cecum) of a landmarks.json is assessable: "yes, 97 %", or the fraction and
- * the reasons; empty if unknown. */
+/** The series that was used, as in series.json; empty if unknown. */
+Json
+UsedSeries(const Json & inspection);
+
+/** Whether segment `number` (1 rectum to 6 cecum) of a landmarks.json is evaluable: "yes, along 97 % of the length", or
+ * the fraction and the reasons; empty if unknown. */
 std::string
-AssessableInWords(const Json & landmarks, int number);
+EvaluableInWords(const Json & landmarks, int number);
 
 /** Position and confidence of each flexure, including those that were not found. */
 CsvTable

@@ -2,6 +2,7 @@
 
 #include "shapetonColonFigures.h"
 #include "shapetonColonSegments.h"
+#include "shapetonColonoscopyFacts.h"
 #include "shapetonPlaceInWords.h"
 #include "shapetonScanResolution.h"
 
@@ -307,35 +308,122 @@ AddCatheter(const ColonoscopyResults & results, const StretchPlaces & places, st
                    tip });
 }
 
-/** Parts of the segments that the map between the positions leaves out. */
+/** What the series says of its own values. */
+void
+AddSeries(const Json & series, std::vector<Limitation> & list)
+{
+  const std::string description = series.value("description", std::string());
+  if (series.value("derived", false))
+  {
+    list.push_back({ "The images are derived, not original (Image Type; series description \"" + description +
+                       "\"): HU, sizes, lengths and volumes on all pages may be approximate.",
+                     {} });
+  }
+  if (series.value("lossy", false))
+  {
+    list.push_back({ "The images were compressed with loss: HU are approximate.", {} });
+  }
+}
+
+/** A stretch of the line, mm. */
+using LineStretch = std::pair<double, double>;
+
+/** Joins values along the line to stretches, across steps of up to `step` mm. */
+std::vector<LineStretch>
+StretchesOf(std::vector<double> values, double step)
+{
+  std::sort(values.begin(), values.end());
+  std::vector<LineStretch> stretches;
+  for (const double value : values)
+  {
+    if (stretches.empty() || value > stretches.back().second + step)
+    {
+      stretches.emplace_back(value, value);
+    }
+    stretches.back().second = value;
+  }
+  return stretches;
+}
+
+/** "sigmoid 28.4 to 29.3 cm, descending 60.0 to 61.0 cm". */
+std::string
+StretchesInWords(const std::vector<LineStretch> & stretches, const ColonoscopyResults & results)
+{
+  std::string text;
+  for (const auto & [begin, end] : stretches)
+  {
+    const ColonSegmentExtent * const segment = FindSegment(results.segments, 0.5 * (begin + end));
+    text += (text.empty() ? "" : ", ") + (segment ? segment->name + ' ' : "") + NumberOfCentimeters(begin) + " to " +
+            Centimeters(end);
+  }
+  return text;
+}
+
+/** Interpolated wall where the lumen was too narrow for the line, which is no stretch without lumen. */
+void
+AddInterpolatedWall(const ColonoscopyResults & results, const StretchPlaces & places, std::vector<Limitation> & list)
+{
+  constexpr double           step = 5.0; // mm, more than an edge of the flat wall
+  const SurfaceArray * const bridged =
+    results.flat ? FindSurfaceArray(results.flat->Surface().cellArrays, "bridged") : nullptr;
+  const SurfaceArray * const arc =
+    results.flat ? FindSurfaceArray(results.flat->Surface().pointArrays, "arcLength") : nullptr;
+  std::vector<double> values;
+  for (Eigen::Index face = 0; bridged && arc && face < bridged->values.rows(); ++face)
+  {
+    if (bridged->values(face, 0) != 0.0)
+    {
+      const auto corners = results.flat->Surface().F.row(face);
+      values.push_back((arc->values(corners[0], 0) + arc->values(corners[1], 0) + arc->values(corners[2], 0)) / 3.0);
+    }
+  }
+  std::vector<LineStretch> stretches = StretchesOf(values, step);
+  for (const HinderedStretch & known : FindHinderedStretches(results.centerline))
+  {
+    if (known.hindrance == ColonHindrance::NoLumen)
+    {
+      stretches.erase(std::remove_if(stretches.begin(),
+                                     stretches.end(),
+                                     [&](const LineStretch & one) {
+                                       return one.first < known.end + step && known.begin - step < one.second;
+                                     }),
+                      stretches.end());
+    }
+  }
+  if (!stretches.empty())
+  {
+    list.push_back({ "Interpolated wall where the lumen is too narrow to follow: " +
+                       StretchesInWords(stretches, results) + ". It is hatched in gray on the unfolded view.",
+                     places.PlaceAt(0.5 * (stretches.front().first + stretches.front().second)) });
+  }
+}
+
+/** Stretches that the map between the positions leaves out. */
 void
 AddLeftOutOfMap(const ColonoscopyResults & results, std::vector<Limitation> & list)
 {
-  constexpr double                         least = 0.05; // of a segment
-  const SurfaceMesh &                      map = results.pair->registration.supineToProne;
-  const SurfaceArray * const               arc = FindSurfaceArray(map.pointArrays, "arcLength");
-  const SurfaceArray * const               excluded = FindSurfaceArray(map.pointArrays, "excluded");
-  std::map<int, std::pair<double, double>> vertices; // of a segment: left out, all
+  constexpr double           step = 5.0, least = 10.0; // mm
+  const SurfaceMesh &        map = results.pair->registration.supineToProne;
+  const SurfaceArray * const arc = FindSurfaceArray(map.pointArrays, "arcLength");
+  const SurfaceArray * const excluded = FindSurfaceArray(map.pointArrays, "excluded");
+  std::vector<double>        values;
   for (Eigen::Index i = 0; arc && excluded && i < arc->values.rows(); ++i)
   {
-    if (const ColonSegmentExtent * const segment = FindSegment(results.segments, arc->values(i, 0)))
+    if (excluded->values(i, 0) != 0.0)
     {
-      vertices[segment->label].first += excluded->values(i, 0) != 0.0 ? 1.0 : 0.0;
-      vertices[segment->label].second += 1.0;
+      values.push_back(arc->values(i, 0));
     }
   }
-  std::string parts;
-  for (const auto & [label, numbers] : vertices)
+  std::vector<LineStretch> stretches = StretchesOf(values, step);
+  stretches.erase(std::remove_if(stretches.begin(),
+                                 stretches.end(),
+                                 [](const LineStretch & one) { return one.second - one.first < least; }),
+                  stretches.end());
+  if (!stretches.empty())
   {
-    if (const double share = numbers.first / numbers.second; share >= least)
-    {
-      parts += (parts.empty() ? "" : ", ") + NameOfSegment(label) + ' ' + WholePercent(share);
-    }
-  }
-  if (!parts.empty())
-  {
-    list.push_back({ "Left out of the map between the positions, because one of them is collapsed or narrow there: " +
-                       parts + ". Find these places in the other position by eye.",
+    list.push_back({ "No correspondence between the positions, because one of them is collapsed, narrow or outside of "
+                     "the scan there: " +
+                       StretchesInWords(stretches, results) + ". Find these places in the other position by eye.",
                      {} });
   }
 }
@@ -355,11 +443,11 @@ AddDoubts(const ColonoscopyResults & results, const StretchPlaces & places, std:
   if (!merges.empty())
   {
     const Eigen::Vector3d place = PlaceInJson(merges.front().at("place"));
-    list.push_back({ "Loops of the colon touch at " + std::to_string(merges.size()) +
-                       (merges.size() == 1 ? " place" : " places") +
-                       "; the wall between them is interrupted there. The widest is at " + PlaceInWords(place) +
-                       places.SliceAt(place) + ".",
-                     place });
+    list.push_back(
+      { "Loops of the colon touch at " + std::to_string(merges.size()) + (merges.size() == 1 ? " place" : " places") +
+          "; no wall between them is resolved there: check that the course does not jump. The widest is at " +
+          PlaceInWords(place) + places.SliceAt(place) + ".",
+        place });
   }
 }
 } // namespace
@@ -369,12 +457,14 @@ LimitationsOf(const ColonoscopyResults & results, const ColonoscopyQuality & qua
 {
   std::vector<Limitation> list;
   AddCompleteness(results, list);
+  AddSeries(UsedSeries(results.inspection), list);
   if (results.centerline.curves.empty())
   {
     return list;
   }
   const StretchPlaces places(results);
   AddHiddenStretches(results, quality, places, list);
+  AddInterpolatedWall(results, places, list);
   if (const double below = NotAssessableBelow(results.centerline); below > 0.0)
   {
     list.push_back({ "The whole colon is " + NotAssessableInWords(below) + " at this resolution.", {} });
@@ -406,7 +496,7 @@ ReasonForInadequate(const ColonoscopyResults & results, const ColonoscopyQuality
     const ColonAssessability & best = quality.either.empty() ? one.assessability : quality.either[i];
     if (best.Verdict() == "notAssessable")
     {
-      add("only " + WholePercent(best.share) + " of the " + one.extent.name + " can be assessed");
+      add("only " + WholePercent(best.share) + " of the " + one.extent.name + " is evaluable");
     }
   }
   return reasons;

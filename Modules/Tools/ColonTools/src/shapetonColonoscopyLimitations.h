@@ -24,7 +24,7 @@ ShapetonColonTools_EXPORT std::vector<Limitation>
                           LimitationsOf(const ColonoscopyResults & results, const ColonoscopyQuality & quality);
 
 /** Why a reader should consider category C0 (inadequate) of C-RADS: parts of the colon are missing or segments are not
- * assessable in any position; "" without a reason. */
+ * evaluable in any position; "" without a reason. */
 ShapetonColonTools_EXPORT std::string
                           ReasonForInadequate(const ColonoscopyResults & results, const ColonoscopyQuality & quality);
 } // namespace shapeton

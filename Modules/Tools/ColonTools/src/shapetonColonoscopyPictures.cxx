@@ -3,6 +3,7 @@
 #include "shapetonColonFlexures.h"
 #include "shapetonColonLandmarkPictures.h"
 #include "shapetonJson.h"
+#include "shapetonSegmentQuality.h"
 #include "shapetonSurfaceRendering.h"
 #include "shapetonFlatPictureSize.h"
 
@@ -18,6 +19,7 @@ const RGBColor loopColor = MakeColor(24, 26, 32);
 const RGBColor flexureColor = MakeColor(250, 214, 80);
 const RGBColor endColor = MakeColor(240, 240, 240);
 const RGBColor foldColor = MakeColor(20, 130, 60);
+const RGBColor residueColor = MakeColor(240, 200, 0);
 
 constexpr double opacityOfGlass = 0.3;
 /** Radii of tubes and balls, mm. */
@@ -154,15 +156,34 @@ FlatTaeniae(const CurveSet & taeniae)
 }
 
 FlatOutlines
-FoldOutlines(const itk::Image<unsigned short, 2> * labels)
+OutlinesOf(const unsigned short * labels, int columns, int rows, const RGBColor & color)
 {
   FlatOutlines outlines;
-  outlines.labels = labels->GetBufferPointer();
-  outlines.columns = static_cast<int>(labels->GetBufferedRegion().GetSize(0));
-  outlines.rows = static_cast<int>(labels->GetBufferedRegion().GetSize(1));
-  outlines.colorOf = [](int) { return foldColor; };
+  outlines.labels = labels;
+  outlines.columns = columns;
+  outlines.rows = rows;
+  outlines.colorOf = [=](int) { return color; };
   outlines.thickness = 1;
   return outlines;
+}
+
+/** 1 where tagged residue coats the wall, by the pixels of the grid of the flat map. */
+std::vector<unsigned short>
+CoatedPixels(const ColonoscopyResults & results)
+{
+  const std::vector<bool> coated =
+    FindCoatedFaces(results.flat->Surface(), results.lumen, AttenuationOf(results.original));
+  const FlatColonGrid &       grid = results.flat->Grid();
+  std::vector<unsigned short> labels;
+  for (int row = 0; row < grid.Rows(); ++row)
+  {
+    for (int column = 0; column < grid.Columns(); ++column)
+    {
+      const int face = grid.FaceOfPixel(column, row);
+      labels.push_back(face >= 0 && coated[static_cast<std::size_t>(face)] ? 1 : 0);
+    }
+  }
+  return labels;
 }
 } // namespace
 
@@ -233,7 +254,16 @@ DrawFlat(const ColonoscopyResults & results, FlatColoring coloring)
   parts.annotations = SegmentAnnotations(results.segments);
   if (results.foldLabels)
   {
-    parts.outlines.push_back(FoldOutlines(results.foldLabels));
+    const auto size = results.foldLabels->GetBufferedRegion().GetSize();
+    parts.outlines.push_back(OutlinesOf(
+      results.foldLabels->GetBufferPointer(), static_cast<int>(size[0]), static_cast<int>(size[1]), foldColor));
+  }
+  std::vector<unsigned short> coated;
+  if (results.original)
+  {
+    coated = CoatedPixels(results);
+    parts.outlines.push_back(
+      OutlinesOf(coated.data(), results.flat->Grid().Columns(), results.flat->Grid().Rows(), residueColor));
   }
   parts.lines = FlatTaeniae(results.taeniae);
   const double circumference = results.flatStatistics.at("circumference").get<double>();

@@ -3,8 +3,6 @@
 #include "shapetonColonFigures.h"
 #include "shapetonHiddenInBoth.h"
 
-#include "itkLinearInterpolateImageFunction.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,19 +10,6 @@ namespace shapeton
 {
 namespace
 {
-/** Interpolated values; NaN outside. */
-std::function<double(const Eigen::Vector3d &)>
-ValuesOf(const itk::Image<float, 3> * image)
-{
-  const auto interpolator = itk::LinearInterpolateImageFunction<itk::Image<float, 3>, double>::New();
-  interpolator->SetInputImage(image);
-  return [=](const Eigen::Vector3d & place) {
-    const itk::Point<double, 3> point(place.data());
-    return interpolator->IsInsideBuffer(point) ? interpolator->Evaluate(point)
-                                               : std::numeric_limits<double>::quiet_NaN();
-  };
-}
-
 std::vector<HiddenWall>
 HiddenWallsOf(const Json & flatStatistics)
 {
@@ -41,7 +26,7 @@ void
 AddOtherPosition(const ColonoscopyPair & pair, ColonoscopyQuality & quality)
 {
   const std::vector<HinderedStretch> there = FindHinderedStretches(pair.second.position.centerline);
-  for (const SegmentQuality & segment : quality.segments)
+  for (SegmentQuality & segment : quality.segments)
   {
     quality.either.push_back(Assess(quality.hiddenInBoth, segment.extent.begin, segment.extent.end));
     const auto same =
@@ -50,6 +35,8 @@ AddOtherPosition(const ColonoscopyPair & pair, ColonoscopyQuality & quality)
       });
     const bool isKnown = same != pair.second.segments.end();
     quality.other.push_back(isKnown ? Assess(there, same->begin, same->end) : ColonAssessability());
+    segment.otherShare = quality.other.back().share;
+    segment.eitherShare = quality.either.back().share;
   }
 }
 
@@ -91,7 +78,7 @@ MeasureColonoscopyQuality(const ColonoscopyResults & results)
     input.lumen = results.lumen;
     if (results.original)
     {
-      input.attenuation = ValuesOf(results.original);
+      input.attenuation = AttenuationOf(results.original);
     }
   }
   quality.segments = MeasureSegmentQuality(input);

@@ -120,15 +120,18 @@ AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & r
     "The wall from the rectum to the cecum, cut open along the colon and unrolled, in rows, as seen from "
     "the lumen. Rulers show the distance along the centerline. The map preserves shapes but not sizes: the bar "
     "above each row is valid for its median scale. Gray hatched parts are wall interpolated over a "
-    "collapsed segment; parts hatched in the other direction, over the picture, are not assessable.");
+    "collapsed segment; parts hatched in the other direction, over the picture, are not evaluable.");
   std::string marks;
   marks += results.taeniae.curves.empty() ? "" : " Taeniae: 1 yellow, 2 blue, 3 pink.";
   marks += results.foldLabels ? " Green outlines: haustral folds." : "";
+  marks += results.original ? " Yellow outlines: wall coated by tagged residue. Thin serrated lines: seams of "
+                              "electronic cleansing at fluid levels."
+                            : "";
   std::vector<PagePictures::Drawing> drawings;
   if (results.ct)
   {
-    drawings.push_back(
-      { [&] { return DrawFlat(results, FlatColoring::Volume); }, "The CT along the normals of the wall." + marks });
+    drawings.push_back({ [&] { return DrawFlat(results, FlatColoring::Volume); },
+                         "The wall, rendered from the CT along its normals." + marks });
   }
   drawings.push_back({ [&] { return DrawFlat(results, FlatColoring::Curvature); },
                        "Mean curvature: red bulges into the lumen (folds, polyps), blue outwards." + marks });
@@ -188,6 +191,10 @@ AddFirstPage(HtmlReport & html, const ColonoscopyReportContent & content)
       !limitations.empty() && !results.quality.is_null())
   {
     html.AddHeading("Limitations of this examination");
+    if (results.lumen)
+    {
+      html.AddParagraph(SliceOrderInWords(results.lumen));
+    }
     html.AddNumberedList(LinkedLimitations(limitations, results.IsDone(colonoscopystage::viewer)));
   }
   html.EndPage();
@@ -196,11 +203,17 @@ AddFirstPage(HtmlReport & html, const ColonoscopyReportContent & content)
 void
 AddPolyps(HtmlReport & html, const ColonoscopyResults & results)
 {
-  const std::string viewer = results.IsDone(colonoscopystage::viewer) ? viewerPage : "";
-  AddPolypCandidateCards(html, results.polyps, results.lumen, viewer, [&](int number) {
+  PolypCards cards;
+  cards.candidates = results.polyps;
+  cards.otherPosition = results.polypsOfSecond;
+  cards.grid = results.lumen;
+  cards.viewer = results.IsDone(colonoscopystage::viewer) ? viewerPage : "";
+  cards.otherPage = std::string(colonoscopySecondFolder) + "/report.html";
+  cards.pictureOf = [&](int number) {
     const auto i = static_cast<std::size_t>(number);
     return i < results.polypPictures.size() ? results.polypPictures[i] : std::string();
-  });
+  };
+  AddPolypCandidateCards(html, cards);
 }
 
 void

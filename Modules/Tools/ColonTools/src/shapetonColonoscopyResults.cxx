@@ -128,6 +128,7 @@ ReadAllButImages(const StageFiles & files, const std::string & folder, Colonosco
       ColonoscopyPair{ ReadColonPosition(folder, "supine"),
                        ReadColonPosition(second, "prone"),
                        ReadRegistrationResults(folder + '/' + names::registration) });
+    results.qualityOfSecond = ReadJson(second + "/segmentation/quality.json");
     if (const std::string table = second + "/polyps/candidates.csv"; std::filesystem::exists(table))
     {
       results.polypsOfSecond = ReadPolypCandidates(table);

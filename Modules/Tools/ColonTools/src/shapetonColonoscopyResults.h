@@ -76,7 +76,8 @@ struct ShapetonColonTools_EXPORT ColonoscopyResults
 
   /** Set if a second series was registered with this one. */
   std::shared_ptr<const ColonoscopyPair> pair;
-  /** Candidates of the second series. */
+  /** quality.json and candidates of the second series. */
+  Json                        qualityOfSecond;
   std::vector<PolypCandidate> polypsOfSecond;
   /** Whether this is the second series of a run. */
   bool isSecond{ false };

@@ -44,16 +44,6 @@ LesionOf(const ReaderFinding & finding)
   return lesion;
 }
 
-/** Whether one of the candidates was found in the other position as the other one. */
-bool
-AreMatched(const PolypCandidate & a, const PolypCandidate & b)
-{
-  const auto isFoundAs = [](const PolypCandidate & one, const PolypCandidate & other) {
-    return one.other && one.other->isSeen && one.other->candidate == other.number;
-  };
-  return isFoundAs(a, b) || isFoundAs(b, a);
-}
-
 void
 Join(ReaderLesion & first, ReaderLesion & second)
 {
@@ -82,7 +72,7 @@ JoinPositions(std::vector<ReaderLesion> & lesions)
   for (ReaderLesion & second : lesions)
   {
     const auto first = std::find_if(lesions.begin(), lesions.end(), [&](const ReaderLesion & one) {
-      return isAccepted(one, 0) && isAccepted(second, 1) && AreMatched(*one.candidate, *second.candidate) &&
+      return isAccepted(one, 0) && isAccepted(second, 1) && AreSameLesion(*one.candidate, *second.candidate) &&
              !isJoined(one);
     });
     if (first != lesions.end())

@@ -192,7 +192,7 @@ private:
     }
   }
 
-  /** The segments of the colon that the program found not or only partly assessable. */
+  /** The segments of the colon that the program found not or only partly evaluable. */
   void
   AddNotAssessable(HtmlReport & html) const
   {
@@ -208,7 +208,7 @@ private:
       const Json landmarks = ReadJson(path);
       for (int segment = 1; segment <= NumberOfColonSegments; ++segment)
       {
-        const std::string text = AssessableInWords(landmarks, segment);
+        const std::string text = EvaluableInWords(landmarks, segment);
         if (!text.empty() && text.compare(0, 3, "yes") != 0)
         {
           facts.emplace_back(position.name + ", " + NameOfSegment(segment), text);
@@ -217,7 +217,7 @@ private:
     }
     if (!facts.empty())
     {
-      html.AddHeading("Segments not or partly assessable");
+      html.AddHeading("Segments not or only partly evaluable");
       html.AddParagraph("Measured by the program: the part of the centerline where the wall is visible.");
       html.AddFacts(facts);
     }

@@ -143,9 +143,11 @@ TEST(ColonoscopyReport, FilesForSlicerAreThoseOfTheResults)
 
 TEST(ColonoscopyReport, RanksLimitationsByConsequence)
 {
-  const shapeton::ColonoscopyResults results = CollapsedColon();
-  shapeton::ColonoscopyQuality       quality;
-  shapeton::SegmentQuality           sigmoid;
+  shapeton::ColonoscopyResults results = CollapsedColon();
+  shapeton::ColonoscopyQuality quality;
+  shapeton::SegmentQuality     sigmoid;
+  results.inspection = shapeton::Json::parse(R"({"series": [{"usable": false, "lossy": true, "description": "scout"},
+    {"usable": true, "derived": true, "lossy": true, "description": "spacing guessed"}]})");
   sigmoid.extent = results.segments[1];
   sigmoid.submergedShare = 0.4;
   sigmoid.hiddenArea = 170.0;
@@ -156,6 +158,8 @@ TEST(ColonoscopyReport, RanksLimitationsByConsequence)
   const std::vector<std::string>          expected{
     "Incomplete: the ileocecal valve: it is unknown.",
     "Incomplete: one position only; the other may show what is hidden here,",
+    "The images are derived, not original (Image Type; series description \"spacing guessed\"): HU, sizes, lengths and",
+    "The images were compressed with loss",
     "Sigmoid: collapsed segment, its wall is interpolated (no CT data), 4.0 cm, at 20.0 to 24.0 cm from the anal "
              "verge, "
              "slices 101 to 121.",
@@ -167,16 +171,17 @@ TEST(ColonoscopyReport, RanksLimitationsByConsequence)
              "has 1.2 cm^2, slice 151.",
     "Wall under tagged fluid, where polyps are seen after electronic cleansing only: sigmoid 40 %.",
     "Rectum: a catheter of 10 mm with a balloon of 25 mm hides wall up to its tip, slice 31.",
-    "Loops of the colon touch at 2 places; the wall between them is interrupted there. The widest is at (1, 2, 99) mm, "
-             "slice 51."
+    "Loops of the colon touch at 2 places; no wall between them is resolved there: check that the course does not "
+             "jump. "
+             "The widest is at (1, 2, 99) mm, slice 51."
   };
   ASSERT_EQ(list.size(), expected.size());
   for (std::size_t i = 0; i < list.size(); ++i)
   {
     EXPECT_EQ(list[i].text.substr(0, expected[i].size()), expected[i]);
   }
-  ASSERT_TRUE(list[2].place);
-  EXPECT_EQ(list[2].place->z(), 220.0);
+  ASSERT_TRUE(list[4].place);
+  EXPECT_EQ(list[4].place->z(), 220.0);
 }
 
 TEST(ColonoscopyReport, NamesReasonsForAnInadequateExamination)
@@ -190,7 +195,7 @@ TEST(ColonoscopyReport, NamesReasonsForAnInadequateExamination)
   EXPECT_EQ(
     shapeton::ReasonForInadequate(results, quality),
     "one position only, unless another one is read elsewhere; the ileocecal valve: it is unknown; only 40 % of the "
-    "sigmoid can be assessed");
+    "sigmoid is evaluable");
   results.quality["missing"] = shapeton::Json::array();
   results.isSecond = true;
   shapeton::ColonAssessability either; // the other position shows the rest
@@ -219,9 +224,22 @@ TEST(ColonoscopyReport, ShowsPolypsThatThisPositionLacksOrNamesDifferently)
   shapeton::AddPolypsOfOtherPosition(html, here, { partnerOf(1, 1), partnerOf(5, 9), partnerOf(6, 0) });
   html.Write(folder / "page.html");
   const std::string page = shapeton::ReadFileBytes(folder / "page.html");
-  EXPECT_NE(page.find("<td>candidate 9, tagged stool or residue</td>"), std::string::npos);
+  EXPECT_NE(page.find("<td>candidate 9, recognized as tagged stool or residue: the positions disagree</td>"),
+            std::string::npos);
   EXPECT_NE(page.find("<td>no candidate</td>"), std::string::npos);
   EXPECT_EQ(page.find("candidate 1"), std::string::npos); // a candidate in both positions
+
+  shapeton::PolypCards cards; // those that only the other position lists have a card, too
+  cards.candidates = here;
+  cards.otherPosition = { partnerOf(1, 1), partnerOf(5, 9) };
+  cards.pictureOf = [](int) { return std::string(); };
+  shapeton::HtmlReport withCards("Cards");
+  shapeton::AddPolypCandidateCards(withCards, cards);
+  withCards.Write(folder / "cards.html");
+  const std::string cardPage = shapeton::ReadFileBytes(folder / "cards.html");
+  EXPECT_NE(cardPage.find("Lesion A: candidate 1"), std::string::npos);
+  EXPECT_NE(cardPage.find("Lesion B: candidate 9"), std::string::npos);
+  EXPECT_NE(cardPage.find("The positions disagree"), std::string::npos);
 
   shapeton::HtmlReport none("Candidates");
   shapeton::AddPolypsOfOtherPosition(none, here, { partnerOf(1, 1) });
