@@ -190,7 +190,7 @@ test('each layer changes a view, and hiding it restores the view', async () => {
     const changed = await print();
     await clickOn(`#layers input[name=${name}]`);
     assert.equal(await print(), old, name);
-    const isPlain = (name === 'hindered' || name === 'trust') && changed === old; // not present in a good examination
+    const isPlain = ['hindered', 'trust', 'coated'].includes(name) && changed === old; // not present in a good examination
     assert.ok(changed !== old || isPlain, `${name} changes nothing`);
   }
 });
@@ -580,6 +580,21 @@ test('the other position follows the map, and back', async (t) => {
   assert.ok(errors.length > 20 && figures.linkedBack[2] <= 5, JSON.stringify(figures.linkedBack));
   await idle();
   await shot('8-linked');
+});
+
+test('a candidate is shown at one scale in both positions, also after zooming', async (t) => {
+  if (await page.evaluate(() => !viewer.maps)) { t.skip('no second position'); return; }
+  const scales = () => page.evaluate(() => viewer.panels.map((p) => p.slices.map((s) => s.frame().s)));
+  const same = ([a, b]) => a.every((x, k) => Math.abs(x - b[k]) < 1e-9 * x);
+  await page.evaluate(() => viewer.verdicts.step(1));
+  await idle();
+  const before = await scales();
+  assert.ok(same(before), JSON.stringify(before));
+  const [x, y, w, h] = await box('coronal', 1);
+  await page.wheel(x + w / 2, y + h / 2, -100, { modifiers: CTRL });
+  await idle();
+  const after = await scales();
+  assert.ok(same(after) && after[0][1] > before[0][1], JSON.stringify(after));
 });
 
 test('the other position is dimmed where the map is unreliable', async (t) => {

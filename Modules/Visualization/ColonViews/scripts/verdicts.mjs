@@ -8,6 +8,8 @@ const wordOf = (words, word) => (words.includes(word) ? word : words[0]);
 const numberOf = (x) => (Number.isFinite(x) && x > 0 ? Math.round(10 * x) / 10 : null);
 // As in report.html.
 const scoreOf = (score) => (score < 0.01 ? '< 0.01' : score.toFixed(2));
+// Recognized as something else, and not listed as a possible polyp in the other position.
+const isOther = ({ candidate: c }) => Boolean(c.recognizedAs) && !c.lesion;
 const cmOf = (mm) => `${(mm / 10).toFixed(1)} cm from the anal verge`;
 
 // The reader's verdicts on candidates and additional findings, as the list next to the views. Saved as verdicts.json, with the
@@ -23,7 +25,7 @@ export class Verdicts {
       verdict: VERDICTS[0], note: '', size: null, morphology: '',
     })));
     // Lesions of two positions in the order of the report, then by score; what was recognized as something else last.
-    const rank = ({ candidate: c }) => (c.recognizedAs ? 1 : 0), lesion = ({ candidate: c }) => (c.lesion ?? '').padStart(2);
+    const rank = (entry) => (isOther(entry) ? 1 : 0), lesion = ({ candidate: c }) => (c.lesion ?? '').padStart(2);
     this.entries.sort((a, b) => rank(a) - rank(b) || (lesion(a) < lesion(b) ? -1 : lesion(a) > lesion(b) ? 1 : 0)
       || a.position - b.position || b.candidate.score - a.candidate.score);
     this.findings = [];
@@ -124,7 +126,7 @@ export class Verdicts {
   }
 
   list() {
-    const polyps = this.entries.filter((e) => !e.candidate.recognizedAs), others = this.entries.filter((e) => e.candidate.recognizedAs);
+    const polyps = this.entries.filter((e) => !isOther(e)), others = this.entries.filter(isOther);
     const part = (title, all, remark = '') => (all.length ? [this.heading(title, remark), ...all.map((e) => this.item(e))] : []);
     this.root.replaceChildren(
       ...(this.isRevealed ? part('Candidates, highest score first', polyps, 'Scores are calibrated on synthetic patients.') : []),
