@@ -12,8 +12,8 @@ itk_module(ShapetonColonLandmarks
     ShapetonFlatColon
     ShapetonColonModel
     ITKCommon
-    ITKImageFunction
   PRIVATE_DEPENDS
+    ITKImageFunction
     ShapetonConformalFlattening
   TEST_DEPENDS
     ITKGoogleTest

@@ -103,7 +103,7 @@ struct SegmentQualityInput
   std::vector<HiddenWall>         hidden;
   /** 1 gas, 2 tagged fluid; null if unknown or if the input was a mask. */
   const LumenMask * lumen{ nullptr };
-  /** Of the CT before cleansing; empty if unknown. */
+  /** HU before cleansing; empty if unknown. */
   AttenuationAt attenuation;
 };
 

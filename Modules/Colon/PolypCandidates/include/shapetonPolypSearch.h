@@ -116,6 +116,8 @@ struct PolypLesion
   /** Numbers of its candidates in the first and the second position; 0 for none. */
   int first{ 0 };
   int second{ 0 };
+  /** Whether only one of its two candidates is listed as a possible polyp. */
+  bool isDisputed{ false };
 };
 
 /** Whether one of two candidates of different positions was found in the other position as the other one.
@@ -130,8 +132,8 @@ LesionsOfPositions(const std::vector<PolypCandidate> & first, const std::vector<
 
 /** "If confirmed: 2 of 10 mm and more, 0 of 6 to 9 mm": the lesions of two positions, or the candidates of one
  * position that are listed as possible polyps, by their larger size in the best plane, and by that in space if it makes
- * a difference. The C-RADS category (Zalis et al., Radiology 2005) is the decision of a reader.
- * \ingroup ShapetonPolypCandidates */
+ * a difference. Without disputed lesions. The C-RADS category (Zalis et al., Radiology 2005) is the decision of a
+ * reader. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
 SizesIfConfirmed(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second = {});
 

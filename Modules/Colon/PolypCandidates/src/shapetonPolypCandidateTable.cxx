@@ -182,6 +182,10 @@ CountLesions(const std::vector<PolypCandidate> & first, const std::vector<PolypC
   LesionCounts counts;
   for (const PolypLesion & lesion : LesionsOfPositions(first, second))
   {
+    if (lesion.isDisputed)
+    {
+      continue;
+    }
     const PolypSize size = SizeOf(std::max(diameterOf(first, lesion.first), diameterOf(second, lesion.second)));
     counts.medium += size == PolypSize::From6To9 ? 1 : 0;
     counts.large += size == PolypSize::From10 || size == PolypSize::From30 ? 1 : 0;
@@ -388,8 +392,13 @@ LesionsOfPositions(const std::vector<PolypCandidate> & first, const std::vector<
     return std::none_of(
       lesions.begin(), lesions.end(), [&](const PolypLesion & lesion) { return lesion.*member == number; });
   };
-  const auto add = [&](int firstNumber, int secondNumber) {
-    lesions.push_back({ LetterOfLesion(lesions.size()), firstNumber, secondNumber });
+  const auto add = [&](const PolypCandidate * one, const PolypCandidate * other) {
+    PolypLesion lesion;
+    lesion.letter = LetterOfLesion(lesions.size());
+    lesion.first = one ? one->number : 0;
+    lesion.second = other ? other->number : 0;
+    lesion.isDisputed = one && other && IsListedAsPolyp(*one) != IsListedAsPolyp(*other);
+    lesions.push_back(lesion);
   };
   for (const PolypCandidate & one : first)
   {
@@ -398,7 +407,7 @@ LesionsOfPositions(const std::vector<PolypCandidate> & first, const std::vector<
       const auto other = std::find_if(second.begin(), second.end(), [&](const PolypCandidate & candidate) {
         return AreSameLesion(one, candidate) && isFree(&PolypLesion::second, candidate.number);
       });
-      add(one.number, other == second.end() ? 0 : other->number);
+      add(&one, other == second.end() ? nullptr : &*other);
     }
   }
   for (const PolypCandidate & one : second)
@@ -408,7 +417,7 @@ LesionsOfPositions(const std::vector<PolypCandidate> & first, const std::vector<
       const auto other = std::find_if(first.begin(), first.end(), [&](const PolypCandidate & candidate) {
         return AreSameLesion(candidate, one) && isFree(&PolypLesion::first, candidate.number);
       });
-      add(other == first.end() ? 0 : other->number, one.number);
+      add(other == first.end() ? nullptr : &*other, &one);
     }
   }
   return lesions;

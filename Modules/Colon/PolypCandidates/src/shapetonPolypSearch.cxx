@@ -124,7 +124,7 @@ NoteHindrances(const CurveSet & centerline, std::vector<PolypCandidate> & candid
   for (PolypCandidate & candidate : candidates)
   {
     const ColonHindrance hindrance = HindranceAt(stretches, candidate.arcLength);
-    AddRemark(hindrance == ColonHindrance::None ? "" : "stretch not fully evaluable: " + InWords(hindrance), candidate);
+    AddRemark(hindrance == ColonHindrance::None ? "" : "in this stretch: " + InWords(hindrance), candidate);
   }
 }
 

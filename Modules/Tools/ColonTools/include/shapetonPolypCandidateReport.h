@@ -16,30 +16,31 @@ class CommandLine;
  * \ingroup ShapetonColonTools */
 using PolypPictureFile = std::function<std::string(int number)>;
 
+/** Candidates for a page on one position. \ingroup ShapetonColonTools */
+struct PolypsOfPage
+{
+  std::vector<PolypCandidate> here;
+  /** Those of the other position; may be empty. */
+  std::vector<PolypCandidate> there;
+  /** Whether the page is on the second position. */
+  bool isSecond{ false };
+};
+
 /** Adds the section on candidates for a first page: how to read them, the limit of the resolution stored with the
- * centerline, a table, and their sizes if confirmed.
- * \param otherPosition candidates of the other position, whose sizes and forms are shown beside their partners; may be
- * empty. \ingroup ShapetonColonTools */
+ * centerline, a table, and their sizes if confirmed. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT void
-AddPolypCandidateTable(HtmlReport &                        report,
-                       const CurveSet &                    centerline,
-                       const std::vector<PolypCandidate> & candidates,
-                       const std::vector<PolypCandidate> & otherPosition = {});
+AddPolypCandidateTable(HtmlReport & report, const CurveSet & centerline, const PolypsOfPage & polyps);
 
 /** Adds a table of the possible polyps of another position whose partner here is missing or recognized as something
  * else; nothing if there are none. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT void
-AddPolypsOfOtherPosition(HtmlReport &                        report,
-                         const std::vector<PolypCandidate> & here,
-                         const std::vector<PolypCandidate> & there);
+AddPolypsOfOtherPosition(HtmlReport & report, const PolypsOfPage & polyps);
 
 /** Content of the cards of candidates. \ingroup ShapetonColonTools */
 struct PolypCards
 {
-  std::vector<PolypCandidate> candidates;
-  /** Candidates of the other position; may be empty. */
-  std::vector<PolypCandidate> otherPosition;
-  /** Of the CT, for the numbers of slices; may be null. */
+  PolypsOfPage polyps;
+  /** The CT, for the numbers of slices; may be null. */
   const itk::ImageBase<3> * grid{ nullptr };
   /** Page of the viewer, and the page with the cards of the other position, to which cards link, relative to the
    * report; may be empty. */

@@ -77,11 +77,11 @@ CompletenessInWords(const Json & quality)
   {
     if (reason.at("reason") == NameOf(ColonHindrance::CutByScan))
     {
-      missing = (missing.empty() ? "complete" : missing) + ", except " +
+      missing = (missing.empty() ? "followed from rectum to cecum" : missing) + ", except " +
                 Centimeters(reason.at("length").get<double>()) + " outside the field of view";
     }
   }
-  return missing.empty() ? "complete from rectum to cecum" : missing;
+  return missing.empty() ? "followed from rectum to cecum" : missing;
 }
 
 /** Lengths of colons at CT colonography, mm: mean - 2 SD of 150.3 +- 18.5 cm (Utano et al., Jpn J Radiol 2022, 295
@@ -134,7 +134,7 @@ AddModelFacts(const ColonoscopyResults & results, ColonoscopyFacts & facts)
     const bool isThicknessKnown = std::isfinite(NumberOrNaN(quality, "/resolution/sliceThickness"));
     facts.emplace_back("Voxels",
                        quality["resolution"].at("text").get<std::string>() +
-                         (isThicknessKnown ? "" : "; slice thickness unknown"));
+                         (isThicknessKnown ? "" : ", if the slices are not thicker (thickness unknown)"));
   }
   const double length = NumberOrNaN(quality, "/centerline/length");
   if (std::isfinite(length))

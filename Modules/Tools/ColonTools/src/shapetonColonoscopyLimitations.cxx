@@ -231,7 +231,10 @@ AddPreparation(const ColonoscopyQuality & quality, std::vector<Limitation> & lis
   if (!wet.empty())
   {
     list.push_back(
-      { "Wall under tagged fluid, where polyps are seen after electronic cleansing only: " + wet + '.', {} });
+      { "Wall under tagged fluid, where unfolded and 3-D views show polyps only after electronic cleansing; look for "
+        "filling defects in the CT: " +
+          wet + '.',
+        {} });
   }
   if (!dirty.empty())
   {

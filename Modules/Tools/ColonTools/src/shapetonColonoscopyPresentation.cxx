@@ -82,6 +82,11 @@ private:
     m_CommandLine.Progress("report", 0.94);
     ColonoscopyResults results = ReadColonoscopyResults(m_Folder, m_Presentation.stages);
     results.isSecond = m_Presentation.isSecond;
+    if (const std::string first = m_Folder + "/../polyps/candidates.csv";
+        results.isSecond && std::filesystem::exists(first))
+    {
+      results.polypsOfOther = ReadPolypCandidates(first);
+    }
     if (results.ct)
     {
       results.device = ChooseFlatVolumeDevice(results.ct, ReadDevice(m_CommandLine));

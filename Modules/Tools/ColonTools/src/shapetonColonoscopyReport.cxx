@@ -156,6 +156,12 @@ AddIdentity(HtmlReport & html, const ColonoscopyReportContent::Facts & provenanc
   html.AddMarkup("</div>\n");
 }
 
+PolypsOfPage
+PolypsOf(const ColonoscopyResults & results)
+{
+  return { results.polyps, results.polypsOfOther, results.isSecond };
+}
+
 /** The first page: what a reader needs before the pictures. */
 void
 AddFirstPage(HtmlReport & html, const ColonoscopyReportContent & content)
@@ -184,8 +190,9 @@ AddFirstPage(HtmlReport & html, const ColonoscopyReportContent & content)
   }
   if (results.IsDone(colonoscopystage::polyps))
   {
-    AddPolypCandidateTable(html, results.centerline, results.polyps, results.polypsOfSecond);
-    AddPolypsOfOtherPosition(html, results.polyps, results.polypsOfSecond);
+    const PolypsOfPage polyps = PolypsOf(results);
+    AddPolypCandidateTable(html, results.centerline, polyps);
+    AddPolypsOfOtherPosition(html, polyps);
   }
   if (const std::vector<Limitation> limitations = LimitationsOf(results, quality);
       !limitations.empty() && !results.quality.is_null())
@@ -204,11 +211,10 @@ void
 AddPolyps(HtmlReport & html, const ColonoscopyResults & results)
 {
   PolypCards cards;
-  cards.candidates = results.polyps;
-  cards.otherPosition = results.polypsOfSecond;
+  cards.polyps = PolypsOf(results);
   cards.grid = results.lumen;
   cards.viewer = results.IsDone(colonoscopystage::viewer) ? viewerPage : "";
-  cards.otherPage = std::string(colonoscopySecondFolder) + "/report.html";
+  cards.otherPage = (results.isSecond ? std::string("..") : colonoscopySecondFolder) + "/report.html";
   cards.pictureOf = [&](int number) {
     const auto i = static_cast<std::size_t>(number);
     return i < results.polypPictures.size() ? results.polypPictures[i] : std::string();

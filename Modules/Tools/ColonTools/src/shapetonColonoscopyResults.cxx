@@ -131,7 +131,7 @@ ReadAllButImages(const StageFiles & files, const std::string & folder, Colonosco
     results.qualityOfSecond = ReadJson(second + "/segmentation/quality.json");
     if (const std::string table = second + "/polyps/candidates.csv"; std::filesystem::exists(table))
     {
-      results.polypsOfSecond = ReadPolypCandidates(table);
+      results.polypsOfOther = ReadPolypCandidates(table);
     }
   }
 }

@@ -76,9 +76,8 @@ struct ShapetonColonTools_EXPORT ColonoscopyResults
 
   /** Set if a second series was registered with this one. */
   std::shared_ptr<const ColonoscopyPair> pair;
-  /** quality.json and candidates of the second series. */
-  Json                        qualityOfSecond;
-  std::vector<PolypCandidate> polypsOfSecond;
+  Json                                   qualityOfSecond; ///< quality.json of the second series
+  std::vector<PolypCandidate>            polypsOfOther;   ///< candidates of the other series
   /** Whether this is the second series of a run. */
   bool isSecond{ false };
 

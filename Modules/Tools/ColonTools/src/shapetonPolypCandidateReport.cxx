@@ -30,14 +30,15 @@ OtherPosition(const PolypCandidate & candidate)
   return other.isExcluded ? "not imaged" : other.isSeen ? "no. " + std::to_string(other.candidate) : "no candidate";
 }
 
-/** "soft tissue"; "mixed" if the range is too wide for one tissue. */
+/** "soft tissue"; "mixed" if parts of the head are something else. */
 std::string
 TissueInWords(const PolypCandidate & candidate)
 {
-  constexpr double widest = 250.0; // HU: 5 standard deviations of a noise of 50 HU
-  return candidate.tissue == PolypTissue::Unknown                        ? "partial volume"
-         : candidate.highAttenuation - candidate.lowAttenuation > widest ? "mixed: look at the CT"
-                                                                         : NameOf(candidate.tissue);
+  constexpr double least = -100.0, greatest = 200.0; // HU: -30 to 150 of soft tissue, with a noise of 50 HU
+  const bool       isMixed = candidate.lowAttenuation < least || candidate.highAttenuation > greatest;
+  return candidate.tissue == PolypTissue::Unknown           ? "partial volume"
+         : candidate.tissue == PolypTissue::Soft && isMixed ? "mixed: look at the CT"
+                                                            : NameOf(candidate.tissue);
 }
 
 /** "52 in the CT; 46 (-58 to 155) after cleansing, soft tissue". */
@@ -91,54 +92,69 @@ PartnerOf(const PolypCandidate & candidate, const std::vector<PolypCandidate> & 
   return found == others.end() ? nullptr : &*found;
 }
 
-/** Letters of the lesions of two positions; none for one position, whose numbers suffice. */
-class LesionLetters
+/** The lesions of two positions; none for one position, whose numbers suffice. */
+class LesionsOfPage
 {
 public:
-  LesionLetters(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second)
+  explicit LesionsOfPage(const PolypsOfPage & polyps) : m_IsSecond(polyps.isSecond)
   {
-    if (!second.empty())
+    if (!polyps.there.empty())
     {
-      m_Lesions = LesionsOfPositions(first, second);
+      m_Lesions =
+        m_IsSecond ? LesionsOfPositions(polyps.there, polyps.here) : LesionsOfPositions(polyps.here, polyps.there);
     }
   }
 
-  std::string
-  OfFirst(int number) const
+  /** The lesion of a candidate of this or the other position; without a letter if there is none. */
+  PolypLesion
+  Find(int number, bool isHere = true) const
   {
-    return this->Find(&PolypLesion::first, number);
+    const auto member = isHere != m_IsSecond ? &PolypLesion::first : &PolypLesion::second;
+    const auto found = std::find_if(
+      m_Lesions.begin(), m_Lesions.end(), [&](const PolypLesion & lesion) { return lesion.*member == number; });
+    return found == m_Lesions.end() ? PolypLesion() : *found;
   }
 
+  /** "J, K": letters of the lesions that one position calls something else; "" for none. */
   std::string
-  OfSecond(int number) const
+  Disputed() const
   {
-    return this->Find(&PolypLesion::second, number);
+    std::string letters;
+    for (const PolypLesion & lesion : m_Lesions)
+    {
+      letters += !lesion.isDisputed ? "" : (letters.empty() ? "" : ", ") + lesion.letter;
+    }
+    return letters;
   }
 
 private:
-  std::string
-  Find(int PolypLesion::*member, int number) const
-  {
-    const auto found = std::find_if(
-      m_Lesions.begin(), m_Lesions.end(), [&](const PolypLesion & lesion) { return lesion.*member == number; });
-    return found == m_Lesions.end() ? "" : found->letter;
-  }
-
+  bool                     m_IsSecond;
   std::vector<PolypLesion> m_Lesions;
 };
 
-/** "13 / 15", and the form if it differs from that of the candidate here. */
+/** "13 / 15", and the form if it differs from that of the candidate here, or what it is recognized as. */
 std::string
 SizesAndForm(const PolypCandidate & there, const PolypCandidate & here)
 {
-  const std::string form = MorphologyInWords(there);
+  const std::string form = IsListedAsPolyp(there) ? MorphologyInWords(there) : RecognizedAs(there);
   return SizesOf(there) + (form.empty() || form == MorphologyInWords(here) ? "" : ", " + form);
 }
 
-CsvTable
-TableOfCandidates(const std::vector<PolypCandidate> & candidates, const std::vector<PolypCandidate> & others)
+/** The possible polyps, or all others. */
+std::vector<PolypCandidate>
+Select(const std::vector<PolypCandidate> & candidates, bool arePolyps)
 {
-  const LesionLetters letters(candidates, others);
+  std::vector<PolypCandidate> selected;
+  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(selected), [=](const PolypCandidate & one) {
+    return IsListedAsPolyp(one) == arePolyps;
+  });
+  return selected;
+}
+
+CsvTable
+TableOfCandidates(const PolypsOfPage & polyps)
+{
+  const LesionsOfPage lesions(polyps);
   CsvTable            table({ "Lesion",
                               "Candidate",
                               "Score",
@@ -148,12 +164,12 @@ TableOfCandidates(const std::vector<PolypCandidate> & candidates, const std::vec
                               "Morphology",
                               "Mean attenuation (HU)",
                               "Other position",
-                              "There (mm)",
+                              "Size there (mm)",
                               "Remark" });
-  for (const PolypCandidate & one : candidates)
+  for (const PolypCandidate & one : Select(polyps.here, true))
   {
-    const PolypCandidate * const partner = PartnerOf(one, others);
-    table.AddRow({ letters.OfFirst(one.number),
+    const PolypCandidate * const partner = PartnerOf(one, polyps.there);
+    table.AddRow({ lesions.Find(one.number).letter,
                    std::to_string(one.number),
                    ProbabilityInWords(one.score),
                    NameOfSegment(one.segment),
@@ -239,30 +255,20 @@ MorphologyOnCard(const PolypCandidate & candidate)
 std::vector<std::pair<std::string, std::string>>
 FactsOfCard(const PolypCandidate & candidate, const itk::ImageBase<3> * grid)
 {
-  std::vector<std::pair<std::string, std::string>> facts{ { "Place", PlaceInSlices(candidate.position, grid) },
-                                                          { "Score", ScoreInWords(candidate) },
-                                                          { "Largest diameter", SizeInWords(candidate) },
-                                                          { "Height", WholeMillimeters(candidate.height) },
-                                                          { "Morphology", MorphologyOnCard(candidate) },
-                                                          { "Mean attenuation, 5th to 95th percentile (HU)",
-                                                            AttenuationInWords(candidate) },
-                                                          { "Recognized as", RecognizedAs(candidate) },
-                                                          { "Other position", OtherPositionOnCard(candidate) },
-                                                          { "Remark", candidate.remark } };
+  std::vector<std::pair<std::string, std::string>> facts{
+    { "Place", PlaceInSlices(candidate.position, grid) },
+    { "Score", ScoreInWords(candidate) },
+    { "Largest diameter", SizeInWords(candidate) },
+    { "Height", WholeMillimeters(candidate.height) },
+    { "Morphology", MorphologyOnCard(candidate) },
+    { "Mean attenuation inside the head, 5th to 95th percentile (HU)", AttenuationInWords(candidate) },
+    { "Recognized as", RecognizedAs(candidate) },
+    { "Other position", OtherPositionOnCard(candidate) },
+    { "Remark", candidate.remark }
+  };
   facts.erase(std::remove_if(facts.begin(), facts.end(), [](const auto & fact) { return fact.second.empty(); }),
               facts.end());
   return facts;
-}
-
-/** The possible polyps, or all others. */
-std::vector<PolypCandidate>
-Select(const std::vector<PolypCandidate> & candidates, bool arePolyps)
-{
-  std::vector<PolypCandidate> selected;
-  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(selected), [=](const PolypCandidate & one) {
-    return IsListedAsPolyp(one) == arePolyps;
-  });
-  return selected;
 }
 
 std::string
@@ -272,21 +278,24 @@ AnchorOfCard(int number)
 }
 
 void
-AddCard(HtmlReport & report, const PolypCards & cards, const PolypCandidate & candidate, const std::string & letter)
+AddCard(HtmlReport & report, const PolypCards & cards, const PolypCandidate & candidate, const PolypLesion & lesion)
 {
+  const PolypCandidate * const partner = PartnerOf(candidate, cards.polyps.there);
   report.AddMarkup("<section class=\"card\" id=\"" + AnchorOfCard(candidate.number) + "\">\n");
-  report.AddSubheading(TitleOfCard(candidate, letter));
+  report.AddSubheading(TitleOfCard(candidate, lesion.letter));
   report.AddFacts(FactsOfCard(candidate, cards.grid));
-  if (!letter.empty() && !IsListedAsPolyp(candidate))
+  if (lesion.isDisputed)
   {
-    report.AddNote("The positions disagree: it is listed as a possible polyp in the other one. Review it in both.");
+    report.AddNote("The positions disagree: in the other one, it is " +
+                   (IsListedAsPolyp(candidate) && partner ? "recognized as " + RecognizedAs(*partner)
+                                                          : "listed as a possible polyp") +
+                   ". Review it in both.");
   }
   if (!cards.viewer.empty())
   {
     report.AddLink(cards.viewer + AnchorOfPlace(candidate.position), "Show in the viewer");
   }
-  if (const PolypCandidate * const partner = PartnerOf(candidate, cards.otherPosition);
-      partner && !cards.otherPage.empty())
+  if (partner && !cards.otherPage.empty())
   {
     report.AddLink(cards.otherPage + '#' + AnchorOfCard(partner->number), "Card in the other position");
   }
@@ -302,10 +311,7 @@ AddCard(HtmlReport & report, const PolypCards & cards, const PolypCandidate & ca
 } // namespace
 
 void
-AddPolypCandidateTable(HtmlReport &                        report,
-                       const CurveSet &                    centerline,
-                       const std::vector<PolypCandidate> & candidates,
-                       const std::vector<PolypCandidate> & otherPosition)
+AddPolypCandidateTable(HtmlReport & report, const CurveSet & centerline, const PolypsOfPage & polyps)
 {
   report.AddHeading("Polyp candidates");
   report.AddParagraph(
@@ -316,35 +322,35 @@ AddPolypCandidateTable(HtmlReport &                        report,
     report.AddParagraph("At the resolution of this scan, the colon is " + NotAssessableInWords(below) +
                         ": such polyps are often missing.");
   }
-  const std::vector<PolypCandidate> polyps = Select(candidates, true), others = Select(candidates, false);
-  if (polyps.empty())
+  const std::size_t others = Select(polyps.here, false).size();
+  if (others == polyps.here.size())
   {
     report.AddParagraph("No candidates at this sensitivity.");
   }
   else
   {
     report.AddTable(
-      TableOfCandidates(polyps, otherPosition).WithoutEmptyColumns(),
+      TableOfCandidates(polyps).WithoutEmptyColumns(),
       "Candidates, highest score first. At: distance from the anal verge. Size: in the best plane / in 3-D. "
       "Attenuation: in the CT / after electronic cleansing");
-    report.AddParagraph("Scores are probabilities, calibrated on synthetic patients. Diminutive: up to 5 mm; flat: at "
-                        "most 3 mm high, lower "
-                        "than half the smaller width; pedunculated: on a stalk. " +
-                        SizesIfConfirmed(candidates, otherPosition) +
-                        (otherPosition.empty() ? "" : "; each lesion of both positions counts once") +
-                        ". The category (C-RADS) is the decision of the reader." +
-                        (others.empty() ? ""
-                                        : " Recognized as something else, or parts of others: " +
-                                            std::to_string(others.size()) + ", after the cards."));
+    const std::string disputed = LesionsOfPage(polyps).Disputed();
+    report.AddParagraph(
+      "Scores are probabilities, calibrated on synthetic patients. Diminutive: up to 5 mm; flat: at most 3 mm high, "
+      "lower than half the smaller width; pedunculated: on a stalk. " +
+      SizesIfConfirmed(polyps.here, polyps.there) +
+      (polyps.there.empty() ? "" : "; each lesion of both positions counts once") +
+      (disputed.empty() ? "" : "; not counted, because the positions disagree: " + disputed) +
+      ". The category (C-RADS) is the decision of the reader." +
+      (others == 0
+         ? ""
+         : " Recognized as something else, or parts of others: " + std::to_string(others) + ", after the cards."));
   }
 }
 
 void
-AddPolypsOfOtherPosition(HtmlReport &                        report,
-                         const std::vector<PolypCandidate> & here,
-                         const std::vector<PolypCandidate> & there)
+AddPolypsOfOtherPosition(HtmlReport & report, const PolypsOfPage & polyps)
 {
-  const LesionLetters letters(here, there);
+  const LesionsOfPage lesions(polyps);
   CsvTable            table({ "Lesion",
                               "Candidate there",
                               "Score",
@@ -353,12 +359,12 @@ AddPolypsOfOtherPosition(HtmlReport &                        report,
                               "Size (mm)",
                               "Mean attenuation (HU)",
                               "In this position" });
-  for (const PolypCandidate & one : Select(there, true))
+  for (const PolypCandidate & one : Select(polyps.there, true))
   {
-    const PolypCandidate * const partner = PartnerOf(one, here);
+    const PolypCandidate * const partner = PartnerOf(one, polyps.here);
     if (!partner || !IsListedAsPolyp(*partner))
     {
-      table.AddRow({ letters.OfSecond(one.number),
+      table.AddRow({ lesions.Find(one.number, false).letter,
                      std::to_string(one.number),
                      ProbabilityInWords(one.score),
                      NameOfSegment(one.segment),
@@ -380,19 +386,22 @@ AddPolypsOfOtherPosition(HtmlReport &                        report,
 void
 AddPolypCandidateCards(HtmlReport & report, const PolypCards & cards)
 {
-  if (const std::string flat = cards.candidates.empty() ? "" : cards.pictureOf(0); !flat.empty())
+  const std::vector<PolypCandidate> & candidates = cards.polyps.here;
+  if (const std::string flat = candidates.empty() ? "" : cards.pictureOf(0); !flat.empty())
   {
-    report.AddPicture(flat,
-                      "Candidates on the virtual dissection (unfolded view); crosses: recognized as something else");
+    report.AddPicture(
+      flat,
+      "Candidates on the virtual dissection (unfolded view); crosses: recognized as something else. The "
+      "pale margins repeat the opposite edge.");
   }
-  const LesionLetters         letters(cards.candidates, cards.otherPosition);
+  const LesionsOfPage         lesions(cards.polyps);
   std::vector<PolypCandidate> others;
-  for (const PolypCandidate & one : cards.candidates)
+  for (const PolypCandidate & one : candidates)
   {
-    const std::string letter = letters.OfFirst(one.number);
-    if (IsListedAsPolyp(one) || !letter.empty())
+    const PolypLesion lesion = lesions.Find(one.number);
+    if (IsListedAsPolyp(one) || !lesion.letter.empty())
     {
-      AddCard(report, cards, one, letter);
+      AddCard(report, cards, one, lesion);
     }
     else
     {
@@ -405,7 +414,7 @@ AddPolypCandidateCards(HtmlReport & report, const PolypCards & cards)
     report.BeginDetails("Pictures of these");
     for (const PolypCandidate & one : others)
     {
-      AddCard(report, cards, one, "");
+      AddCard(report, cards, one, {});
     }
     report.EndDetails();
   }
@@ -438,10 +447,9 @@ WritePolypCandidateReport(CommandLine &                       commandLine,
   }
   HtmlReport report("Polyp candidates of a colon");
   report.AddHead({ { "Candidates", std::to_string(candidates.size()) } }, commandLine.GetWarnings());
-  const std::vector<PolypCandidate> written = CandidatesAsWritten(candidates);
-  AddPolypCandidateTable(report, colon.centerline, written);
   PolypCards cards;
-  cards.candidates = written;
+  cards.polyps.here = CandidatesAsWritten(candidates);
+  AddPolypCandidateTable(report, colon.centerline, cards.polyps);
   cards.grid = colon.lumen;
   cards.pictureOf = [&](int number) {
     const auto found = pictures.find(number);

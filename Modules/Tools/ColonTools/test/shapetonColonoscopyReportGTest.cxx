@@ -169,7 +169,9 @@ TEST(ColonoscopyReport, RanksLimitationsByConsequence)
     "Wall not shown on the flat map: 1.7 cm^2 in 2 places (sigmoid 1.7); see slices and endoluminal views. The "
              "largest "
              "has 1.2 cm^2, slice 151.",
-    "Wall under tagged fluid, where polyps are seen after electronic cleansing only: sigmoid 40 %.",
+    "Wall under tagged fluid, where unfolded and 3-D views show polyps only after electronic cleansing; look for "
+             "filling "
+             "defects in the CT: sigmoid 40 %.",
     "Rectum: a catheter of 10 mm with a balloon of 25 mm hides wall up to its tip, slice 31.",
     "Loops of the colon touch at 2 places; no wall between them is resolved there: check that the course does not "
              "jump. "
@@ -221,7 +223,7 @@ TEST(ColonoscopyReport, ShowsPolypsThatThisPositionLacksOrNamesDifferently)
   };
   const Folder         folder;
   shapeton::HtmlReport html("Candidates");
-  shapeton::AddPolypsOfOtherPosition(html, here, { partnerOf(1, 1), partnerOf(5, 9), partnerOf(6, 0) });
+  shapeton::AddPolypsOfOtherPosition(html, { here, { partnerOf(1, 1), partnerOf(5, 9), partnerOf(6, 0) } });
   html.Write(folder / "page.html");
   const std::string page = shapeton::ReadFileBytes(folder / "page.html");
   EXPECT_NE(page.find("<td>candidate 9, recognized as tagged stool or residue: the positions disagree</td>"),
@@ -230,8 +232,7 @@ TEST(ColonoscopyReport, ShowsPolypsThatThisPositionLacksOrNamesDifferently)
   EXPECT_EQ(page.find("candidate 1"), std::string::npos); // a candidate in both positions
 
   shapeton::PolypCards cards; // those that only the other position lists have a card, too
-  cards.candidates = here;
-  cards.otherPosition = { partnerOf(1, 1), partnerOf(5, 9) };
+  cards.polyps = { here, { partnerOf(1, 1), partnerOf(5, 9) } };
   cards.pictureOf = [](int) { return std::string(); };
   shapeton::HtmlReport withCards("Cards");
   shapeton::AddPolypCandidateCards(withCards, cards);
@@ -242,7 +243,7 @@ TEST(ColonoscopyReport, ShowsPolypsThatThisPositionLacksOrNamesDifferently)
   EXPECT_NE(cardPage.find("The positions disagree"), std::string::npos);
 
   shapeton::HtmlReport none("Candidates");
-  shapeton::AddPolypsOfOtherPosition(none, here, { partnerOf(1, 1) });
+  shapeton::AddPolypsOfOtherPosition(none, { here, { partnerOf(1, 1) } });
   none.Write(folder / "none.html");
   EXPECT_EQ(shapeton::ReadFileBytes(folder / "none.html").find("<table>"), std::string::npos);
 }

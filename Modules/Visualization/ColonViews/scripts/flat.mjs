@@ -13,7 +13,7 @@ function canvasOf(columns, rows) {
 // the tube.
 export class FlatView extends View {
   constructor(root, panel) {
-    super(root, 'flat', 'Virtual dissection (unfolded view)');
+    super(root, 'flat', [panel.exam.info.name, 'Virtual dissection (unfolded view)'].filter(Boolean).join(' · '));
     Object.assign(this, { panel, relief: panel.exam.info.relief, scale: null, along: null, v: null });
     this.short = new Shortened(panel.exam); // `along`: the center of the view on this shortened map
     const { columns, rows } = this.relief;

@@ -38,8 +38,17 @@ function evaluableOf({ center }, name) {
   return `The wall is evaluable along ${Math.floor(100 * good)} % of the centerline${name ? ` (${name})` : ''}.`;
 }
 
+// "sigmoid 46 %": segments of which less than 90 % of the length is evaluable.
+const hiddenSegments = ({ segments }) => segments.filter((s) => s.share < 0.9).map((s) => `${s.name} ${Math.round(100 * s.share)} %`);
+
 // Notices to show before reading.
 export function tellMissing(info, painter) {
+  const [{ name }] = info.positions;
+  if (info.positions.length === 1) notice(`${name || 'Position unknown'}; one position only, so the examination is incomplete.`);
+  for (const position of info.positions) {
+    const hidden = hiddenSegments(position);
+    if (hidden.length) notice(`Evaluable length${info.positions.length > 1 ? ` (${position.name})` : ''}: ${hidden.join(', ')}.`);
+  }
   if (!painter.gl) notice('This browser has no WebGL 2: unfolded view, slices and verdicts work, both 3D views do not.');
   for (const position of info.positions) {
     const { missing, name } = position, what = missing.filter((m) => m !== 'CT');

@@ -156,6 +156,10 @@ export class Verdicts {
     return item;
   }
 
+  attenuationOf({ uncleansedAttenuation: ct, meanAttenuation: cleansed }) {
+    return `${ct === null ? '' : `${Math.round(ct)} HU in the CT, `}${Math.round(cleansed)} HU after cleansing`;
+  }
+
   lesionOf({ lesion }) { return lesion ? `Lesion ${lesion}: ` : ''; }
 
   whereOf(entry) { return this.exams.length > 1 ? ` (${this.exams[entry.position].info.name || entry.position + 1})` : ''; }
@@ -167,7 +171,7 @@ export class Verdicts {
     facts.push(`${c.segment || 'segment unknown'}${c.arcLength === null ? '' : `, ${cmOf(c.arcLength)}`}`);
     facts.push(c.plane ? `${whole(c.planeDiameter)} mm, ${c.plane}; ${whole(c.diameter)} mm in 3-D` : `${whole(c.diameter)} mm in 3-D`);
     if (c.morphology) facts.push(c.morphology);
-    if (c.meanAttenuation !== null) facts.push(`mean attenuation ${whole(c.meanAttenuation)} HU`);
+    if (c.meanAttenuation !== null) facts.push(`mean attenuation ${this.attenuationOf(c)}`);
     facts.push(...[c.recognizedAs, c.remark].filter((text, i, all) => text && all.indexOf(text) === i));
     if (c.otherCandidate) facts.push(`also candidate ${c.otherCandidate} in the other position`);
     return facts;

@@ -305,7 +305,7 @@ class Viewer {
     const { panel, verdicts } = this, { seen } = panel.exam;
     $('status').textContent = panel.describe();
     $('share').textContent = seen.sum ? `wall seen in flight: ${(100 * seen.share).toFixed(1)} %` : '';
-    $('trust').textContent = !this.maps ? '' : this.trust === null ? 'no correspondence (narrow or hidden in one position): the mapped point is unreliable'
+    $('trust').textContent = !this.maps ? '' : this.trust === null ? 'narrow or hidden in one position: the mapped point is unreliable'
       : this.trust === undefined ? '' : `confidence of the map ${this.trust.toFixed(2)}`;
     $('unsaved').textContent = verdicts?.isSaved === false ? 'not saved yet' : '';
     $('way').textContent = panel.inside.way > 0 ? '→ cecum' : '← anal verge';

@@ -34,6 +34,7 @@ ForViewer(const PolypCandidate & one)
            { "plane", one.plane },
            { "morphology", MorphologyInWords(one) },
            { "meanAttenuation", NumberOrNull(one.meanAttenuation) },
+           { "uncleansedAttenuation", NumberOrNull(one.uncleansedAttenuation) },
            { "tissue", NameOf(one.tissue) },
            { "remark", one.remark },
            { "recognizedAs", RecognizedAs(one) },

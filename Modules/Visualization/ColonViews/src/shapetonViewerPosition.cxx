@@ -129,6 +129,21 @@ Flexures(const std::string & path)
   return flexures;
 }
 
+/** Names of the segments, and the visible part of their lengths. */
+Json
+EvaluableSegments(const Json & landmarks)
+{
+  Json segments = Json::array();
+  for (const Json & segment : landmarks.at("segments"))
+  {
+    if (segment.contains("assessableShare"))
+    {
+      segments.push_back({ { "name", segment.at("name") }, { "share", segment.at("assessableShare") } });
+    }
+  }
+  return segments;
+}
+
 void
 PutCenterline(PageBlocks & blocks, const std::string & prefix, const std::string & path)
 {
@@ -368,6 +383,8 @@ PutViewerPosition(PageBlocks &               blocks,
     files.Has("landmarks/taeniae.vtp", "taeniae") ? Taeniae(exam + "/landmarks/taeniae.vtp") : Json::array();
   info["flexures"] =
     files.Has("landmarks/flexures.vtp", "flexures") ? Flexures(exam + "/landmarks/flexures.vtp") : Json::array();
+  const std::string landmarks = exam + "/landmarks/landmarks.json";
+  info["segments"] = std::filesystem::exists(landmarks) ? EvaluableSegments(ReadJson(landmarks)) : Json::array();
   info["candidates"] = files.Has("polyps/candidates.csv", "candidates")
                          ? CandidatesForViewer(exam + "/polyps/candidates.csv")
                          : Json::array();
