@@ -156,8 +156,9 @@ export class Verdicts {
     return item;
   }
 
-  attenuationOf({ uncleansedAttenuation: ct, meanAttenuation: cleansed }) {
-    return `${ct === null ? '' : `${Math.round(ct)} HU in the CT, `}${Math.round(cleansed)} HU after cleansing`;
+  attenuationOf({ uncleansedAttenuation, meanAttenuation }) {
+    const ct = uncleansedAttenuation === null ? null : Math.round(uncleansedAttenuation), cleansed = Math.round(meanAttenuation);
+    return ct === null || ct === cleansed ? `${cleansed} HU` : `${ct} HU in the CT, ${cleansed} HU after cleansing`;
   }
 
   lesionOf({ lesion }) { return lesion ? `Lesion ${lesion}: ` : ''; }
