@@ -5,6 +5,7 @@
 #include "shapetonFlatColonStrip.h"
 #include "shapetonJson.h"
 #include "shapetonPdfFile.h"
+#include "shapetonPolypSearch.h"
 #include "shapetonSha256.h"
 #include "shapetonExceptions.h"
 #include "shapetonToolDevice.h"
