@@ -172,7 +172,10 @@ struct LesionCounts
 };
 
 LesionCounts
-CountLesions(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second, bool isInPlane)
+CountLesions(const std::vector<PolypLesion> &    lesions,
+             const std::vector<PolypCandidate> & first,
+             const std::vector<PolypCandidate> & second,
+             bool                                isInPlane)
 {
   const auto diameterOf = [&](const std::vector<PolypCandidate> & candidates, int number) {
     const auto found = std::find_if(
@@ -180,7 +183,7 @@ CountLesions(const std::vector<PolypCandidate> & first, const std::vector<PolypC
     return found == candidates.end() ? 0.0 : DiameterOf(*found, isInPlane);
   };
   LesionCounts counts;
-  for (const PolypLesion & lesion : LesionsOfPositions(first, second))
+  for (const PolypLesion & lesion : lesions)
   {
     if (lesion.isDisputed)
     {
@@ -426,8 +429,10 @@ LesionsOfPositions(const std::vector<PolypCandidate> & first, const std::vector<
 std::string
 SizesIfConfirmed(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second)
 {
-  const LesionCounts inPlane = CountLesions(first, second, true), inSpace = CountLesions(first, second, false);
-  const std::string  text = "If confirmed: " + std::to_string(inPlane.large) + " of 10 mm and more, " +
+  const std::vector<PolypLesion> lesions = LesionsOfPositions(first, second);
+  const LesionCounts             inPlane = CountLesions(lesions, first, second, true);
+  const LesionCounts             inSpace = CountLesions(lesions, first, second, false);
+  const std::string              text = "If confirmed: " + std::to_string(inPlane.large) + " of 10 mm and more, " +
                            std::to_string(inPlane.medium) + " of 6 to 9 mm";
   const bool isSame = inPlane.large == inSpace.large && inPlane.medium == inSpace.medium;
   return text + (isSame ? ""

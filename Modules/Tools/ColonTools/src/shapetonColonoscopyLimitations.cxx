@@ -362,7 +362,8 @@ StretchesInWords(const std::vector<LineStretch> & stretches, const ColonoscopyRe
   return text;
 }
 
-/** Interpolated wall where the lumen was too narrow for the line, which is no stretch without lumen. */
+/** Adds interpolated wall where the lumen is too narrow for the centerline. Stretches without lumen are listed
+ * elsewhere. */
 void
 AddInterpolatedWall(const ColonoscopyResults & results, const StretchPlaces & places, std::vector<Limitation> & list)
 {

@@ -167,24 +167,6 @@ OutlinesOf(const unsigned short * labels, int columns, int rows, const RGBColor 
   return outlines;
 }
 
-/** 1 where tagged residue coats the wall, by the pixels of the grid of the flat map. */
-std::vector<unsigned short>
-CoatedPixels(const ColonoscopyResults & results)
-{
-  const std::vector<bool> coated =
-    FindCoatedFaces(results.flat->Surface(), results.lumen, AttenuationOf(results.original));
-  const FlatColonGrid &       grid = results.flat->Grid();
-  std::vector<unsigned short> labels;
-  for (int row = 0; row < grid.Rows(); ++row)
-  {
-    for (int column = 0; column < grid.Columns(); ++column)
-    {
-      const int face = grid.FaceOfPixel(column, row);
-      labels.push_back(face >= 0 && coated[static_cast<std::size_t>(face)] ? 1 : 0);
-    }
-  }
-  return labels;
-}
 } // namespace
 
 std::vector<ColonSegment>
@@ -243,8 +225,30 @@ DrawInside(const ColonoscopyResults & results, PatientSide side)
   return RenderSurfaces(scene, options);
 }
 
+std::vector<unsigned short>
+CoatedPixels(const ColonoscopyResults & results)
+{
+  if (!results.original)
+  {
+    return {};
+  }
+  const std::vector<bool> coated =
+    FindCoatedFaces(results.flat->Surface(), results.lumen, AttenuationOf(results.original));
+  const FlatColonGrid &       grid = results.flat->Grid();
+  std::vector<unsigned short> labels;
+  for (int row = 0; row < grid.Rows(); ++row)
+  {
+    for (int column = 0; column < grid.Columns(); ++column)
+    {
+      const int face = grid.FaceOfPixel(column, row);
+      labels.push_back(face >= 0 && coated[static_cast<std::size_t>(face)] ? 1 : 0);
+    }
+  }
+  return labels;
+}
+
 Picture::Pointer
-DrawFlat(const ColonoscopyResults & results, FlatColoring coloring)
+DrawFlat(const ColonoscopyResults & results, const std::vector<unsigned short> & coated, FlatColoring coloring)
 {
   FlatColonParts parts;
   parts.flat = results.flat.get();
@@ -258,10 +262,8 @@ DrawFlat(const ColonoscopyResults & results, FlatColoring coloring)
     parts.outlines.push_back(OutlinesOf(
       results.foldLabels->GetBufferPointer(), static_cast<int>(size[0]), static_cast<int>(size[1]), foldColor));
   }
-  std::vector<unsigned short> coated;
-  if (results.original)
+  if (!coated.empty())
   {
-    coated = CoatedPixels(results);
     parts.outlines.push_back(
       OutlinesOf(coated.data(), results.flat->Grid().Columns(), results.flat->Grid().Rows(), residueColor));
   }

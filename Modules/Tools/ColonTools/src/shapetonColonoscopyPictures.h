@@ -20,9 +20,14 @@ DrawSegments(const ColonoscopyResults & results, PatientSide side);
 Picture::Pointer
 DrawInside(const ColonoscopyResults & results, PatientSide side);
 
+/** 1 where tagged residue coats the wall, by the pixels of the grid of the flat map; empty without the CT before
+ * cleansing. */
+std::vector<unsigned short>
+CoatedPixels(const ColonoscopyResults & results);
+
 /** The flat colon in rows, with segments, taeniae and folds. */
 Picture::Pointer
-DrawFlat(const ColonoscopyResults & results, FlatColoring coloring);
+DrawFlat(const ColonoscopyResults & results, const std::vector<unsigned short> & coated, FlatColoring coloring);
 } // namespace shapeton
 
 #endif

@@ -34,8 +34,7 @@ AddOtherPosition(const ColonoscopyPair & pair, ColonoscopyQuality & quality)
         return other.label == segment.extent.label;
       });
     const bool isKnown = same != pair.second.segments.end();
-    quality.other.push_back(isKnown ? Assess(there, same->begin, same->end) : ColonAssessability());
-    segment.otherShare = quality.other.back().share;
+    segment.otherShare = (isKnown ? Assess(there, same->begin, same->end) : ColonAssessability()).share;
     segment.eitherShare = quality.either.back().share;
   }
 }
@@ -126,7 +125,7 @@ QualityTable(const ColonoscopyQuality & quality)
                                     SquareCentimeters(one.hiddenArea) };
     if (hasOther)
     {
-      cells.insert(cells.begin() + 6, { WholePercent(quality.other[i].share), WholePercent(quality.either[i].share) });
+      cells.insert(cells.begin() + 6, { WholePercent(one.otherShare), WholePercent(one.eitherShare) });
     }
     table.AddRow(cells);
   }

@@ -14,10 +14,8 @@ PlaceInJson(const Json & lps);
 struct ColonoscopyQuality
 {
   std::vector<SegmentQuality> segments;
-  /** With a second position: wall that neither shows, and what the other and at least one of the two positions show of
-   * the same segments. */
+  /** With a second position: wall that neither shows, and what at least one of them shows of the segments. */
   std::vector<HinderedStretch>    hiddenInBoth;
-  std::vector<ColonAssessability> other;
   std::vector<ColonAssessability> either;
 };
 

@@ -127,13 +127,14 @@ AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & r
   marks += results.original ? " Yellow outlines: wall coated by tagged residue. Thin serrated lines: seams of "
                               "electronic cleansing at fluid levels."
                             : "";
+  const std::vector<unsigned short>  coated = CoatedPixels(results);
   std::vector<PagePictures::Drawing> drawings;
   if (results.ct)
   {
-    drawings.push_back({ [&] { return DrawFlat(results, FlatColoring::Volume); },
+    drawings.push_back({ [&] { return DrawFlat(results, coated, FlatColoring::Volume); },
                          "The wall, rendered from the CT along its normals." + marks });
   }
-  drawings.push_back({ [&] { return DrawFlat(results, FlatColoring::Curvature); },
+  drawings.push_back({ [&] { return DrawFlat(results, coated, FlatColoring::Curvature); },
                        "Mean curvature: red bulges into the lumen (folds, polyps), blue outwards." + marks });
   pictures.Add(drawings);
 }
