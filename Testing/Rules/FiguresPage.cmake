@@ -2,6 +2,7 @@
 cmake_minimum_required(VERSION 3.22)
 
 set(folder ${SHAPETON_SOURCE_DIR}/Documentation)
+file(COPY ${folder}/pictures/figures DESTINATION ${WORK_DIR}/pictures)
 execute_process(COMMAND ${SHAPETON_SOURCE_DIR}/Testing/Figures/make-figures --page --output ${WORK_DIR} RESULT_VARIABLE status)
 file(READ ${folder}/figures.md page)
 file(READ ${WORK_DIR}/figures.md made)
