@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """usage: panels.py OUT.png COLUMNS WIDTH IN.png[@LEFT,TOP,WIDTH,HEIGHT][=CAPTION]...
 
-Arranges pictures side by side, each WIDTH pixels wide, COLUMNS per row, as a small PNG of at most 256 colors. @ selects a part of a
-picture. Called by make-figures.
+Arranges pictures side by side, each WIDTH pixels wide, COLUMNS per row, as a small PNG of at most 256 colors, including rare ones
+of marks. @ selects a part of a picture. Called by make-figures.
 """
 import sys
 
@@ -44,7 +44,7 @@ def main():
         return
     out, columns, width = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
     sheet = sheet_of([panel_of(argument, width) for argument in sys.argv[4:]], columns, width)
-    sheet.quantize(256).save(out, optimize=True)
+    sheet.quantize(256, method=Image.Quantize.MAXCOVERAGE, kmeans=1).save(out, optimize=True)
 
 
 if __name__ == "__main__":

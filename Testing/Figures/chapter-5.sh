@@ -1,0 +1,124 @@
+# Chapter 5: flat colons; read by make-figures.
+# shellcheck shell=bash
+
+chapter 5 'flat colons'
+write 'Published: heat diffusion distances from 50 eigenpairs, t = 8, walls of 55,000 faces with their handles. Ours, unless stated: all' \
+  'eigenpairs ([why](validation/flattening.md#eigenpairs-and-times-of-the-heat-diffusion-metric)), t from the mesh, and more faces.' \
+  'Walter Reed and patient 00020: see chapter 4.' ''
+
+figure 5.1 'a colon with handles, and its flat map'
+raw_wall
+walter_reed
+panels 2 400 "patient-20/segmentation/report/wall-anterior.png@200,10,600,850=(a) patient 00020; its wall has 21 handles" \
+  "walter-reed/polyps/report/polyp-candidate-1.png@812,0,402,656=a polyp of Walter Reed, inside and flat" \
+  "raw/flat-relief.png@0,1030,817,334=(b) patient 00020, flat with handles (crosses)" \
+  "walter-reed/flattening/report/flat-volume.png@0,1045,874,330=(b) Walter Reed, by direct volume rendering"
+differs 'Below: transverse colons. **Agrees:** the wall is flattened with its handles, and folds keep their shape. **Differs:** a polyp on' \
+  'a stalk, as this one, does not: a conformal map shrinks its head to a point, and the tool says so.'
+
+figure 5.2 'geodesic and diffusion distance'
+write '![Figure 5.2](validation/figure-5.2.png)' ''
+paragraph '**Agrees** for times as in flattening: when thumb and index finger are cut apart, f changes by 29.6 % with geodesic' \
+  'and by 3.5 % with diffusion distances. Generated hand; made by `Utilities/run-validation flattening-distances`,' \
+  '[values](validation/flattening.md#figure-52-geodesic-and-diffusion-distance).'
+
+figure 5.3 'slit maps'
+needs meshes/SBU_F_Intestine_Large.glb
+cecum=VH_F_ca""ecum # the spelling of the file, which is not ours
+run ConformalMap SBU_F_Intestine_Large.glb cecum.vtp --part $cecum --component 1 --picture cecum.png --forms cecum-forms.png
+panels 1 720 "cecum.png=(a) to (c): a real cecum; its holes lead to the colon (yellow) and to the appendix (red)" \
+  "cecum-forms.png=(d) harmonic 1-form, (e) its conjugate, (f) holomorphic 1-form"
+write '![Figure 5.3](validation/figure-5.3.png)' ''
+differs 'Ours: the cecum of the SBU colon, 458 faces, n = 1; above, a generated face with n = 3 as published, made by' \
+  '`Utilities/run-validation flattening-slits` ([values](validation/flattening.md#figure-53-a-face-with-three-holes)). **Agrees:**' \
+  'squares stay squares, and boundaries become circles and slits.'
+
+figure 5.4 'a pot with and without its handle'
+write '![Figure 5.4](validation/figure-5.4.png)' ''
+paragraph '**Agrees:** cutting the handle changes the conformal modulus less in the heat diffusion metric, but at best by a factor of' \
+  '0.35, and only for times much longer than the square of the radius of the handle. Generated pot; made by' \
+  '`Utilities/run-validation flattening-handle`, [values](validation/flattening.md#figure-54-a-pot-with-and-without-its-handle).'
+
+# ricci_flow: makes panel (a) of figure 5.5, the flat map of raw wall by surface Ricci flow, and adds it to "flat". No tool computes
+# it yet.
+ricci_flow() { :; }
+
+figure 5.5 'the ascending colon with handles'
+raw_wall
+flat=()
+ricci_flow
+flat+=("raw/flat-relief.png@0,1375,817,337=(b) heat diffusion, with handles (crosses)"
+  "patient-20/flattening/report/flat-relief.png@0,1035,943,341=heat diffusion, without handles")
+panels 1 660 "${flat[@]}"
+differs 'Patient 00020, from 150 cm. (a), surface Ricci flow of the same wall, is not made yet: no tool computes it. **Agrees:** with' \
+  '21 handles, the map has the course and the folds of the one without handles. **Differs:** at each handle, the map folds over,' \
+  'here 0.5 % of all faces, and the wall around it is smeared along the colon (at 190 cm). The moduli from u and v differ by 15 %,' \
+  'without handles by 0.2 %.'
+
+figure 5.6 'polyps'
+walter_reed
+panels 3 330 "walter-reed/polyps/report/polyp-candidate-1.png@812,0,402,656=candidate 1" \
+  "walter-reed/polyps/report/polyp-candidate-2.png@812,0,402,656=candidate 2" \
+  "walter-reed/polyps/report/polyp-candidate-4.png@812,0,402,656=candidate 4"
+differs 'Walter Reed; numbers as in 5.9. Candidate 1 (10 mm, at 16 cm) is a polyp on a stalk, 2 and 4 are possible polyps of 4 and 5 mm.' \
+  '**Agrees:** a close-up shows small bumps of the wall on the flat map. **Differs:** ours are found by the program, and not' \
+  'confirmed by optical colonoscopy.'
+
+figure 5.7 'registered ascending colon'
+both_positions
+panels 1 560 "both/report/aligned.png@840,580,539,478=(a) supine, (b) prone, as mapped"
+differs 'Patient 00020 and its second position. Published: mean error 8.14 mm in space, 0.0385 on the map of width 1, at 16 pairs of' \
+  'points. Ours: 1.8 mm and 0.0102 at 1,503 points of the wall; median 1.2 mm, 95 % 5.4 mm. The published map' \
+  '(`--map published`) has 23.9 mm and 0.175. **Agrees:** folds are aligned. **Not comparable:** our second position is simulated,' \
+  'and handles are removed before.'
+
+figure 5.8 'handles found on the flat colon'
+raw_wall
+walter_reed
+run ColonFlattening walter-reed/segmentation/wall.vtp walter-reed-raw.vtp --centerline walter-reed/segmentation/centerline.vtp \
+  --statistics walter-reed-raw.json --handles walter-reed-handles.vtp
+panels 1 680 "raw/flat-relief.png@0,1030,817,334=patient 00020, transverse" "raw/flat-relief.png@0,1375,817,337=transverse to cecum"
+differs 'Published: 43 handles on a third of a colon, red where the curvature of the flat map is not 0. Ours: crosses. **Agrees:** in' \
+  'patient 00020, 21 of 21 handles are found as 21 places; 25 other places are recognized as false alarms. **Differs:** the wall of' \
+  'Walter Reed, prone, at 1.25 mm, has 250 handles. They lie so close that they are found as 105 places, of which one has 17' \
+  'handles and one has a radius of 6 cm, because parts of the colon touch. There, the repaired surface is required.'
+
+figure 5.9 'a whole flat colon'
+walter_reed
+panels 1 720 "walter-reed/polyps/report/polyp-candidates-flat.png@0,65,1409,1005"
+differs 'Walter Reed, from rectum (left) to cecum. Yellow: polyp candidates; blue: recognized as valve, gas or fluid. Hatched: not' \
+  'evaluable. **Agrees:** folds, and small candidates (2 and 4), are visible. **Differs:** ours marks what must not be read; the' \
+  'published rendering of the volume is in 5.1 (b) and in the report of ColonFlattening.'
+
+# flatten_of_table CASE LUMEN OPTIONS...: a wall of 55,000 faces and two of its segments, flattened.
+flatten_of_table() {
+  run ColonSegmentation "$2" "$1" --faces 55000 "${@:3}"
+  run ColonFlattening "$1/wall-simplified.vtp" "$1/flat.vtp" --centerline "$1/centerline.vtp" --statistics "$1/flat.json"
+  run ColonLandmarks "$1/flat.vtp" "$1/centerline.vtp" "$1/landmarks" --split
+  for segment in ascending transverse; do
+    run ColonFlattening "$1/landmarks/segment-$segment.vtp" "$1/$segment.vtp" --statistics "$1/$segment.json"
+  done
+}
+
+# from_eigenpairs: the metric of the dissertation, for the time.
+from_eigenpairs() {
+  run ColonFlattening faces-20/wall-simplified.vtp eigenpairs.vtp --centerline faces-20/centerline.vtp --statistics eigenpairs.json \
+    --metric truncatedHeatDiffusion
+}
+
+figure table-5.1 'seconds for flattening'
+patient_20
+walter_reed
+flatten_of_table faces-20 00020-lumen.nrrd --inputIsLumen
+from_eigenpairs
+flatten_of_table faces-walter-reed prone.nii.gz --position prone
+needs meshes/SBU_F_Intestine_Large.glb
+run ColonFlattening SBU_F_Intestine_Large.glb sbu.vtp --part VH_F_transverse_colon --component 2 --statistics sbu.json
+raw_wall
+table times 'patient 00020=faces-20/flat' '00020 A=faces-20/ascending' '00020 T=faces-20/transverse' \
+  'Walter Reed=faces-walter-reed/flat' 'Walter Reed A=faces-walter-reed/ascending' 'Walter Reed T=faces-walter-reed/transverse' \
+  'SBU colon T=sbu' 'patient 00020, 50 eigenpairs=eigenpairs' 'patient 00020, with handles=raw'
+differs 'A, T: ascending, transverse colon. Published: one core at 1.87 GHz, without the metric, which took 12.4 s more. Ours: two cores,' \
+  'busy with other work. 50 eigenpairs, as published, take longer than all, and their gap between the moduli from u and v is 8.4' \
+  'instead of 0.8 %. The metric of Walter Reed with 55,000 faces is Euclidean, because its triangles are' \
+  'larger than the lumen of the collapsed sigmoid. Times of Ricci flow are missing as in 5.5.'

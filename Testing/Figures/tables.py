@@ -1,0 +1,86 @@
+#!/usr/bin/python3
+"""usage: tables.py OUT.md matches NAME=FOLDER...
+       tables.py OUT.md times NAME=PREFIX...
+
+Writes a table of the dissertation with the published values and ours. Called by make-figures.
+
+  matches  Table 4.1; FOLDER was written by ColonRegistration
+  times    Table 5.1; PREFIX.json are the statistics of ColonFlattening, PREFIX.vtp.run.json the durations
+"""
+import json
+import sys
+
+# Border features of supine and prone; right, and wrong in supine and prone.
+PUBLISHED_MATCHES = {
+    "ascending": (30, 29, 28, "2 / 1"),
+    "transverse": (42, 37, 34, "8 / 3"),
+    "descending": (31, 27, 25, "6 / 2"),
+    "sigmoid": (16, 17, 13, "3 / 4"),
+    "rectum": (15, 15, 14, "1 / 1"),
+    "whole": (134, 125, 114, "20 / 11"),
+}
+
+# Model, faces, and seconds of Ricci flow and of the dissertation's method.
+PUBLISHED_TIMES = (
+    ("192 (Supine)", 56800, 125.7, 11.2),
+    ("192 (Supine A)", 12500, 35.6, 3.4),
+    ("192 (Supine T)", 23100, 62.2, 5.2),
+    ("192 (Prone)", 52900, 112.5, 12.3),
+    ("192 (Prone A)", 12800, 33.6, 3.3),
+    ("192 (Prone T)", 22700, 57.2, 5.4),
+    ("241 (Supine)", 55900, 121.5, 11.4),
+    ("241 (Prone)", 53100, 110.8, 11.3),
+)
+
+
+def read(path):
+    """Returns the content of a JSON file."""
+    with open(path, encoding="utf-8") as file:
+        return json.load(file)
+
+
+def rows_of_matches(name, folder):
+    """One row per segment of a registration, and one for all."""
+    result = read(f"{folder}/registration.json")
+    hasTruth = "errors" in result
+    rows = {one["segment"]: one for one in result["segments"]}
+    rows["whole"] = result["matches"]
+    for segment in PUBLISHED_MATCHES:
+        one = rows[segment]
+        truth = (one["correct"], one["wrong"]) if hasTruth else ("", "")
+        yield (name, segment, one["supineFolds"], one["proneFolds"], one["followed"] + one["contradicted"], *truth,
+               one["contradicted"])
+
+
+def matches(arguments):
+    """Table 4.1."""
+    yield ("colon", "segment", "supine", "prone", "matched", "right", "wrong", "contradicted")
+    for segment, (supine, prone, right, wrong) in PUBLISHED_MATCHES.items():
+        yield ("*published*", segment, supine, prone, "", right, wrong, "")
+    for argument in arguments:
+        yield from rows_of_matches(*argument.split("=", 1))
+
+
+def times(arguments):
+    """Table 5.1."""
+    yield ("model", "faces", "Ricci flow, s", "metric, s", "flattening, s")
+    for model, faces, ricci, ours in PUBLISHED_TIMES:
+        yield (f"*published:* {model}", f"{faces:,}", ricci, "", ours)
+    for argument in arguments:
+        name, prefix = argument.split("=", 1)
+        stages = read(prefix + ".vtp.run.json")["stages"]
+        yield (name, f"{read(prefix + '.json')['faces']:,}", "", f"{stages['Metric']:.2g}",
+               f"{stages['Flattening'] + stages.get('Cutting off pouches', 0):.2g}")
+
+
+def main():
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
+    head, *rows = {"matches": matches, "times": times}[sys.argv[2]](sys.argv[3:])
+    with open(sys.argv[1], "w", encoding="utf-8") as file:
+        for row in (head, ["---"] * len(head), *rows):
+            file.write("| " + " | ".join(map(str, row)) + " |\n")
+
+
+if __name__ == "__main__":
+    main()
