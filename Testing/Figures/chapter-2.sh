@@ -1,5 +1,5 @@
 # Chapter 2: cumulative heat diffusion; read by make-figures.
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2016
 
 chapter 2 'cumulative heat diffusion'
 

@@ -1,5 +1,5 @@
 # Chapter 3: shapetons; read by make-figures.
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2016
 
 chapter 3 'shapetons'
 write 'Colors are density classes. [CHD or shapetons?](shapetons.md) defines the *published* and the *controlled* walk. Figures 3.6 to' \

@@ -1,5 +1,5 @@
 # Chapter 4: landmarks of the colon; read by make-figures.
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2016
 
 chapter 4 'landmarks of the colon'
 write 'Walter Reed: a patient in prone position. Patient 00020: position not stated; its *second position* is simulated by a known' \

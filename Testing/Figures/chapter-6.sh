@@ -1,5 +1,5 @@
 # Chapter 6: graphs on surfaces; read by make-figures.
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2016
 
 chapter 6 'graphs on surfaces'
 write 'Nodes are red, the dual graph is green. `GraphEmbeddingVerifier` verifies each certificate. The printed graphs are not given: where' \
@@ -89,49 +89,38 @@ svg same/comparison.svg 900
 panels 1 700 same/comparison.png
 differs '**Agrees:** two numberings of a graph, not the printed one, have the same circles in the same colors.'
 
-# numbered_anew FILE MATPOWER: writes the branches of a case as edges between nodes with other numbers. 37 has no common divisor with
-# 119, so that equal numbers do not occur.
-numbered_anew() {
-  ! is_making || awk '/^mpc.branch/ { inside = 1; next } /^\];/ { inside = 0 } inside { print $1 * 37 % 119, $2 * 37 % 119 }' \
-    "$work/$2" | sort >"$work/$1"
+# branches EXPRESSIONS [WITHOUT]: an awk program that prints two expressions of the ends $1 and $2 of each branch of a MATPOWER case,
+# without the branches of the given numbers.
+branches() {
+  printf '/^mpc.branch/ { inside = 1; next } /^\\];/ { inside = 0 } inside && index(" %s ", " " ++n " ") == 0 { print %s }' "${2-}" "$1"
 }
 
 figure 6.14 'isomorphic graphs of real data'
 needs graphs/power/case118.m
-numbered_anew anew.edges case118.m
+into anew.edges awk "$(branches '$1 * 37 % 119, $2 * 37 % 119')" case118.m # 37 and 119 have no common divisor: all differ
 run GraphCompare case118.m anew.edges power-twice
 svg power-twice/comparison.svg 900
 panels 1 720 power-twice/comparison.png
-differs 'Published: part of a graph of e-mails. Ours: the power grid of 118 buses, and the same with other numbers in another order.' \
+differs 'Published: part of a graph of e-mails. Ours: the power grid of 118 buses, and the same with other numbers.' \
   '**Agrees:** the pictures are equal, and partners have one color.'
 
 figure 6.15 'a small graph that changes'
-lines_of_step() { # STEP EDGE...: one more step of the sequence
-  ! is_making || mkdir -p "$work/small"
-  lines "small/step-$1.edges" "${@:2}"
-}
 ring=('1 2' '2 3' '3 4' '4 5' '5 6' '6 1' '7 1' '7 2' '7 3' '8 3' '8 4' '8 5' '9 5' '9 6' '9 1' '7 8' '8 9' '9 7')
-lines_of_step 0 "${ring[@]}"
-lines_of_step 1 "${ring[@]}" '10 1' '10 2' '10 7'
-lines_of_step 2 "${ring[@]}" '10 1' '10 2' '10 7' '11 4' '11 5' '11 8'
-lines_of_step 3 "${ring[@]}" '10 1' '10 2' '10 7' '11 4' '11 5' '11 8' '12 7' '12 8' '12 9'
+lines small/step-0.edges "${ring[@]}"
+lines small/step-1.edges "${ring[@]}" '10 1' '10 2' '10 7'
+lines small/step-2.edges "${ring[@]}" '10 1' '10 2' '10 7' '11 4' '11 5' '11 8'
+lines small/step-3.edges "${ring[@]}" '10 1' '10 2' '10 7' '11 4' '11 5' '11 8' '12 7' '12 8' '12 9'
 run DynamicGraph small small-out --labels
 svg small-out/steps.svg 1200
 panels 1 800 small-out/steps.png
 differs 'Ours: nodes 10, 11 and 12 are inserted one after the other, by hand as published. **Agrees:** only circles near a change (green)' \
   'change; all others stay in place.'
 
-# outages STEP LINE...: the branches of the power grid without those of the given numbers.
-outages() {
-  ! is_making || { mkdir -p "$work/outages" && awk -v without=" ${*:2} " '/^mpc.branch/ { inside = 1; next } /^\];/ { inside = 0 }
-    inside && index(without, " " ++n " ") == 0 { print $1, $2 }' "$work/case118.m" >"$work/outages/step-$1.edges"; }
-}
-
 figure 6.16 'a real graph that changes'
 needs graphs/power/case118.m
-outages 0
-outages 1 60
-outages 2 60 104
+into outages/step-0.edges awk "$(branches '$1, $2')" case118.m
+into outages/step-1.edges awk "$(branches '$1, $2' '60')" case118.m
+into outages/step-2.edges awk "$(branches '$1, $2' '60 104')" case118.m
 run DynamicGraph outages outages-out --track 49,80,100
 svg outages-out/steps.svg 1200
 panels 1 800 outages-out/steps.png

@@ -1,5 +1,5 @@
 # Chapter 7: histograms that open up; read by make-figures.
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2016
 
 chapter 7 'histograms that open up'
 

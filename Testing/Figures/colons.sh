@@ -1,5 +1,5 @@
 # The colons of chapters 4 and 5; read by make-figures.
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2016
 
 # walter_reed: a CT in prone position, 1.25 x 1.25 x 2 mm.
 walter_reed() {

@@ -1,5 +1,5 @@
 # The data sets of the figures; read by make-figures.
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2016
 
 # dataset FILE NAME CREDIT: FILE is the path in the data folder; several files may have one name.
 dataset volumes/ch2.nii.gz 'MR head' '`ch2` of the package mricron-data of Debian, MNI, permissive license'

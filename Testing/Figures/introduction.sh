@@ -1,5 +1,5 @@
 # The head of the page; read by make-figures.
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2016
 
 write '# Figures of the dissertation, made by our tools' '' \
   'For readers of the dissertation: which figures our tools reproduce, with which parameters, and what differs.' \
