@@ -113,8 +113,8 @@ lines small/step-3.edges "${ring[@]}" '10 1' '10 2' '10 7' '11 4' '11 5' '11 8' 
 run DynamicGraph small small-out --labels
 svg small-out/steps.svg 1200
 panels 1 800 small-out/steps.png
-differs 'Ours: nodes 10, 11 and 12 are inserted one after the other, by hand as published. **Agrees:** only circles near a change (green)' \
-  'change; all others stay in place.'
+differs 'Ours: nodes 10, 11 and 12 are inserted one after the other, by hand as published; green: neighborhoods that changed. **Agrees:**' \
+  'all nodes stay in place. Here, each new node fits between the circles; in the dissertation, some radii change.'
 
 figure 6.16 'a real graph that changes'
 needs graphs/power/case118.m
