@@ -406,13 +406,15 @@ REFERENCE = r"(\w+): ?([\w* ]+)"
 def expand_xml(text: str) -> str:
     def element(match: re.Match[str]) -> str:
         attributes = dict(re.findall(r'(\w+)="([^"]*)"', match[1]))
-        if unknown := set(attributes) - {"of", "names", "default", "minimum", "unset"}:
+        if unknown := set(attributes) - {"of", "names", "default", "minimum", "unset", "automatic"}:
             fail(f"<option> has the unknown attribute {min(unknown)}")
         chosen = declaration(attributes["of"]).chosen(attributes["names"])
         if "default" in attributes:
             chosen = [option.with_default(json.loads(attributes["default"])) for option in chosen]
         if "minimum" in attributes:
             chosen = [option.with_minimum(json.loads(attributes["minimum"])) for option in chosen]
+        if "automatic" in attributes:
+            chosen = [option.optional().with_default(None) for option in chosen]
         if "unset" in attributes:
             chosen = [option.with_unset(attributes["unset"]) for option in chosen]
         return "\n    ".join(option.xml() for option in chosen)
@@ -432,6 +434,7 @@ def expand_python(text: str) -> str:
 
     expansion("options", lambda option: option.python_parameter() + ",")
     expansion("optional", lambda option: option.optional().python_parameter() + ",")
+    expansion("unset", lambda option: option.optional().with_default(None).python_parameter() + ",")
     expansion("values", lambda option: f'"{option.name}": {snake(option.name)},')
     expansion("sentences", lambda option: textwrap.fill(
         f"{snake(option.name)}: {option.description()}", 110, subsequent_indent="    "))  # fmt: skip

@@ -1,6 +1,7 @@
 #include "CumulativeHeatDiffusionXML.h"
 
 #include "shapetonAutomaticParameters.h"
+#include "shapetonHeatParameterChoice.h"
 #include "shapetonCommandLine.h"
 #include "shapetonReadOptions.h"
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
@@ -16,36 +17,59 @@ namespace
 {
 using shapeton::CommandLine;
 using ImageType = itk::Image<float, 3>;
+constexpr double shareOfChoice = 0.3; // of the time of a run
 using FilterType = shapeton::CumulativeHeatDiffusionImageFilter<ImageType>;
 
 void
 CheckUsage(const CommandLine & commandLine)
 {
   shapeton::RequireIntensityWindow(commandLine);
-  shapeton::RequireParameter(!commandLine.GetFlag("autoParameters") || !commandLine.IsGiven("p"),
-                             "--autoParameters chooses p; do not combine it with --p");
   shapeton::RequireParameter(commandLine.IsGiven("snapshotSteps") || !commandLine.IsGiven("snapshotFolder"),
                              "--snapshotFolder requires --snapshotSteps, the steps to write");
   shapeton::RequireParameter(!commandLine.IsGiven("snapshotSteps") || commandLine.IsGiven("snapshotFolder") ||
                                commandLine.IsGiven("report"),
                              "--snapshotSteps requires --snapshotFolder or --report, to store the heat");
-  for (const int step : commandLine.GetIntegers("snapshotSteps"))
-  {
-    shapeton::RequireParameter(step >= 0 && step <= commandLine.GetInteger("timeSteps"),
-                               "--snapshotSteps: " + std::to_string(step) + " is not between 0 and --timeSteps");
-  }
 }
 
-void
-Configure(CommandLine & commandLine, FilterType * filter)
+/** The parameters on the command line; the others are chosen. */
+shapeton::GivenHeatParameters
+GivenParameters(const CommandLine & commandLine, const FilterType * filter)
 {
-  shapeton::ReadOptionsOf(commandLine, filter);
-  if (commandLine.GetFlag("autoParameters"))
+  const auto                    isGiven = [&](const char * name) { return commandLine.GetString(name) != "auto"; };
+  shapeton::GivenHeatParameters given;
+  given.intensityWindow = filter->GetIntensityWindow();
+  if (isGiven("p"))
   {
-    filter->AutomaticPOn();
-    filter->UntilSteadyOn();
-    commandLine.AddProvenance("option.p", "automatic");
+    given.p = filter->GetP();
   }
+  if (isGiven("smoothing"))
+  {
+    given.smoothing = filter->GetSmoothing();
+  }
+  if (isGiven("timeSteps"))
+  {
+    given.timeSteps = filter->GetTimeSteps();
+  }
+  return given;
+}
+
+/** Sets the parameters that are not given, unless the preset is the published one; returns the reasons. */
+shapeton::HeatReportContent::Facts
+ChooseParameters(CommandLine & commandLine, const std::string & modality, FilterType * filter)
+{
+  if (commandLine.GetString("preset") == "published")
+  {
+    return {};
+  }
+  const auto choice =
+    filter->ChooseParameters(GivenParameters(commandLine, filter),
+                             modality,
+                             commandLine.PartOfProgress(0.0, shareOfChoice).Part("Choosing parameters", 0.0, 1.0));
+  for (const auto & [name, value] : shapeton::ChosenValues(choice))
+  {
+    commandLine.AddProvenance("chosen." + name, value);
+  }
+  return shapeton::ChoiceFacts(choice);
 }
 
 void
@@ -64,6 +88,13 @@ RequestSnapshots(CommandLine & commandLine, const shapeton::HeatResultFiles & fi
   const auto                       given = commandLine.GetIntegers("snapshotSteps");
   const std::set<std::uint64_t>    distinct(given.begin(), given.end());
   const std::vector<std::uint64_t> steps(distinct.begin(), distinct.end());
+  for (const std::uint64_t step : steps)
+  {
+    shapeton::RequireParameter(step <= filter->GetTimeSteps(),
+                               "--snapshotSteps: " + std::to_string(step) +
+                                 " is not between 0 and the number of steps, " +
+                                 std::to_string(filter->GetTimeSteps()));
+  }
   if (!steps.empty())
   {
     const std::string folder = commandLine.GetString("snapshotFolder");
@@ -82,18 +113,21 @@ Diffuse(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
   const shapeton::HeatResultFiles files(commandLine);
-  const shapeton::Volume          volume = shapeton::ReadVolume(commandLine, "inputVolume");
   auto                            filter = FilterType::New();
+  shapeton::ReadOptionsOf(commandLine, filter.GetPointer());
+  shapeton::CheckOptions(filter->GetOptions());
+  const shapeton::Volume volume = shapeton::ReadVolume(commandLine, "inputVolume");
   filter->SetInput(volume.image);
-  Configure(commandLine, filter);
+  const auto reasons = ChooseParameters(commandLine, volume.modality, filter);
   filter->SetWantInitialHeat(files.WantInitialHeat());
   filter->SetWantComponents(files.WantClasses());
   if (files.WantHistogram())
   {
     RequestHistogram(commandLine, filter);
   }
-  const auto snapshotSteps = RequestSnapshots(commandLine, files, filter);
-  commandLine.Watch(filter, "Diffusing heat", 0.0, 0.95);
+  const auto   snapshotSteps = RequestSnapshots(commandLine, files, filter);
+  const double start = reasons.empty() ? 0.0 : shareOfChoice;
+  commandLine.Watch(filter, "Diffusing heat", start, 0.95 - start);
   filter->Update();
   const auto & result = filter->GetResult();
   commandLine.AddRunFact("device", result.device);
@@ -102,16 +136,13 @@ Diffuse(CommandLine & commandLine)
   {
     commandLine.Warn(remark);
   }
-  if (filter->GetAutomaticP())
-  {
-    commandLine.AddProvenance("chosen.p", shapeton::CsvTable::Number(result.p.p));
-  }
   shapeton::HeatClassification classification;
   if (files.WantClasses())
   {
-    classification = shapeton::ClassifyHeat(filter->GetOutput(), result.components);
+    classification = shapeton::ClassifyHeat(filter->GetOutput(), result);
   }
   shapeton::HeatReportContent content = shapeton::MakeReportContent(result, volume.image, filter->GetOutput());
+  content.parameters.insert(content.parameters.end(), reasons.begin(), reasons.end());
   content.input = { { "Modality", volume.modality }, { "Identity", volume.identity } };
   content.provenance = commandLine.GetProvenance();
   content.warnings = commandLine.GetWarnings();

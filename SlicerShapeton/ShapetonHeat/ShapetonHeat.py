@@ -61,8 +61,8 @@ class ShapetonHeatWidget(ScriptedLoadableModuleWidget):
         self.intensityWindow = self._range()
         form.addRow("Intensity window:", self.intensityWindow)
         self.timeSteps = qt.QSpinBox()
-        self.timeSteps.setRange(1, 100000000)
-        self.timeSteps.value = 100000
+        self.timeSteps.setRange(0, 100000000)
+        self.timeSteps.specialValueText = "automatic"  # for 0
         form.addRow("Time steps:", self.timeSteps)
         self.panel = RunPanel(form)
         form.addRow(self._button("Apply", self.onApply))

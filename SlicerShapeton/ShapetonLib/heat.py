@@ -19,13 +19,13 @@ class Line:
 
 
 class HeatLogic:
-    def start(self, volumeNode, folder, intensityWindow=None, timeSteps=100000, p=7.0, onProgress=lambda share, stage: None):
-        """Runs CumulativeHeatDiffusion; by default the intensity window is the whole range of the volume."""
+    def start(self, volumeNode, folder, intensityWindow=None, timeSteps=None, p=None, onProgress=lambda share, stage: None):
+        """Runs CumulativeHeatDiffusion; parameters that are None are chosen from the data."""
         os.makedirs(folder, exist_ok=True)
         exportVolume(volumeNode, self._path(folder, "input.nrrd"))
         arguments = [self._path(folder, "input.nrrd"), self._path(folder, "heat.nrrd")]
         arguments += ["--histogram", self.histogramPath(folder), "--classTable", self._path(folder, "classes.csv")]
-        arguments += ["--timeSteps", timeSteps, "--p", p]
+        arguments += ["--timeSteps", timeSteps or "auto", "--p", p or "auto"]
         if intensityWindow:
             arguments += ["--intensityWindow", "{:g},{:g}".format(*intensityWindow)]
         return ToolRun("CumulativeHeatDiffusion", arguments, onProgress)

@@ -15,7 +15,7 @@ configure(${SOURCE_DIR}/Examples/Project "${WORK_DIR}/build" "-DCMAKE_PREFIX_PAT
 run(${CMAKE_COMMAND} --build "${WORK_DIR}/build")
 set(volume "${WORK_DIR}/volume.nrrd")
 run("${PREFIX}/bin/ShapePhantom" "${volume}" --shape figure2.7a --size 32,32,32 --noise 20)
-run("${PREFIX}/bin/CumulativeHeatDiffusion" "${volume}" "${WORK_DIR}/tool.nrrd" --timeSteps 1000)
+run("${PREFIX}/bin/CumulativeHeatDiffusion" "${volume}" "${WORK_DIR}/tool.nrrd" --preset published --timeSteps 1000)
 run("${WORK_DIR}/build/MedianHeat" "${volume}" "${WORK_DIR}/same.nrrd" 0)
 run("${WORK_DIR}/build/MedianHeat" "${volume}" "${WORK_DIR}/other.nrrd")
 foreach(file IN ITEMS tool same other)

@@ -15,7 +15,7 @@ differs 'Ours: MR head, p = 20, 4,000 steps; the dissertation does not name its 
 
 figure 2.4 'a cube in time'
 run ShapePhantom cube.nrrd --shape figure2.4
-run CumulativeHeatDiffusion cube.nrrd cube-heat.nrrd --timeSteps 4000 --snapshotSteps 20,100,750,900,1000,1100 \
+run CumulativeHeatDiffusion cube.nrrd cube-heat.nrrd --preset published --timeSteps 4000 --snapshotSteps 20,100,750,900,1000,1100 \
   --snapshotFolder cube-steps --histogram cube-histogram.png
 cube=()
 for step in 20 100 750 900 1000 1100; do
@@ -30,7 +30,7 @@ differs 'Ours: 4,000 steps. Orange: within 15 % of the final heat; red: hotter. 
 
 figure 2.6 'one line at a time'
 run ShapePhantom four.nrrd --shape figure2.7b --size 96,96,96
-run CumulativeHeatDiffusion four.nrrd four-heat.nrrd --timeSteps 40000 --histogram four-histogram.png
+run CumulativeHeatDiffusion four.nrrd four-heat.nrrd --preset published --timeSteps 40000 --histogram four-histogram.png
 bones=()
 for line in 0.0415-0.0445:tomato:1 0.0465-0.0495:yellow:1 0.063-0.068:lime:1 0.07-0.076:skyblue:1; do
   run HeatTransferFunction four.nrrd four-heat.nrrd four.vp --lines $line --picture "four-${line%%:*}.png"
@@ -42,10 +42,10 @@ differs 'Ours: a phantom of four objects instead of the foot; 40,000 steps. **Ag
 
 figure 2.7 'scale and orientation'
 run ShapePhantom a.nrrd --shape figure2.7a --size 96,96,96
-run CumulativeHeatDiffusion a.nrrd a-heat.nrrd --timeSteps 40000 --histogram a-histogram.png
+run CumulativeHeatDiffusion a.nrrd a-heat.nrrd --preset published --timeSteps 40000 --histogram a-histogram.png
 run HeatTransferFunction a.nrrd a-heat.nrrd a.vp --picture a.png
 run ShapePhantom four.nrrd --shape figure2.7b --size 96,96,96
-run CumulativeHeatDiffusion four.nrrd four-heat.nrrd --timeSteps 40000 --histogram four-histogram.png
+run CumulativeHeatDiffusion four.nrrd four-heat.nrrd --preset published --timeSteps 40000 --histogram four-histogram.png
 run HeatTransferFunction four.nrrd four-heat.nrrd four.vp --picture four.png
 panels 2 400 "$(rendering a.png)=(a) two spheres, a cube" "$(histogram a-histogram.png)" \
   "$(rendering four.png)=(b) two cubes, two cuboids" "$(histogram four-histogram.png)"

@@ -64,11 +64,10 @@ RunPhantom(const std::string & preset, unsigned int side, double noise, double b
   source->Update();
   auto filter = CumulativeHeatDiffusionImageFilter<itk::Image<short, 3>>::New();
   filter->SetInput(source->GetOutput());
-  filter->AutomaticPOn();
-  filter->SetTimeSteps(100000);
+  filter->ChooseParameters();
   filter->WantComponentsOn();
   filter->Update();
-  const auto classification = ClassifyHeat(filter->GetOutput(), filter->GetResult().components);
+  const auto classification = ClassifyHeat(filter->GetOutput(), filter->GetResult());
   return Compare(source->GetLabelOutput(), classification.labels);
 }
 } // namespace

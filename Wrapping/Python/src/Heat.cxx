@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <map>
 
 namespace shapeton::python
 {
@@ -24,7 +25,30 @@ struct Heat
   ImageType::Pointer            heat;
   ImageType::Pointer            initialHeat; // null unless requested
   CumulativeHeatDiffusionResult result;
+  HeatParameterChoice           choice; // empty reasons with the published preset
 };
+
+/** The parameters with these names of options. */
+GivenHeatParameters
+GivenAmong(const std::vector<std::string> & names, const CumulativeHeatDiffusionOptions & options)
+{
+  const auto has = [&](const char * name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  GivenHeatParameters given;
+  given.intensityWindow = options.intensityWindow;
+  if (has("p"))
+  {
+    given.p = options.p;
+  }
+  if (has("smoothing"))
+  {
+    given.smoothing = options.smoothing;
+  }
+  if (has("timeSteps"))
+  {
+    given.timeSteps = options.timeSteps;
+  }
+  return given;
+}
 
 /** Passes heat to a Python function while the filter runs. */
 FilterType::SnapshotConsumer
@@ -44,7 +68,9 @@ ConsumerOf(const py::object & function)
 Heat
 Diffuse(const ImageType::Pointer &                    image,
         const Given<CumulativeHeatDiffusionOptions> & given,
-        bool                                          automaticP,
+        const std::vector<std::string> &              names,
+        const std::string &                           preset,
+        const std::string &                           modality,
         const std::vector<std::uint64_t> &            histogramSteps,
         const std::vector<std::uint64_t> &            snapshotSteps,
         const py::object &                            snapshot,
@@ -54,16 +80,21 @@ Diffuse(const ImageType::Pointer &                    image,
 {
   CumulativeHeatDiffusionSettings settings;
   static_cast<CumulativeHeatDiffusionOptions &>(settings) = given.options;
-  settings.automaticP = automaticP;
   settings.histogramSteps = histogramSteps;
   settings.wantComponents = components;
   const auto filter = FilterType::New();
   filter->SetInput(image);
   filter->SetOptions(settings);
+  HeatParameterChoice choice;
+  if (OptionInfo("preset").Words({ "automatic", "published" }).PositionOf(preset) == 0)
+  {
+    choice =
+      filter->ChooseParameters(GivenAmong(names, settings), modality, progress.Part("Choosing parameters", 0.0, 0.0));
+  }
   filter->SetSnapshotSteps(snapshotSteps, ConsumerOf(snapshot));
   filter->SetWantInitialHeat(initialHeat);
   UpdateWithProgress(filter.GetPointer(), "Diffusing heat", progress);
-  return { filter->GetOutput(), initialHeat ? filter->GetInitialHeatOutput() : nullptr, filter->GetResult() };
+  return { filter->GetOutput(), initialHeat ? filter->GetInitialHeatOutput() : nullptr, filter->GetResult(), choice };
 }
 
 py::array
@@ -143,6 +174,7 @@ AddClasses(py::module_ & module)
     .def_readonly("volume", &HeatClass::volume, "mm^3.")
     .def_readonly(
       "border_share", &HeatClass::borderShare, "Fraction of the voxels at the border of the volume, 0 to 1.")
+    .def_readonly("coherence", &HeatClass::coherence, "Near 1 for a region bounded by edges, near 0 for speckle.")
     .def_readonly("components", &HeatClass::components, "Converged closed components in the class.")
     .def_readonly(
       "normalized_heat", &HeatClass::normalizedHeat, "Scale-invariant heat of closed components; 0 without any.");
@@ -193,11 +225,22 @@ AddHeat(py::module_ & module)
     .def_readonly("heat", &Heat::heat, "Heat after the last step, in [0, 1]; float32, on the grid of the input.")
     .def_readonly("initial_heat", &Heat::initialHeat, "Heat at step 0; None unless requested.")
     .def_property_readonly(
-      "p", [](const Heat & heat) { return heat.result.p.p; }, "The p used.")
+      "p", [](const Heat & heat) { return heat.result.p; }, "The p used.")
     .def_property_readonly(
-      "reason_of_p",
-      [](const Heat & heat) { return heat.result.p.reason; },
-      "Reason for an automatic p; otherwise empty.")
+      "reasons",
+      [](const Heat & heat) {
+        return std::map<std::string, std::string>{ { "intensity_window", heat.choice.windowReason },
+                                                   { "p", heat.choice.pReason },
+                                                   { "smoothing", heat.choice.smoothingReason },
+                                                   { "time_steps", heat.choice.timeReason } };
+      },
+      "Reasons for the parameters chosen from the data; empty for given ones.")
+    .def_property_readonly(
+      "smoothing", [](const Heat & heat) { return heat.result.smoothing; }, "Standard deviation of the smoothing, mm.")
+    .def_property_readonly(
+      "classes",
+      [](const Heat & heat) { return heat.result.classes; },
+      "With coherence; empty unless components are requested.")
     .def_property_readonly(
       "window",
       [](const Heat & heat) { return py::make_tuple(heat.result.windowLower, heat.result.windowUpper); },

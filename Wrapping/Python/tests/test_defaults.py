@@ -54,6 +54,9 @@ MEANINGS = {
     ("ConformalMap", "metric"): {"euclidean": None},
     ("ConformalMap", "time"): {0: None},
     ("GraphEmbedding", "genus"): {"auto": None},
+    ("CumulativeHeatDiffusion", "p"): {"auto": None},
+    ("CumulativeHeatDiffusion", "smoothing"): {"auto": None},
+    ("CumulativeHeatDiffusion", "timeSteps"): {"auto": None},
     ("ShapetonDiffusion", "featureSize"): {0: None},
     ("ShapetonDiffusion", "shapetons"): {65000: None},  # or the number for feature_size
 }

@@ -2,6 +2,7 @@
 #define shapetonColonVolume_h
 
 #include "shapetonParallelFor.h"
+#include "shapetonSmoothVoxels.h"
 #include "shapetonVoxelGrid.h"
 #include "shapetonVoxelValues.h"
 #include "shapetonVoxelRuns.h"
@@ -157,9 +158,12 @@ NormalDistribution(double x)
   return 0.5 * std::erfc(-x / std::sqrt(2.0));
 }
 
-/** Gaussian smoothing in place, sigma in mm; border values are repeated. */
-void
-SmoothVoxels(const ColonGrid & grid, VoxelValues & hu, double sigma);
+/** SmoothVoxels() with a standard deviation in mm. */
+inline void
+SmoothVoxels(const ColonGrid & grid, VoxelValues & hu, double sigma)
+{
+  SmoothVoxels(grid, { { sigma / grid.spacing[0], sigma / grid.spacing[1], sigma / grid.spacing[2] } }, hu.data());
+}
 
 /** Remaining contrast (0 to 1) in the middle of a 2 mm wall between two bowels after a prefilter of sigma `smoothing`
  * (mm). */

@@ -1,8 +1,8 @@
 #ifndef shapetonCumulativeHeatDiffusion_h
 #define shapetonCumulativeHeatDiffusion_h
 
-#include "shapetonAutomaticParameters.h"
 #include "shapetonCumulativeHeatDiffusionOptions.h"
+#include "shapetonHeatClasses.h"
 #include "shapetonHeatHistogram.h"
 #include "shapetonShapeComponents.h"
 
@@ -16,13 +16,12 @@ namespace shapeton
 /** Settings of DiffuseCumulativeHeat(). \ingroup ShapetonHeat */
 struct CumulativeHeatDiffusionSettings : CumulativeHeatDiffusionOptions
 {
-  /** Choose p from the data by ChooseP(). */
-  bool automaticP{ false };
   /** Rows of the heat histogram; ascending, at most timeSteps. */
   std::vector<std::uint64_t> histogramSteps;
   /** Steps whose heat is passed to the consumer; ascending, at most timeSteps. */
   std::vector<std::uint64_t> snapshotSteps;
-  bool                       wantComponents{ false };
+  /** Whether to find components and classes. */
+  bool wantComponents{ false };
   /** Voxel spacing in mm along x, y, z; the components use it even if the diffusion ignores it. */
   std::array<double, 3> spacing{ { 1.0, 1.0, 1.0 } };
   std::uint64_t         minimumComponentVoxels{ 27 };
@@ -32,7 +31,8 @@ struct CumulativeHeatDiffusionSettings : CumulativeHeatDiffusionOptions
  * \ingroup ShapetonHeat */
 struct CumulativeHeatDiffusionResult
 {
-  AutomaticP                  p; ///< the reason is set only if p was chosen automatically
+  double                      p{ 0.0 };
+  double                      smoothing{ 0.0 }; ///< mm
   double                      windowLower{ 0.0 };
   double                      windowUpper{ 0.0 };
   double                      timeStepLength{ 0.0 };
@@ -43,6 +43,7 @@ struct CumulativeHeatDiffusionResult
   std::string                 device; ///< device used; see DeviceUse::Describe()
   HeatHistogram               histogram;
   std::vector<ShapeComponent> components;
+  std::vector<HeatClass>      classes; ///< with coherence; only if components are wanted
 };
 
 /** Receives the heat after `step`, one value per voxel of the volume, x fastest.

@@ -2,8 +2,8 @@
 #define shapetonCumulativeHeatDiffusionImageFilter_h
 
 #include "shapetonAutomaticParameters.h"
-#include "shapetonCumulativeHeatDiffusion.h"
 #include "shapetonCumulativeHeatDiffusionOptionsMethods.h"
+#include "shapetonHeatParameterChoice.h"
 #include "shapetonITKCompatibility.h"
 #include "shapetonVolumeDiffusionImageFilter.h"
 
@@ -53,21 +53,15 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(CumulativeHeatDiffusionImageFilter);
 
-  /** Whether ChooseP() chooses p from noise and edges; P is then ignored. GetResult() returns the choice and its
-   * reason. Default off. */
-  virtual void
-  SetAutomaticP(bool value)
-  {
-    this->SetOption(this->m_Options.automaticP, value);
-  }
-  virtual bool
-  GetAutomaticP() const
-  {
-    return this->m_Options.automaticP;
-  }
-  itkBooleanMacro(AutomaticP);
+  /** Sets window, p, smoothing and number of steps from the data, except for given values, by ChooseHeatParameters();
+   * updates the input. By default, the filter uses the published values. */
+  HeatParameterChoice
+  ChooseParameters(const GivenHeatParameters & given = {},
+                   const std::string &         modality = {},
+                   const Progress &            progress = {});
 
-  /** Whether to find the components and their exact converged heat; see FindShapeComponents. Default off. */
+  /** Whether to find the components and their exact converged heat, see FindShapeComponents(), and the classes with
+   * their coherence. Default off. */
   virtual void
   SetWantComponents(bool value)
   {

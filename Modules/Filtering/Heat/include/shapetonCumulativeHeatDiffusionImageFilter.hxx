@@ -27,6 +27,29 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::SetSnapshotSteps(const StepsTyp
 }
 
 template <typename TInputImage>
+HeatParameterChoice
+CumulativeHeatDiffusionImageFilter<TInputImage>::ChooseParameters(const GivenHeatParameters & given,
+                                                                  const std::string &         modality,
+                                                                  const Progress &            progress)
+{
+  this->VerifyPreconditions();
+  auto * const input = const_cast<TInputImage *>(this->GetInput());
+  input->UpdateOutputInformation();
+  input->SetRequestedRegionToLargestPossibleRegion();
+  input->Update();
+  std::vector<float>              converted;
+  CumulativeHeatDiffusionSettings settings = this->m_Options;
+  std::copy_n(this->GetInput()->GetSpacing().Begin(), 3, settings.spacing.begin());
+  const HeatParameterChoice choice =
+    ChooseHeatParameters(this->GetIntensities(converted), this->GetVolumeSize(), settings, given, modality, progress);
+  this->SetIntensityWindow(choice.intensityWindow);
+  this->SetP(choice.p);
+  this->SetSmoothing(choice.smoothing);
+  this->SetTimeSteps(choice.timeSteps);
+  return choice;
+}
+
+template <typename TInputImage>
 void
 CumulativeHeatDiffusionImageFilter<TInputImage>::HandOut(std::uint64_t step, const std::vector<float> & values) const
 {
@@ -96,7 +119,6 @@ void
 CumulativeHeatDiffusionImageFilter<TInputImage>::PrintSelf(std::ostream & os, itk::Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "AutomaticP: " << this->m_Options.automaticP << std::endl;
   os << indent << "WantComponents: " << this->m_Options.wantComponents << std::endl;
   os << indent << "HistogramSteps: " << this->m_Options.histogramSteps.size() << std::endl;
   os << indent << "WantInitialHeat: " << m_WantInitialHeat << std::endl;

@@ -29,6 +29,8 @@ struct HeatClass
   /** Scale-normalized companion (an isoperimetric number): mean over the class's components, weighted by voxels; 0
    * if the class contains no closed component. */
   double normalizedHeat{ 0.0 };
+  /** How well the class is a region of the image, in [0, 1]: see MeasureCoherence(). */
+  double coherence{ 0.0 };
 };
 } // namespace shapeton
 

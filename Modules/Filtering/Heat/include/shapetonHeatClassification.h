@@ -1,8 +1,10 @@
 #ifndef shapetonHeatClassification_h
 #define shapetonHeatClassification_h
 
+#include "shapetonCumulativeHeatDiffusion.h"
 #include "shapetonHeatClasses.h"
 #include "shapetonShapeComponents.h"
+#include "shapetonVolumeGradientOperator.h"
 
 #include "itkImage.h"
 
@@ -34,6 +36,17 @@ struct HeatClassificationRule
 ShapetonHeat_EXPORT std::vector<HeatClass>
 FindHeatClasses(const HeatHistogram & histogram, std::size_t row, const HeatClassificationRule & rule = {});
 
+/** Sets the coherence of the classes of a heat, one value per voxel, and counts the regions they show.
+ *
+ * The coherence is the conductance inside of the class, minus three times the conductance to other classes, relative to
+ * the conductance of as many voxels without an edge; at least 0. It is near 1 for a region bounded by edges, and near 0
+ * for speckle of insulated voxels. Classes between which the conductance is on average more than half of that without
+ * an edge are bands of heat in one region. Returns the sum over regions of the largest coherence of a class, in which a
+ * class below 5 % of the voxels counts in proportion to the root of its size. The result does not depend on the number
+ * of threads. \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT double
+MeasureCoherence(const VolumeGradientOperator & volumeGradient, const float * heat, std::vector<HeatClass> & classes);
+
 /** The label of each voxel by its heat. Sets the exact voxels, meanHeat, volume and borderShare of the classes.
  * \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT itk::Image<unsigned char, 3>::Pointer
@@ -54,6 +67,10 @@ struct HeatClassification
   std::vector<HeatClass>                classes;
   itk::Image<unsigned char, 3>::Pointer labels;
 };
+
+/** The classes found by a run, with labels and components. \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT HeatClassification
+ClassifyHeat(const itk::Image<float, 3> * heat, const CumulativeHeatDiffusionResult & result);
 
 /** FindHeatClasses, LabelHeat and AssignComponents in one call.
  * \ingroup ShapetonHeat */

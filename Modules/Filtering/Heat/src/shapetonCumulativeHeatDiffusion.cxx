@@ -1,5 +1,7 @@
 #include "shapetonCumulativeHeatDiffusion.h"
+#include "shapetonHeatClassification.h"
 #include "shapetonParallelFor.h"
+#include "shapetonSmoothVoxels.h"
 
 #include <algorithm>
 #include <atomic>
@@ -75,6 +77,33 @@ OperatorParameters(const float *                           intensities,
     parameters.spacing = settings.spacing;
   }
   return parameters;
+}
+
+/** The intensities smoothed before edges are found (Catte et al. 1992). */
+std::vector<float>
+Smoothed(const float *                           intensities,
+         const std::array<std::size_t, 3> &      size,
+         const CumulativeHeatDiffusionSettings & settings)
+{
+  std::vector<float>    smoothed(intensities, intensities + size[0] * size[1] * size[2]);
+  std::array<double, 3> sigmas{};
+  std::transform(settings.spacing.begin(), settings.spacing.end(), sigmas.begin(), [&](double spacing) {
+    return settings.smoothing / spacing;
+  });
+  SmoothVoxels(
+    { static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) }, sigmas, smoothed.data());
+  return smoothed;
+}
+
+/** The classes of the last row. */
+std::vector<HeatClass>
+FindCoherentClasses(const VolumeGradientOperator & volumeGradient, const float * heat)
+{
+  HeatHistogram row({ 0 });
+  row.AddToRow(0, heat, volumeGradient.GetGrid().GetNumberOfVoxels());
+  auto classes = FindHeatClasses(row, 0);
+  MeasureCoherence(volumeGradient, heat, classes);
+  return classes;
 }
 
 bool
@@ -248,21 +277,19 @@ DiffuseCumulativeHeat(const float *                           intensities,
                       const Progress &                        progress)
 {
   CheckSettings(size, settings, consumer);
-  auto                          parameters = OperatorParameters(intensities, size, settings);
+  const auto                    parameters = OperatorParameters(intensities, size, settings);
   CumulativeHeatDiffusionResult result;
-  result.p.p = parameters.p;
+  result.p = parameters.p;
+  result.smoothing = settings.smoothing;
   result.windowLower = parameters.lower;
   result.windowUpper = parameters.upper;
   result.timeStepLength = settings.timeStepLength;
-  if (settings.automaticP)
-  {
-    result.p = ChooseP(intensities, size, parameters.spacing, parameters.lower, parameters.upper);
-    parameters.p = result.p.p;
-  }
   // Preparation is fast, so it does not report progress, but can be aborted.
-  const Progress               preparation = progress.Part("", 0.0, 0.0);
-  const VolumeGradientOperator volumeGradient(intensities, size, parameters, preparation);
-  HeatDiffusionSolver          solver(volumeGradient, settings.solver, settings.timeStepLength, settings.tolerance);
+  const Progress preparation = progress.Part("", 0.0, 0.0);
+  const auto     smoothed = settings.smoothing > 0.0 ? Smoothed(intensities, size, settings) : std::vector<float>();
+  const VolumeGradientOperator volumeGradient(
+    smoothed.empty() ? intensities : smoothed.data(), size, parameters, preparation);
+  HeatDiffusionSolver solver(volumeGradient, settings.solver, settings.timeStepLength, settings.tolerance);
   if (settings.untilSteady)
   {
     solver.StopWhenSteady({});
@@ -290,6 +317,10 @@ DiffuseCumulativeHeat(const float *                           intensities,
   result.device = solver.GetDeviceUse().Describe();
   sorter.Deliver();
   Unpad(volumeGradient.GetGrid(), field, heat);
+  if (settings.wantComponents)
+  {
+    result.classes = FindCoherentClasses(volumeGradient, heat);
+  }
   result.steady = solver.IsSteady();
   result.operatorApplications = solver.GetNumberOfApplications();
   result.histogram = sorter.MakeHistogram(settings.histogramSteps, result.timeStep);

@@ -1,4 +1,6 @@
 #include "shapetonHeatClassification.h"
+#include "shapetonDisjointSets.h"
+#include "shapetonParallelFor.h"
 
 #include "itkImageRegionConstIterator.h"
 #include "itkImageRegionConstIteratorWithIndex.h"
@@ -6,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 namespace shapeton
@@ -183,6 +186,64 @@ MeasureBorder(const itk::Image<unsigned char, 3> * labels, std::vector<HeatClass
     heatClass.borderShare /= std::max(1.0, total);
   }
 }
+/** Sums over the faces between the classes i and j, at i * classes + j and j * classes + i; once if i = j. */
+struct ClassContacts
+{
+  std::vector<double> conductance;
+  std::vector<double> unhindered; ///< conductance without edges
+};
+
+/** Slices have sums of their own, added in order. */
+ClassContacts
+MeasureContacts(const VolumeGradientOperator & volumeGradient,
+                const float *                  heat,
+                const std::vector<HeatClass> & classes)
+{
+  const PaddedGrid &               grid = volumeGradient.GetGrid();
+  const auto &                     size = grid.GetSize();
+  const std::size_t                number = classes.size();
+  const std::array<std::size_t, 3> strides = { 1, size[0], size[0] * size[1] };
+  std::vector<unsigned char>       labels(grid.GetNumberOfVoxels());
+  ParallelFor(size[2], [&](std::size_t z) {
+    std::transform(heat + z * strides[2],
+                   heat + (z + 1) * strides[2],
+                   labels.begin() + static_cast<std::ptrdiff_t>(z * strides[2]),
+                   [&](float h) { return static_cast<unsigned char>(LabelOf(h, classes)); });
+  });
+  const ClassContacts none{ std::vector<double>(number * number, 0.0), std::vector<double>(number * number, 0.0) };
+  std::vector<ClassContacts> slices(size[2], none);
+  ParallelFor(size[2], [&](std::size_t z) {
+    for (std::size_t y = 0; y < size[1]; ++y)
+    {
+      for (std::size_t x = 0; x < size[0]; ++x)
+      {
+        const std::array<std::size_t, 3> index = { x, y, z };
+        const std::size_t                voxel = x + y * strides[1] + z * strides[2];
+        for (unsigned int axis = 0; axis < 3; ++axis)
+        {
+          if (index[axis] + 1 < size[axis])
+          {
+            const auto        ends = std::minmax(labels[voxel], labels[voxel + strides[axis]]);
+            const std::size_t pair = ends.first * number + ends.second;
+            slices[z].conductance[pair] += volumeGradient.GetConductances(axis)[grid.GetRow(y, z) + x];
+            slices[z].unhindered[pair] += volumeGradient.GetFactor(axis);
+          }
+        }
+      }
+    }
+  });
+  ClassContacts sums = none;
+  for (const ClassContacts & slice : slices)
+  {
+    for (std::size_t pair = 0; pair < number * number; ++pair)
+    {
+      const std::size_t mirrored = pair % number * number + pair / number;
+      sums.conductance[pair] += slice.conductance[std::min(pair, mirrored)];
+      sums.unhindered[pair] += slice.unhindered[std::min(pair, mirrored)];
+    }
+  }
+  return sums;
+}
 } // namespace
 
 std::vector<HeatClass>
@@ -220,6 +281,47 @@ FindHeatClasses(const HeatHistogram & histogram, std::size_t row, const HeatClas
     classes.back().upperHeat = 1.0;
   }
   return classes;
+}
+
+double
+MeasureCoherence(const VolumeGradientOperator & volumeGradient, const float * heat, std::vector<HeatClass> & classes)
+{
+  const ClassContacts contacts = MeasureContacts(volumeGradient, heat, classes);
+  const std::size_t   number = classes.size();
+  const double        conductance =
+    2.0 * (volumeGradient.GetFactor(0) + volumeGradient.GetFactor(1) + volumeGradient.GetFactor(2));
+  DisjointSets        regions(number);
+  std::vector<double> worth(number, 0.0);
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    constexpr double leak = 3.0; // an open face to another class outweighs three inner ones; 1 to 5 rank alike
+    constexpr double open = 0.5;
+    constexpr double fullShare = 0.05;
+    double           excess = 2.0 * contacts.conductance[i * number + i];
+    for (std::size_t j = 0; j < number; ++j)
+    {
+      const double across = contacts.conductance[i * number + j];
+      if (j != i)
+      {
+        excess -= leak * across;
+        if (across > open * contacts.unhindered[i * number + j])
+        {
+          regions.Join(i, j);
+        }
+      }
+    }
+    const auto voxels = static_cast<double>(std::max<std::uint64_t>(1, classes[i].voxels));
+    const auto all = static_cast<double>(volumeGradient.GetGrid().GetNumberOfVoxels());
+    classes[i].coherence = std::clamp(excess / (conductance * voxels), 0.0, 1.0);
+    worth[i] = classes[i].coherence * std::sqrt(std::min(1.0, voxels / (fullShare * all)));
+  }
+  std::vector<double> best(number, 0.0);
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    const std::size_t region = regions.Find(i);
+    best[region] = std::max(best[region], worth[i]);
+  }
+  return std::accumulate(best.begin(), best.end(), 0.0);
 }
 
 itk::Image<unsigned char, 3>::Pointer
@@ -296,6 +398,16 @@ ClassifyHeat(const itk::Image<float, 3> *        heat,
   classification.classes = FindHeatClasses(histogram, 0, rule);
   classification.labels = LabelHeat(heat, classification.classes);
   AssignComponents(components, heat, classification.classes);
+  return classification;
+}
+
+HeatClassification
+ClassifyHeat(const itk::Image<float, 3> * heat, const CumulativeHeatDiffusionResult & result)
+{
+  HeatClassification classification;
+  classification.classes = result.classes;
+  classification.labels = LabelHeat(heat, classification.classes);
+  AssignComponents(result.components, heat, classification.classes);
   return classification;
 }
 } // namespace shapeton

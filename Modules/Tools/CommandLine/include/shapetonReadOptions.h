@@ -7,6 +7,7 @@
 #include "itkPoint.h"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -14,7 +15,16 @@
 
 namespace shapeton
 {
-/** Reads one option; overloads for the types of members. Throws ParameterError. \ingroup ShapetonCommandLine */
+/** A number, or none for "auto". Throws ParameterError. \ingroup ShapetonCommandLine */
+///@{
+ShapetonCommandLine_EXPORT std::optional<double>
+                           ReadNumber(const CommandLine & commandLine, const OptionInfo & info);
+ShapetonCommandLine_EXPORT std::optional<std::int64_t>
+                           ReadInteger(const CommandLine & commandLine, const OptionInfo & info);
+///@}
+
+/** Reads one option; overloads for the types of members. A number keeps its value if "auto" is given. Throws
+ * ParameterError. \ingroup ShapetonCommandLine */
 ///@{
 template <typename TOption>
 void
@@ -31,11 +41,11 @@ ReadOption(const CommandLine & commandLine, const OptionInfo & info, TOption & o
   }
   else if constexpr (std::is_integral_v<TOption>)
   {
-    option = static_cast<TOption>(commandLine.GetInteger(name));
+    option = static_cast<TOption>(ReadInteger(commandLine, info).value_or(option));
   }
   else if constexpr (std::is_same_v<TOption, double>)
   {
-    option = commandLine.GetDouble(name);
+    option = ReadNumber(commandLine, info).value_or(option);
   }
   else
   {

@@ -9,14 +9,13 @@ namespace shapeton
 namespace
 {
 template <typename TNumber>
-void
-ReadNumberOrAuto(const CommandLine & commandLine, const OptionInfo & info, std::optional<TNumber> & option)
+std::optional<TNumber>
+ReadNumberOrAuto(const CommandLine & commandLine, const OptionInfo & info)
 {
-  option.reset();
   const std::string text = commandLine.GetString(info.GetName());
   if (text == "auto")
   {
-    return;
+    return std::nullopt;
   }
   TNumber            number{};
   const auto * const end = text.data() + text.size();
@@ -24,20 +23,32 @@ ReadNumberOrAuto(const CommandLine & commandLine, const OptionInfo & info, std::
   RequireParameter(parsed.ec == std::errc() && parsed.ptr == end,
                    "the parameter \"" + std::string(info.GetName()) + "\": \"" + text + "\" is not " +
                      (std::is_integral_v<TNumber> ? "an integer" : "a number") + " or auto");
-  option = number;
+  return number;
 }
 } // namespace
+
+std::optional<double>
+ReadNumber(const CommandLine & commandLine, const OptionInfo & info)
+{
+  return ReadNumberOrAuto<double>(commandLine, info);
+}
+
+std::optional<std::int64_t>
+ReadInteger(const CommandLine & commandLine, const OptionInfo & info)
+{
+  return ReadNumberOrAuto<std::int64_t>(commandLine, info);
+}
 
 void
 ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::optional<int> & option)
 {
-  ReadNumberOrAuto(commandLine, info, option);
+  option = ReadNumberOrAuto<int>(commandLine, info);
 }
 
 void
 ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::optional<double> & option)
 {
-  ReadNumberOrAuto(commandLine, info, option);
+  option = ReadNumberOrAuto<double>(commandLine, info);
 }
 
 void

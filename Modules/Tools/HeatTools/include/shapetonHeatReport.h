@@ -9,6 +9,7 @@
 #include "shapetonHeatClasses.h"
 #include "shapetonHeatExplorer.h"
 #include "shapetonHeatHistogram.h"
+#include "shapetonHeatParameterChoice.h"
 #include "shapetonHeatRanges.h"
 #include "shapetonHtmlReport.h"
 #include "itkImage.h"
@@ -82,8 +83,8 @@ ShapetonHeatTools_EXPORT void
 WriteExplorer(const HeatReportContent & content, HeatExplorer & explorer);
 
 /** The classes as a table: label, lowerHeat, upperHeat, meanHeat, voxels, volume (mm^3), borderShare, components,
- * normalizedHeat, and the color in pictures ("#rrggbb"; empty for the background). For visits, Density replaces Heat,
- * and meanVisits replaces components and normalizedHeat. \ingroup ShapetonHeatTools */
+ * normalizedHeat, coherence, and the color in pictures ("#rrggbb"; empty for the background). For visits, Density
+ * replaces Heat, and meanVisits replaces components, normalizedHeat and coherence. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT CsvTable
 ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity = {});
 
@@ -115,6 +116,14 @@ HistogramTable(const HeatHistogram & histogram, const ShapeQuantity & quantity =
 ShapetonHeatTools_EXPORT HeatReportContent::Facts
                          RunFacts(const CumulativeHeatDiffusionResult & result);
 
+/** The reasons for chosen parameters, for HeatReportContent::parameters. \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT HeatReportContent::Facts
+                         ChoiceFacts(const HeatParameterChoice & choice);
+
+/** The parameters of a choice, by the names of options, for the provenance. \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT HeatReportContent::Facts
+                         ChosenValues(const HeatParameterChoice & choice);
+
 /** A report on a run with its parameters, histogram, images and time step; the arguments must outlive it.
  * \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT HeatReportContent
@@ -122,8 +131,9 @@ MakeReportContent(const CumulativeHeatDiffusionResult & result,
                   const itk::Image<float, 3> *          gray,
                   const itk::Image<float, 3> *          heat);
 
-/** Warnings on a run: a constant volume, heat that did not reach the requested steady state, snapshots up to
- * `lastSnapshotStep` skipped because the steady state came first. \ingroup ShapetonHeatTools */
+/** Warnings on a run: a constant volume, fewer than three coherent classes, heat that did not reach the requested
+ * steady state, snapshots up to `lastSnapshotStep` skipped because the steady state came first. \ingroup
+ * ShapetonHeatTools */
 ShapetonHeatTools_EXPORT std::vector<std::string>
 RunRemarks(const CumulativeHeatDiffusionResult & result, bool untilSteady, std::uint64_t lastSnapshotStep);
 } // namespace shapeton

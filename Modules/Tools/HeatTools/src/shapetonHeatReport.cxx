@@ -74,7 +74,7 @@ ReadableClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis
     "voxels", "volume, ml", "share of the border"
   };
   Append(columns,
-         IsHeat(quantity) ? std::vector<std::string>{ "closed components", "scale-normalized heat" }
+         IsHeat(quantity) ? std::vector<std::string>{ "coherence", "closed components", "scale-normalized heat" }
                           : std::vector<std::string>{ "mean number of visits" });
   CsvTable table(columns);
   for (const HeatClass & heatClass : classes)
@@ -91,6 +91,7 @@ ReadableClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis
                                      CsvTable::Rounded(heatClass.borderShare, 2) };
     if (IsHeat(quantity))
     {
+      row.push_back(CsvTable::Rounded(heatClass.coherence, 2));
       row.push_back(std::to_string(heatClass.components));
       row.push_back(heatClass.components == 0 ? "" : CsvTable::Rounded(heatClass.normalizedHeat, 4));
     }
@@ -129,6 +130,7 @@ JsonOf(const std::vector<HeatClass> & classes, const HeatAxis & axis, const Shap
                    { "borderShare", heatClass.borderShare } };
     if (IsHeat(quantity))
     {
+      entry["coherence"] = heatClass.coherence;
       entry["components"] = heatClass.components;
       entry["normalizedHeat"] = heatClass.normalizedHeat;
     }
@@ -291,6 +293,7 @@ ReadingGuideOfHeat()
     "their slices, in the table and in the bars below the histogram. A class is a heat range; two objects "
     "may share a class without being similar otherwise, and one organ may span several classes. The class "
     "that covers most of the volume's border is the surroundings; the rendering omits it. "
+    "Coherence is near 1 for a class that is a region bounded by edges, and near 0 for speckle. "
     "Heat also depends on size: it is lower for a larger object of the same shape. The scale-normalized heat "
     "of closed components is independent of size."
   };
@@ -334,7 +337,7 @@ ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const 
   std::vector<std::string> columns = { "label",  "lower" + title, "upper" + title, "mean" + title,
                                        "voxels", "volume",        "borderShare" };
   Append(columns,
-         IsHeat(quantity) ? std::vector<std::string>{ "components", "normalizedHeat", "color" }
+         IsHeat(quantity) ? std::vector<std::string>{ "components", "normalizedHeat", "coherence", "color" }
                           : std::vector<std::string>{ "meanVisits", "color" });
   CsvTable table(columns);
   for (const HeatClass & heatClass : classes)
@@ -350,6 +353,7 @@ ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const 
     {
       row.push_back(std::to_string(heatClass.components));
       row.push_back(CsvTable::Number(heatClass.normalizedHeat));
+      row.push_back(CsvTable::Rounded(heatClass.coherence, 6));
     }
     else
     {
@@ -436,11 +440,8 @@ RunFacts(const CumulativeHeatDiffusionResult & result)
 {
   Facts facts = { { "Intensity window",
                     CsvTable::Number(result.windowLower) + " to " + CsvTable::Number(result.windowUpper) },
-                  { "p", CsvTable::Rounded(result.p.p, 6) } };
-  if (!result.p.reason.empty())
-  {
-    facts.emplace_back("Reason for p", result.p.reason);
-  }
+                  { "p", CsvTable::Rounded(result.p, 6) },
+                  { "Smoothing, mm", CsvTable::Rounded(result.smoothing, 6) } };
   facts.emplace_back("Time steps", std::to_string(result.timeStep) + (result.steady ? ": the heat is steady" : ""));
   if (result.steady)
   {
@@ -452,6 +453,29 @@ RunFacts(const CumulativeHeatDiffusionResult & result)
   facts.emplace_back("Time step length", CsvTable::Rounded(result.timeStepLength, 6));
   facts.emplace_back("Applications of the operator", std::to_string(result.operatorApplications));
   return facts;
+}
+
+HeatReportContent::Facts
+ChoiceFacts(const HeatParameterChoice & choice)
+{
+  const Facts reasons = { { "Reason for the window", choice.windowReason },
+                          { "Reason for p", choice.pReason },
+                          { "Reason for the smoothing", choice.smoothingReason },
+                          { "Reason for the time steps", choice.timeReason } };
+  Facts       facts;
+  std::copy_if(
+    reasons.begin(), reasons.end(), std::back_inserter(facts), [](const auto & fact) { return !fact.second.empty(); });
+  return facts;
+}
+
+HeatReportContent::Facts
+ChosenValues(const HeatParameterChoice & choice)
+{
+  return { { "intensityWindow",
+             CsvTable::Number(choice.intensityWindow[0]) + "," + CsvTable::Number(choice.intensityWindow[1]) },
+           { "p", CsvTable::Number(choice.p) },
+           { "smoothing", CsvTable::Number(choice.smoothing) },
+           { "timeSteps", std::to_string(choice.timeSteps) } };
 }
 
 HeatReportContent
@@ -468,6 +492,12 @@ MakeReportContent(const CumulativeHeatDiffusionResult & result,
   return content;
 }
 
+namespace
+{
+constexpr double leastCoherence = 0.2; // speckle has at most 0.15 in nine real volumes
+constexpr long   leastRegions = 3;     // surroundings and two objects
+} // namespace
+
 std::vector<std::string>
 RunRemarks(const CumulativeHeatDiffusionResult & result, bool untilSteady, std::uint64_t lastSnapshotStep)
 {
@@ -476,6 +506,15 @@ RunRemarks(const CumulativeHeatDiffusionResult & result, bool untilSteady, std::
   if (result.cold)
   {
     remarks.push_back("all voxels have the same intensity in the window: the heat is 0 everywhere");
+  }
+  const auto regions = std::count_if(
+    result.classes.begin(), result.classes.end(), [](const HeatClass & c) { return c.coherence >= leastCoherence; });
+  if (!result.cold && !result.classes.empty() && regions < leastRegions)
+  {
+    remarks.push_back(
+      "only " + std::to_string(regions) + " of " + std::to_string(result.classes.size()) +
+      " classes, with the surroundings, are regions bounded by edges: at this window, p and time, objects "
+      "are connected by gaps without an edge, or differ by less than the noise");
   }
   if (lastSnapshotStep > result.timeStep)
   {

@@ -1,0 +1,59 @@
+#ifndef shapetonHeatParameterChoice_h
+#define shapetonHeatParameterChoice_h
+
+#include "shapetonCumulativeHeatDiffusion.h"
+
+#include <optional>
+#include <string>
+
+namespace shapeton
+{
+/** Parameters of cumulative heat diffusion that the caller has fixed; the others are chosen. p counts in units of the
+ * window, so a given p without a window belongs to the range of the volume, without smoothing.
+ * \ingroup ShapetonHeat */
+struct GivenHeatParameters
+{
+  std::optional<std::array<double, 2>> intensityWindow;
+  std::optional<double>                p;
+  std::optional<double>                smoothing;
+  std::optional<std::uint64_t>         timeSteps;
+};
+
+/** Parameters chosen from the data, and why.
+ * \ingroup ShapetonHeat */
+struct HeatParameterChoice
+{
+  std::array<double, 2> intensityWindow{ { 0.0, 0.0 } };
+  double                p{ 0.0 };
+  double                smoothing{ 0.0 }; ///< mm
+  std::uint64_t         timeSteps{ 0 };
+  /** Regions at these parameters on the reduced volume, by MeasureCoherence(); 0 if no trial was needed. */
+  double regions{ 0.0 };
+  /** Reasons, in words; empty for given values. */
+  std::string windowReason, pReason, smoothingReason, timeReason;
+};
+
+/** Chooses window, p, smoothing and number of steps such that objects become separate classes (the source leaves it to
+ * future work, 7.2.2).
+ *
+ * The volume is averaged over blocks to at most 128^3 voxels. Window, p and time are varied on this copy, and the
+ * combination that shows most regions, by MeasureCoherence(), is used. With the factor f between the smallest spacings,
+ * p of the volume is f times p of the copy, because the gradient per voxel is 1/f, and the time f^2 times as long.
+ *
+ * Windows: for CT, soft tissue (-160 to 240 HU); otherwise, and if that shows fewer than two regions, from mean to mean
+ * of three intensity classes (Otsu 1979). `modality` is that of DICOM, such as "CT"; if it is empty, values that look
+ * like HU count as CT. p: 1/p is one or two times the median difference of neighbors inside the window. Smoothing:
+ * 0.35 times the smallest spacing of the copy if noise would insulate voxels.
+ *
+ * `settings` contains spacing, conductance, device and so on. Throws as DiffuseCumulativeHeat().
+ * \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT HeatParameterChoice
+ChooseHeatParameters(const float *                           intensities,
+                     const std::array<std::size_t, 3> &      size,
+                     const CumulativeHeatDiffusionSettings & settings,
+                     const GivenHeatParameters &             given,
+                     const std::string &                     modality,
+                     const Progress &                        progress = {});
+} // namespace shapeton
+
+#endif

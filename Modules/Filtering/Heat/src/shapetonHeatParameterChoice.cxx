@@ -1,0 +1,516 @@
+#include "shapetonHeatParameterChoice.h"
+
+#include "shapetonHeatClassification.h"
+#include "shapetonNumberText.h"
+#include "shapetonParallelFor.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+namespace shapeton
+{
+namespace
+{
+using Window = std::array<double, 2>;
+using Size = std::array<std::size_t, 3>;
+using Spacing = std::array<double, 3>;
+
+/** Largest copy on which parameters are tried, 128^3. Six trials on it cost about half as much as a run on 256^3. */
+constexpr std::size_t GreatestCopy = 128 * 128 * 128;
+/** Sides of the copy are not reduced below this many voxels. */
+constexpr std::size_t LeastSide = 16;
+constexpr Window      SoftTissue = { { -160.0, 240.0 } }; // HU, the usual window of the abdomen
+/** 1/p in units of the median difference between neighbors; beyond 2, edges leak in all of nine real volumes. */
+constexpr std::array<double, 2> Cuts = { { 1.0, 2.0 } };
+constexpr double                LeastP = 2.0;
+constexpr double                GreatestP = 50.0;
+/** Steps on the copy: nearly a factor 3 apart, from local shape to large objects. */
+constexpr std::array<std::uint64_t, 6> TrialSteps = { { 30, 100, 300, 1000, 3000, 10000 } };
+/** Smoothing in units of the smallest spacing of the copy: a little more than that of the average over its voxels. */
+constexpr double Smoothing = 0.35;
+/** Noise of this many times 1/p between neighbors insulates too many voxels without smoothing. */
+constexpr double GreatestNoise = 0.25;
+/** A window of CT that shows fewer regions is not used. */
+constexpr double LeastRegions = 2.0;
+
+/** A volume without its geometry. */
+struct Copy
+{
+  Size               size{};
+  Spacing            spacing{};
+  std::vector<float> values;
+  double             factor{ 1.0 }; ///< of the smallest spacing
+};
+
+double
+Smallest(const Spacing & spacing)
+{
+  return std::min({ spacing[0], spacing[1], spacing[2] });
+}
+
+/** Voxels per block along each axis for voxels of `side` mm. */
+Size
+Blocks(const Size & size, const Spacing & spacing, double side)
+{
+  Size blocks{};
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const auto wanted = static_cast<std::size_t>(std::max(1L, std::lround(side / spacing[axis])));
+    blocks[axis] = std::clamp<std::size_t>(wanted, 1, std::max<std::size_t>(1, size[axis] / LeastSide));
+  }
+  return blocks;
+}
+
+Copy
+Average(const float * values, const Size & size, const Spacing & spacing, const Size & blocks)
+{
+  Copy copy;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    copy.size[axis] = size[axis] / blocks[axis];
+    copy.spacing[axis] = spacing[axis] * static_cast<double>(blocks[axis]);
+  }
+  copy.factor = Smallest(copy.spacing) / Smallest(spacing);
+  copy.values.resize(copy.size[0] * copy.size[1] * copy.size[2]);
+  const auto voxels = static_cast<double>(blocks[0] * blocks[1] * blocks[2]);
+  ParallelFor(copy.size[2], [&](std::size_t z) {
+    std::vector<double> sums(copy.size[0]);
+    for (std::size_t y = 0; y < copy.size[1]; ++y)
+    {
+      std::fill(sums.begin(), sums.end(), 0.0);
+      for (std::size_t row = 0; row < blocks[1] * blocks[2]; ++row)
+      {
+        const std::size_t   inY = y * blocks[1] + row % blocks[1];
+        const std::size_t   inZ = z * blocks[2] + row / blocks[1];
+        const float * const line = values + (inZ * size[1] + inY) * size[0];
+        for (std::size_t x = 0; x < copy.size[0] * blocks[0]; ++x)
+        {
+          sums[x / blocks[0]] += line[x];
+        }
+      }
+      std::transform(sums.begin(),
+                     sums.end(),
+                     copy.values.begin() + static_cast<std::ptrdiff_t>((z * copy.size[1] + y) * copy.size[0]),
+                     [voxels](double sum) { return static_cast<float>(sum / voxels); });
+    }
+  });
+  return copy;
+}
+
+/** At least two voxels are averaged, which also removes noise. */
+Copy
+MakeCopy(const float * values, const Size & size, const Spacing & spacing)
+{
+  Size blocks{};
+  for (double side = 2.0;; side += 1.0)
+  {
+    const Size next = Blocks(size, spacing, side * Smallest(spacing));
+    const bool same = next == blocks;
+    blocks = next;
+    const std::size_t voxels = (size[0] / blocks[0]) * (size[1] / blocks[1]) * (size[2] / blocks[2]);
+    if (voxels <= GreatestCopy || (same && side > static_cast<double>(*std::max_element(size.begin(), size.end()))))
+    {
+      return Average(values, size, spacing, blocks);
+    }
+  }
+}
+
+Window
+Range(const std::vector<float> & values)
+{
+  const auto ends = std::minmax_element(values.begin(), values.end());
+  return { { *ends.first, *ends.second } };
+}
+
+/** Sorted sample of the values. */
+std::vector<float>
+Sample(const std::vector<float> & values)
+{
+  constexpr std::size_t wanted = 500'000;
+  const std::size_t     step = std::max<std::size_t>(1, values.size() / wanted);
+  std::vector<float>    sample;
+  for (std::size_t i = 0; i < values.size(); i += step)
+  {
+    sample.push_back(values[i]);
+  }
+  std::sort(sample.begin(), sample.end());
+  return sample;
+}
+
+/** Mean of the darkest, two thresholds, and mean of the brightest of the three classes of greatest variance between
+ * them (Otsu 1979), of a sorted sample without its extremes. */
+std::array<double, 4>
+OtsuClasses(const std::vector<float> & sample)
+{
+  constexpr int       bins = 256;
+  constexpr double    extreme = 0.001;
+  const auto          cut = static_cast<std::size_t>(extreme * static_cast<double>(sample.size()));
+  const double        lower = sample[cut];
+  const double        upper = sample[sample.size() - 1 - cut];
+  std::vector<double> count(bins + 1, 0.0);
+  std::vector<double> sum(bins + 1, 0.0);
+  for (const float value : sample)
+  {
+    const double clamped = std::clamp<double>(value, lower, upper);
+    const double place = upper > lower ? (clamped - lower) / (upper - lower) : 0.0;
+    const int    bin = std::min(bins - 1, static_cast<int>(place * bins));
+    count[bin + 1] += 1.0;
+    sum[bin + 1] += clamped;
+  }
+  std::partial_sum(count.begin(), count.end(), count.begin());
+  std::partial_sum(sum.begin(), sum.end(), sum.begin());
+  const auto mean = [&](int first, int end) {
+    return (sum[end] - sum[first]) / std::max(1.0, count[end] - count[first]);
+  };
+  const auto between = [&](int first, int end) { return (sum[end] - sum[first]) * mean(first, end); };
+  double     most = -1.0;
+  int        one = 0;
+  int        two = 0;
+  for (int i = 1; i < bins; ++i)
+  {
+    for (int j = i + 1; j < bins; ++j)
+    {
+      const double variance = between(0, i) + between(i, j) + between(j, bins);
+      if (variance > most)
+      {
+        most = variance;
+        one = i;
+        two = j;
+      }
+    }
+  }
+  const double width = (upper - lower) / bins;
+  return { mean(0, one), lower + one * width, lower + two * width, mean(two, bins) };
+}
+
+/** Whether a sorted sample looks like HU: much air and much soft tissue. */
+bool
+LooksLikeCt(const std::vector<float> & sample)
+{
+  const auto share = [&](float lower, float upper) {
+    const auto first = std::lower_bound(sample.begin(), sample.end(), lower);
+    return static_cast<double>(std::upper_bound(first, sample.end(), upper) - first) /
+           static_cast<double>(sample.size());
+  };
+  constexpr float  leastAir = -1100.0F; // HU
+  constexpr float  mostAir = -800.0F;
+  constexpr float  leastTissue = -150.0F;
+  constexpr float  mostTissue = 150.0F;
+  constexpr double leastShare = 0.03;
+  return share(leastAir, mostAir) > leastShare && share(leastTissue, mostTissue) > leastShare;
+}
+
+/** One combination of parameters on the copy. */
+struct Trial
+{
+  Window        window{};
+  double        p{ 0.0 };
+  std::uint64_t timeSteps{ 0 };
+  double        median{ 0.0 }; ///< difference of neighbors, in units of the window
+  double        cut{ 0.0 };    ///< 1/p in units of the median
+  double        regions{ -1.0 };
+};
+
+/** Calls `body` with the value of each voxel scaled by the window and those of its next `number` - 1 neighbors along an
+ * axis, if all are strictly inside the window. */
+template <unsigned int number, typename TBody>
+void
+VisitInside(const float * values, const Size & size, const Window & window, unsigned int axis, const TBody & body)
+{
+  const Size        strides = { 1, size[0], size[0] * size[1] };
+  constexpr auto    wanted = std::size_t{ 1 } << 19;
+  const std::size_t voxels = size[0] * size[1] * size[2];
+  const std::size_t step = std::max<std::size_t>(1, voxels / wanted) | 1; // odd: no pattern on even grids
+  for (std::size_t voxel = 0; voxel < voxels; voxel += step)
+  {
+    if (voxel / strides[axis] % size[axis] + number > size[axis])
+    {
+      continue;
+    }
+    std::array<double, number> scaled{};
+    bool                       inside = true;
+    for (unsigned int i = 0; i < number; ++i)
+    {
+      scaled[i] = (values[voxel + i * strides[axis]] - window[0]) / (window[1] - window[0]);
+      inside &= scaled[i] > 0.0 && scaled[i] < 1.0;
+    }
+    if (inside)
+    {
+      body(scaled);
+    }
+  }
+}
+
+double
+Median(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** Median nonzero half gradient inside the window; 0 if there is none. */
+double
+MedianDifference(const Copy & copy, const Window & window)
+{
+  std::vector<double> differences;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const double resolution = copy.spacing[axis] / Smallest(copy.spacing);
+    VisitInside<2>(copy.values.data(), copy.size, window, axis, [&](const std::array<double, 2> & v) {
+      if (v[0] != v[1])
+      {
+        differences.push_back(VolumeGradientOperator::HalfGradient(v[0], v[1], resolution));
+      }
+    });
+  }
+  return Median(differences);
+}
+
+/** Standard deviation of the noise inside the window, from second differences, which vanish in linear slopes. */
+double
+NoiseInside(const float * values, const Size & size, const Window & window)
+{
+  constexpr double    perMedian = 1.4826; // standard deviation of a normal variable over its median absolute value
+  const double        perDifference = std::sqrt(6.0);
+  std::vector<double> differences;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    VisitInside<3>(values, size, window, axis, [&](const std::array<double, 3> & v) {
+      differences.push_back(std::abs(v[0] - 2.0 * v[1] + v[2]));
+    });
+  }
+  return perMedian * Median(differences) / perDifference;
+}
+
+/** \class Trials
+ * \brief Diffusions on the copy; keeps the best one. */
+class Trials
+{
+public:
+  Trials(Copy copy, const CumulativeHeatDiffusionSettings & settings, const GivenHeatParameters & given)
+    : m_Copy(std::move(copy)), m_Settings(settings), m_Given(given)
+  {
+    m_Settings.spacing = m_Copy.spacing;
+    m_Settings.smoothing = 0.0;
+    m_Settings.histogramSteps.clear();
+    m_Settings.wantComponents = false;
+    m_Settings.untilSteady = false;
+    m_Settings.snapshotSteps.assign(TrialSteps.begin(), TrialSteps.end());
+    if (given.timeSteps)
+    {
+      const double onCopy = static_cast<double>(*given.timeSteps) / (m_Copy.factor * m_Copy.factor);
+      m_Settings.snapshotSteps = { std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(onCopy))) };
+    }
+    m_Settings.timeSteps = m_Settings.snapshotSteps.back();
+  }
+
+  const Copy &
+  GetCopy() const
+  {
+    return m_Copy;
+  }
+
+  /** Tries the given p, or several, with a window. */
+  void
+  TryWindow(const Window & window, const Progress & progress)
+  {
+    if (!(window[1] > window[0]))
+    {
+      return;
+    }
+    const double median = MedianDifference(m_Copy, window);
+    if (m_Given.p)
+    {
+      this->Try({ window, *m_Given.p / m_Copy.factor, 0, median, 0.0 }, progress);
+      return;
+    }
+    for (std::size_t i = 0; i < Cuts.size(); ++i)
+    {
+      const double p = median > 0.0 ? std::clamp(1.0 / (Cuts[i] * median), LeastP, GreatestP) : LeastP;
+      const double share = 1.0 / Cuts.size();
+      this->Try({ window, p, 0, median, Cuts[i] }, progress.Part("", i * share, (i + 1) * share));
+    }
+  }
+
+  const Trial &
+  GetBest() const
+  {
+    return m_Best;
+  }
+
+private:
+  /** All times of one window and one p. */
+  void
+  Try(const Trial & trial, const Progress & progress)
+  {
+    VolumeGradientOperator::Parameters parameters;
+    parameters.p = trial.p;
+    parameters.lower = trial.window[0];
+    parameters.upper = trial.window[1];
+    parameters.spacing = m_Copy.spacing;
+    parameters.conductance = m_Settings.conductance;
+    const VolumeGradientOperator volumeGradient(m_Copy.values.data(), m_Copy.size, parameters);
+    m_Settings.p = trial.p;
+    m_Settings.intensityWindow = trial.window;
+    std::vector<float> heat(m_Copy.values.size());
+    DiffuseCumulativeHeat(
+      m_Copy.values.data(),
+      m_Copy.size,
+      m_Settings,
+      heat.data(),
+      nullptr,
+      [&](std::uint64_t step, const std::vector<float> & now) {
+        HeatHistogram row({ step });
+        row.AddToRow(0, now.data(), now.size());
+        auto         classes = FindHeatClasses(row, 0);
+        const double count = MeasureCoherence(volumeGradient, now.data(), classes);
+        if (count > m_Best.regions)
+        {
+          m_Best = trial;
+          m_Best.timeSteps = step;
+          m_Best.regions = count;
+        }
+      },
+      progress);
+  }
+
+  Copy                            m_Copy;
+  CumulativeHeatDiffusionSettings m_Settings;
+  GivenHeatParameters             m_Given;
+  Trial                           m_Best;
+};
+
+std::string
+Text(double value, int digits)
+{
+  return NumberText(value, digits);
+}
+
+/** The number that a user types to repeat the run. */
+double
+Rounded(double value, int digits)
+{
+  const std::string text = Text(value, digits);
+  double            rounded = value;
+  std::from_chars(text.data(), text.data() + text.size(), rounded);
+  return rounded;
+}
+
+/** Tries the windows that are left open; returns the reason for the best one. */
+std::string
+TryWindows(Trials & trials, const GivenHeatParameters & given, const std::string & modality, const Progress & progress)
+{
+  if (given.intensityWindow || given.p)
+  {
+    trials.TryWindow(given.intensityWindow.value_or(Range(trials.GetCopy().values)), progress);
+    return given.intensityWindow ? "" : "the range of the volume, to which the given p refers";
+  }
+  const auto sample = Sample(trials.GetCopy().values);
+  const bool isCt = modality == "CT" || (modality.empty() && LooksLikeCt(sample));
+  if (isCt)
+  {
+    constexpr double share = 0.4;
+    trials.TryWindow(SoftTissue, progress.Part("", 0.0, share));
+    if (trials.GetBest().regions >= LeastRegions)
+    {
+      return std::string("soft tissue, ") +
+             (modality.empty() ? "because the intensities look like HU" : "because the modality is CT");
+    }
+  }
+  auto ends = OtsuClasses(sample);
+  std::transform(ends.begin(), ends.end(), ends.begin(), [](double end) { return Rounded(end, 3); });
+  const std::array<Window, 4> windows = {
+    { { { ends[0], ends[3] } }, { { ends[1], ends[3] } }, { { ends[0], ends[2] } }, { { ends[1], ends[2] } } }
+  };
+  const double begin = isCt ? 0.5 : 0.0;
+  for (std::size_t i = 0; i < windows.size(); ++i)
+  {
+    const double share = (1.0 - begin) / windows.size();
+    trials.TryWindow(windows[i], progress.Part("", begin + i * share, begin + (i + 1) * share));
+  }
+  return "of four windows between the dark (up to " + Text(ends[1], 3) + ") and the bright (from " + Text(ends[2], 3) +
+         ") of three intensity classes, it shows most regions bounded by edges";
+}
+
+void
+ChooseSmoothing(const float *               intensities,
+                const Size &                size,
+                const GivenHeatParameters & given,
+                const Copy &                copy,
+                HeatParameterChoice &       choice)
+{
+  if (given.smoothing || given.p)
+  {
+    choice.smoothing = given.smoothing.value_or(0.0);
+    return;
+  }
+  const double noise = NoiseInside(intensities, size, choice.intensityWindow) * std::sqrt(2.0);
+  const bool   insulates = noise * choice.p > GreatestNoise;
+  choice.smoothing = insulates ? Rounded(Smoothing * Smallest(copy.spacing), 2) : 0.0;
+  choice.smoothingReason = "noise between neighbors has a standard deviation of " + Text(noise, 2) +
+                           " of the window, " + (insulates ? "more" : "not more") + " than a quarter of 1/p";
+}
+} // namespace
+
+HeatParameterChoice
+ChooseHeatParameters(const float *                           intensities,
+                     const std::array<std::size_t, 3> &      size,
+                     const CumulativeHeatDiffusionSettings & settings,
+                     const GivenHeatParameters &             given,
+                     const std::string &                     modality,
+                     const Progress &                        progress)
+{
+  HeatParameterChoice choice;
+  choice.intensityWindow = WindowOf(settings, intensities, size[0] * size[1] * size[2]);
+  choice.p = given.p.value_or(settings.p);
+  choice.smoothing = given.smoothing.value_or(0.0);
+  choice.timeSteps = given.timeSteps.value_or(1);
+  if (given.p && given.timeSteps)
+  {
+    return choice;
+  }
+  const Spacing spacing = settings.ignoreSpacing ? Spacing{ { 1.0, 1.0, 1.0 } } : settings.spacing;
+  Trials        trials(MakeCopy(intensities, size, spacing), settings, given);
+  choice.windowReason = TryWindows(trials, given, modality, progress);
+  const Copy &  copy = trials.GetCopy();
+  const Trial & best = trials.GetBest();
+  const double  factor = copy.factor;
+  if (best.regions < 0.0)
+  {
+    choice.windowReason = "the volume is constant: the heat is 0 for any parameters";
+    return choice;
+  }
+  if (!given.p)
+  {
+    choice.intensityWindow = best.window;
+  }
+  choice.regions = best.regions;
+  choice.p = given.p.value_or(Rounded(best.p * factor, 3));
+  if (!given.p)
+  {
+    choice.pReason = "1/p is " + Text(best.cut, 1) + " times the median difference of neighbors (" +
+                     Text(best.median / factor, 2) + " of the window)";
+  }
+  choice.timeSteps =
+    static_cast<std::uint64_t>(std::llround(Rounded(static_cast<double>(best.timeSteps) * factor * factor, 2)));
+  if (given.timeSteps)
+  {
+    choice.timeSteps = *given.timeSteps;
+  }
+  else
+  {
+    choice.timeReason = "of " + std::to_string(TrialSteps.size()) + " times from " +
+                        Text(TrialSteps.front() * factor * factor, 3) + " to " +
+                        Text(TrialSteps.back() * factor * factor, 3) + " steps, it shows most regions bounded by edges";
+  }
+  ChooseSmoothing(intensities, size, given, copy, choice);
+  return choice;
+}
+} // namespace shapeton
