@@ -30,6 +30,8 @@ TOOLS = {
     "DicomSeriesInspector": [shapeton.list_series],
     "DicomSeriesToImage": [shapeton.read_volume],
     "GraphCompare": [graphs.compare_graphs],
+    "GraphConformalType": [graphs.conformal_type],
+    "GraphCurvature": [graphs.ricci_curvature, graphs.embed_graph],
     "GraphEmbedding": [graphs.embed_graph],
     "GraphEmbeddingVerifier": [graphs.verify_embedding],
     "SeededHeatSegmentation": [shapes.SeededHeat, shapeton.read_volume],
@@ -53,6 +55,7 @@ NAMES = {
 MEANINGS = {
     ("ConformalMap", "metric"): {"euclidean": None},
     ("ConformalMap", "time"): {0: None},
+    ("GraphConformalType", "maximumRadius"): {"auto": None},
     ("GraphEmbedding", "genus"): {"auto": None},
     ("ShapetonDiffusion", "featureSize"): {0: None},
     ("ShapetonDiffusion", "shapetons"): {65000: None},  # or the number for feature_size
@@ -77,6 +80,7 @@ OPTIONS_ALONE = {
     ("CumulativeHeatDiffusion", "histogramScale"): "a picture",
     ("CumulativeHeatDiffusion", "snapshots"): "the number of recorded_steps",
     ("GraphCompare", "labels"): "a picture",
+    ("GraphCurvature", "labels"): "a picture",
     ("GraphEmbedding", "disk"): "a picture",
     ("SeededHeatSegmentation", "automaticSeeds"): "seeds_of_classes",
     ("SeededHeatSegmentation", "components"): "seeds_of_classes, which does not separate components by default",

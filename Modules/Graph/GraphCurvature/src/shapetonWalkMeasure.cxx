@@ -1,6 +1,7 @@
 #include "shapetonWalkMeasure.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonNumberText.h"
 
 #include <algorithm>
 #include <limits>
@@ -25,7 +26,7 @@ SimplestFraction(double value, const std::string & parameter)
                          term * fraction.denominator + before.denominator };
     if (static_cast<double>(next.denominator) > most || term == 0)
     {
-      throw ParameterError("the parameter \"" + parameter + "\" = " + std::to_string(value) +
+      throw ParameterError("the parameter \"" + parameter + "\" = " + NumberText(value) +
                            " is too close to another fraction; use one with fewer digits");
     }
     before = fraction;
