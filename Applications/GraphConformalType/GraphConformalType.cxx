@@ -3,7 +3,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
 #include "shapetonGraphCurvatureReport.h"
-#include "shapetonGrowthPlot.h"
+#include "shapetonGraphGenus.h"
 #include "shapetonJson.h"
 #include "shapetonReadOptions.h"
 #include "shapetonSha256.h"
@@ -16,6 +16,24 @@ namespace
 {
 using shapeton::CommandLine;
 
+/** The graph, or with --planarPart a maximal planar subgraph of it; `what` names it in the warning. */
+shapeton::Graph
+PlanarOf(CommandLine & commandLine, shapeton::Graph graph, const std::string & what)
+{
+  if (!commandLine.GetFlag("planarPart"))
+  {
+    return graph;
+  }
+  const std::vector<int> kept = shapeton::PlanarEdges(graph);
+  const std::size_t      all = graph.edges.size();
+  if (kept.size() < all)
+  {
+    commandLine.Warn(what + std::to_string(all - kept.size()) + " of " + std::to_string(all) +
+                     " edges are left out of the planar part");
+  }
+  return shapeton::GraphWithEdges(graph, kept);
+}
+
 /** The graph, or the graphs of a folder in the order of their file names. */
 std::vector<shapeton::Graph>
 GraphsOf(CommandLine & commandLine)
@@ -23,7 +41,7 @@ GraphsOf(CommandLine & commandLine)
   const std::string path = commandLine.GetString("graph");
   if (!std::filesystem::is_directory(path))
   {
-    return { shapeton::ReadGraph(commandLine, "graph") };
+    return { PlanarOf(commandLine, shapeton::ReadGraph(commandLine, "graph"), "") };
   }
   std::vector<shapeton::Graph> graphs;
   std::string                  identities;
@@ -36,7 +54,7 @@ GraphsOf(CommandLine & commandLine)
     {
       commandLine.Warn(name + ": " + note);
     }
-    graphs.push_back(std::move(read.graph));
+    graphs.push_back(PlanarOf(commandLine, std::move(read.graph), name + ": "));
   }
   commandLine.AddInput("graph", "sha256:" + shapeton::Sha256OfBytes(identities));
   return graphs;
@@ -81,21 +99,6 @@ TypeOf(CommandLine & commandLine, const std::vector<shapeton::Graph> & graphs)
 }
 
 void
-WritePicture(const shapeton::ConformalTypeResult & result, const std::string & path)
-{
-  shapeton::GrowthCurve modulus{ "modulus -log tanh(r / 2)", {}, {} };
-  shapeton::GrowthCurve resistance{ "resistance from root to boundary (edges)", {}, {} };
-  for (const shapeton::PackedBall & ball : result.balls)
-  {
-    modulus.radii.push_back(ball.radius);
-    modulus.quantities.push_back(ball.modulus);
-    resistance.quantities.push_back(ball.resistance);
-  }
-  resistance.radii = modulus.radii;
-  shapeton::WriteGrowthSvg({ modulus, resistance }, path);
-}
-
-void
 Find(CommandLine & commandLine)
 {
   const std::string output = commandLine.GetString("verdict");
@@ -120,7 +123,7 @@ Find(CommandLine & commandLine)
   }
   if (!svg.empty())
   {
-    WritePicture(result, svg);
+    shapeton::WriteConformalTypeSvg(result, svg);
   }
 }
 } // namespace

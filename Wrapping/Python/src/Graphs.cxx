@@ -145,6 +145,8 @@ AddGraph(py::module_ & module)
   module.def("complete_bipartite_graph", &CompleteBipartiteGraph);
   module.def("grid_graph", &GridGraph);
   module.def("regular_tiling_graph", &RegularTilingGraph);
+  module.def(
+    "planar_part", [](const Graph & graph) { return GraphWithEdges(graph, PlanarEdges(graph)); }, ReleaseGil());
   module.def("hypercube_graph", &HypercubeGraph);
   module.def("torus_grid", [](int columns, int rows, bool diagonals) {
     const CombinatorialMap map = TorusGridMap(columns, rows, diagonals);

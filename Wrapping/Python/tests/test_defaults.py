@@ -80,6 +80,7 @@ OPTIONS_ALONE = {
     ("CumulativeHeatDiffusion", "histogramScale"): "a picture",
     ("CumulativeHeatDiffusion", "snapshots"): "the number of recorded_steps",
     ("GraphCompare", "labels"): "a picture",
+    ("GraphConformalType", "planarPart"): "planar_part",
     ("GraphCurvature", "labels"): "a picture",
     ("GraphEmbedding", "disk"): "a picture",
     ("SeededHeatSegmentation", "automaticSeeds"): "seeds_of_classes",

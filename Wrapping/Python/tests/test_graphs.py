@@ -106,6 +106,7 @@ class GraphTest(TestCase):
         np.testing.assert_allclose(sequence.root_radii, disk.root_radii, rtol=1e-9)
         with self.assertRaisesRegex(shapeton.InputError, "not planar"):
             graphs.conformal_type(graphs.complete_graph(5))
+        self.assertEqual(len(graphs.planar_part(graphs.complete_graph(5)).edges), 9)
         with self.assertRaisesRegex(shapeton.ParameterError, "roots"):
             graphs.conformal_type_of_sequence(tilings, [0])
 

@@ -98,7 +98,8 @@ struct ConformalTypeSettings : ConformalTypeOptions
  *
  * The outer face is the longest face. The ball of radius n consists of the faces with a node at distance at most n - 1
  * and of everything that they separate from the outer face; n is at most the distance of the outer face. All n up to 8
- * are packed, then about every fifth in ratio. Faces with four and more nodes have circles, too, orthogonal to those of
+ * are packed, then radii that grow by a fifth to a quarter. If the boundary of a ball is farther away than n, the ball
+ * has that radius. Faces with four and more nodes have circles, too, orthogonal to those of
  * their nodes; dummies fill faces that prevent a packing.
  *
  * Throws ParameterError for options out of range; InputError if the graph is not connected and planar, or the outer

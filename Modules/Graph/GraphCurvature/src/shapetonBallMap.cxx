@@ -70,13 +70,15 @@ public:
   Cut()
   {
     this->NumberNodesAndEdges();
-    BallMap ball{ {}, m_NewNode[m_Rooted.Root()], m_Nodes, static_cast<int>(m_Edges.size()) };
+    BallMap ball{ {}, m_NewNode[m_Rooted.Root()], m_Nodes, m_Map.Nodes(), static_cast<int>(m_Edges.size()) };
     m_Next.assign(2 * m_Edges.size(), -1);
     for (int h = 0; h < m_Map.HalfEdges(); ++h)
     {
       if (m_NewEdge[h / 2] >= 0)
       {
         m_Next[this->New(h)] = this->New(this->NextInDisk(h));
+        const int distance = m_Rooted.Distances()[m_Map.Node(h)];
+        ball.radius = m_IsInside[m_Map.Face(h)] != 0 ? ball.radius : std::min(ball.radius, distance);
       }
     }
     this->JoinApex(ball.apex);
@@ -240,7 +242,7 @@ RootedMap::RootedMap(const Graph & graph, int root) : m_Root(root)
 {
   if (!FindPlanarEmbedding(graph, m_Map))
   {
-    throw InputError("the graph is not planar; only planar graphs have a conformal type");
+    throw InputError("the graph is not planar; use its planar part");
   }
   if (m_Map.Components() != 1 || m_Map.Faces() < 2)
   {

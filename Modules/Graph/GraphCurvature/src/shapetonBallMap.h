@@ -53,10 +53,12 @@ struct BallMap
   CombinatorialMap map;
   int              root{ 0 };
   int              apex{ 0 };      ///< the last node
+  int              radius{ 0 };    ///< smallest distance of the boundary from the root, edges
   int              diskEdges{ 0 }; ///< edges up to this number are in the disk, the others meet the apex
 };
 
-/** The ball of this radius, see FindConformalType(). \pre 1 <= radius <= DistanceOfOuterFace(). */
+/** The ball of this radius or a larger one, see FindConformalType(): holes that it encloses are filled. \pre 1 <=
+ * radius <= DistanceOfOuterFace(). */
 BallMap
 BallAround(const RootedMap & rooted, int radius);
 

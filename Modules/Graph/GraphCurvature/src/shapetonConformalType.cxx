@@ -21,7 +21,7 @@ constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 /** Hyperbolic radius of the circle of the root if the circle of the apex is the ideal boundary. The dual map is packed,
  * because horocycles are circles of faces there: the nodes adjacent to the apex. */
 double
-RadiusOfRoot(const PackedMap & packed, int root, int apex, const Progress & progress)
+RadiusOfRoot(const PackedMap & packed, int root, int apex)
 {
   const CombinatorialMap dual = packed.map.Dual();
   const auto        faceOf = [&](int node) { return dual.Face(CombinatorialMap::Twin(packed.map.FirstAround(node))); };
@@ -35,8 +35,7 @@ RadiusOfRoot(const PackedMap & packed, int root, int apex, const Progress & prog
     infinite.lineNodes[dual.Node(h)] = 1;
     infinite.horocycleFaces[dual.Face(CombinatorialMap::Twin(h))] = 1;
   }
-  const CirclePacking packing =
-    PackCircles(dual, FlowGeometry::Hyperbolic, infinite, PackingPrecision::Double, progress);
+  const CirclePacking packing = PackCircles(dual, FlowGeometry::Hyperbolic, infinite);
   return packing.faceRadii[faceOf(root)];
 }
 
@@ -77,10 +76,10 @@ ResistanceOf(const BallMap & ball)
 }
 
 PackedBall
-Measured(const BallMap & ball, int radius, const Progress & progress)
+Measured(const BallMap & ball)
 {
   PackedBall measured;
-  measured.radius = radius;
+  measured.radius = ball.radius;
   measured.nodes = ball.map.Nodes() - 1;
   std::vector<char> isBoundary(ball.map.Nodes(), 0);
   for (const int h : ball.map.Around(ball.apex))
@@ -90,7 +89,7 @@ Measured(const BallMap & ball, int radius, const Progress & progress)
   measured.boundaryNodes = static_cast<int>(std::count(isBoundary.begin(), isBoundary.end(), 1));
   const PackedMap packed = MakePackedMap(ball.map);
   measured.dummies = packed.map.Nodes() - ball.map.Nodes();
-  measured.rootRadius = RadiusOfRoot(packed, ball.root, ball.apex, progress);
+  measured.rootRadius = RadiusOfRoot(packed, ball.root, ball.apex);
   measured.modulus = -std::log(std::tanh(measured.rootRadius / 2.0));
   measured.resistance = ResistanceOf(ball);
   return measured;
@@ -221,9 +220,11 @@ FindConformalType(const Graph & graph, const ConformalTypeSettings & settings)
   const int most = std::min(farthest, settings.maximumRadius.value_or(farthest));
   for (const int radius : RadiiUpTo(most))
   {
-    settings.progress("Packing ball of radius " + std::to_string(radius),
-                      static_cast<double>(radius - 1) / most * (radius - 1) / most);
-    result.balls.push_back(Measured(BallAround(rooted, radius), radius, {}));
+    if (result.balls.empty() || radius > result.balls.back().radius) // otherwise the same ball
+    {
+      settings.progress("Packing balls", static_cast<double>(radius - 1) / most * (radius - 1) / most);
+      result.balls.push_back(Measured(BallAround(rooted, radius)));
+    }
   }
   Conclude(result);
   return result;
@@ -242,14 +243,13 @@ FindConformalType(const std::vector<Graph> & graphs, const std::vector<int> & ro
   {
     progress(static_cast<double>(i) / static_cast<double>(graphs.size()));
     RequireSound(graphs[i], "graph " + std::to_string(i + 1));
-    const RootedMap rooted(graphs[i], roots[i]);
-    const int       radius = rooted.DistanceOfOuterFace();
-    if (!result.balls.empty() && radius <= result.balls.back().radius)
+    const BallMap disk = WholeDisk(RootedMap(graphs[i], roots[i]));
+    if (!result.balls.empty() && disk.radius <= result.balls.back().radius)
     {
-      throw InputError("graph " + std::to_string(i + 1) + " of the sequence has radius " + std::to_string(radius) +
+      throw InputError("graph " + std::to_string(i + 1) + " of the sequence has radius " + std::to_string(disk.radius) +
                        " around the root, not more than the graph before it");
     }
-    result.balls.push_back(Measured(WholeDisk(rooted), radius, {}));
+    result.balls.push_back(Measured(disk));
   }
   Conclude(result);
   return result;

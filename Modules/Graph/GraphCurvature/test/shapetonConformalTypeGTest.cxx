@@ -255,8 +255,28 @@ TEST(ConformalType, Refusals)
   EXPECT_THROW(shapeton::FindConformalType(shapeton::GridGraph(5, 5), settings), shapeton::ParameterError);
 }
 
-/** A mesh around an airfoil, with long faces and 4720 nodes. */
-TEST(ConformalType, AMeshOfThePlane)
+/** Eight faces of seven nodes around the root: its balls of radius 1, 2 and 3 are the same, with the boundary at
+ * distance 3. */
+TEST(ConformalType, EqualBallsCountOnce)
+{
+  Graph graph{ 1 + 3 * 8, {}, {} };
+  for (int i = 0; i < 8; ++i)
+  {
+    const int next = (i + 1) % 8;
+    graph.edges.push_back({ 0, 1 + i });
+    graph.edges.push_back({ 1 + i, 9 + i });
+    graph.edges.push_back({ 9 + i, 17 + i });
+    graph.edges.push_back({ 17 + i, 17 + next });
+  }
+  const auto result = TypeOf(graph, 0);
+  ASSERT_EQ(1u, result.balls.size());
+  EXPECT_EQ(3, result.balls[0].radius);
+  EXPECT_EQ(25, result.balls[0].nodes);
+  EXPECT_NEAR(3.0 / 8.0, result.balls[0].resistance, 1e-12);
+}
+
+/** A mesh around an airfoil, with long faces and 4720 nodes; the planar part of a power grid. */
+TEST(ConformalType, RealNetworks)
 {
   const char * const folder = std::getenv("SHAPETON_TEST_DATA_DIR");
   if (folder == nullptr || *folder == '\0')
@@ -266,4 +286,8 @@ TEST(ConformalType, AMeshOfThePlane)
   const auto result = TypeOf(shapeton::ReadGraph(std::string(folder) + "/graphs/3elt.graph").graph);
   EXPECT_LT(10u, result.balls.size());
   ExpectMonotone(result);
+  const Graph grid = shapeton::ReadGraph(std::string(folder) + "/graphs/power/case300.m").graph;
+  const auto  planar = TypeOf(shapeton::GraphWithEdges(grid, shapeton::PlanarEdges(grid)));
+  EXPECT_LT(4u, planar.balls.size());
+  ExpectMonotone(planar);
 }

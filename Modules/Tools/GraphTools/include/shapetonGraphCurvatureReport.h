@@ -47,6 +47,10 @@ ShapetonGraphTools_EXPORT std::vector<std::pair<std::string, std::string>>
 ShapetonGraphTools_EXPORT CsvTable
 BallTableOf(const ConformalTypeResult & result);
 
+/** Draws modulus and resistance of the balls, see WriteGrowthSvg(). Throws OutputError. \ingroup ShapetonGraphTools */
+ShapetonGraphTools_EXPORT void
+WriteConformalTypeSvg(const ConformalTypeResult & result, const std::string & path);
+
 /** The verdict: root (its name), type, limitRadius as [least, most], and the evidence of packing and resistance.
  * Numbers that are undefined or infinite are null. \ingroup ShapetonGraphTools */
 ShapetonGraphTools_EXPORT Json

@@ -13,7 +13,7 @@ const outlineOf = (data) => (data.edgeColors ? OUTLINE : NODE);
 
 // Halves of edges of each color, found on first use.
 const found = new WeakMap();
-export function halvesByColor(data) {
+function halvesByColor(data) {
   if (!found.has(data)) {
     const groups = new Map();
     data.edgeOf.forEach((edge, half) => {

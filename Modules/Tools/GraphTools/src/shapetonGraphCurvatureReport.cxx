@@ -1,6 +1,7 @@
 #include "shapetonGraphCurvatureReport.h"
 
 #include "shapetonGraphStructure.h"
+#include "shapetonGrowthPlot.h"
 #include "shapetonJson.h"
 
 #include <algorithm>
@@ -168,6 +169,21 @@ BallTableOf(const ConformalTypeResult & result)
                    CellOf(ball.resistance) });
   }
   return table;
+}
+
+void
+WriteConformalTypeSvg(const ConformalTypeResult & result, const std::string & path)
+{
+  GrowthCurve modulus{ "modulus -log tanh(r / 2)", {}, {} };
+  GrowthCurve resistance{ "resistance from root to boundary (edges)", {}, {} };
+  for (const PackedBall & ball : result.balls)
+  {
+    modulus.radii.push_back(ball.radius);
+    modulus.quantities.push_back(ball.modulus);
+    resistance.quantities.push_back(ball.resistance);
+  }
+  resistance.radii = modulus.radii;
+  WriteGrowthSvg({ modulus, resistance }, path);
 }
 
 Json

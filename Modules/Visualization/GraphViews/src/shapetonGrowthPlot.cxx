@@ -58,8 +58,8 @@ DecadeTicks(double most)
 double
 StepOf(double most)
 {
-  constexpr double ticks = 5.0;
-  const double     decade = std::pow(10.0, std::floor(std::log10(most / ticks)));
+  constexpr double ticks = 5.0, base = 10.0;
+  const double     decade = std::pow(base, std::floor(std::log10(most / ticks)));
   for (const double factor : { 1.0, 2.0, 5.0 })
   {
     if (most / (factor * decade) <= ticks)
@@ -67,7 +67,7 @@ StepOf(double most)
       return factor * decade;
     }
   }
-  return 10.0 * decade;
+  return base * decade;
 }
 
 class GrowthPanel
