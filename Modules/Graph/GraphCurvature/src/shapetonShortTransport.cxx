@@ -27,6 +27,39 @@ ShortTransport::Join(int from, int to, int cost, std::int64_t room)
   m_Arcs.push_back({ from, -cost, 0 });
 }
 
+/** Marks the neighbors of a node with a new number. */
+int
+ShortTransport::MarkNeighbors(int node)
+{
+  const int mark = m_LastMark++;
+  for (const auto * near = m_Lists.Begin(node); near != m_Lists.End(node); ++near)
+  {
+    m_Marks[near->node] = mark;
+  }
+  return mark;
+}
+
+/** Distance of another node from the node whose neighbors have this mark, if it is at most 3. */
+int
+ShortTransport::DistanceFromMark(int mark, int node) const
+{
+  const auto isNear = [&](const NeighborLists::Neighbor & n) { return m_Marks[n.node] == mark; };
+  return m_Marks[node] == mark ? 1 : std::any_of(m_Lists.Begin(node), m_Lists.End(node), isNear) ? 2 : LongestDistance;
+}
+
+/** There is no choice if all mass comes from, or goes to, one node: leaves, also of hubs with many of them. */
+std::int64_t
+ShortTransport::CostFrom(const NodeMass & single, const std::vector<NodeMass> & others)
+{
+  const int    mark = this->MarkNeighbors(single.node);
+  std::int64_t cost = 0;
+  for (const NodeMass & other : others)
+  {
+    cost += other.mass * this->DistanceFromMark(mark, other.node);
+  }
+  return cost;
+}
+
 void
 ShortTransport::Build(const MassTransfer & transfer)
 {
@@ -45,22 +78,13 @@ ShortTransport::Build(const MassTransfer & transfer)
     const int from = transfer.supplies[s].node;
     this->Join(Source, FirstSupply + s, 0, transfer.supplies[s].mass);
     this->Join(FirstSupply + s, Hub, LongestDistance, Unlimited);
-    const int mark = m_Supply++;
-    for (const auto * near = m_Lists.Begin(from); near != m_Lists.End(from); ++near)
-    {
-      m_Marks[near->node] = mark;
-    }
+    const int mark = this->MarkNeighbors(from);
     for (std::size_t d = 0; d < transfer.demands.size(); ++d)
     {
-      const int  to = transfer.demands[d].node;
-      const auto isNear = [&](const NeighborLists::Neighbor & n) { return m_Marks[n.node] == mark; };
-      if (m_Marks[to] == mark)
+      const int distance = this->DistanceFromMark(mark, transfer.demands[d].node);
+      if (distance < LongestDistance)
       {
-        this->Join(FirstSupply + s, firstDemand + static_cast<int>(d), 1, Unlimited);
-      }
-      else if (std::any_of(m_Lists.Begin(to), m_Lists.End(to), isNear))
-      {
-        this->Join(FirstSupply + s, firstDemand + static_cast<int>(d), 2, Unlimited);
+        this->Join(FirstSupply + s, firstDemand + static_cast<int>(d), distance, Unlimited);
       }
     }
   }
@@ -165,6 +189,12 @@ ShortTransport::MaximumFlow()
 std::int64_t
 ShortTransport::Cost(const MassTransfer & transfer)
 {
+  if (transfer.supplies.size() == 1 || transfer.demands.size() == 1)
+  {
+    const bool isFromOne = transfer.supplies.size() == 1;
+    return this->CostFrom((isFromOne ? transfer.supplies : transfer.demands).front(),
+                          isFromOne ? transfer.demands : transfer.supplies);
+  }
   std::int64_t rest = 0;
   for (const NodeMass & supply : transfer.supplies)
   {

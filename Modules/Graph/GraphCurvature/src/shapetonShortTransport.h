@@ -27,6 +27,12 @@ private:
     std::int64_t room;
   };
 
+  int
+  MarkNeighbors(int node);
+  int
+  DistanceFromMark(int mark, int node) const;
+  std::int64_t
+  CostFrom(const NodeMass & single, const std::vector<NodeMass> & others);
   void
   Build(const MassTransfer & transfer);
   void
@@ -41,8 +47,8 @@ private:
   MaximumFlow();
 
   const NeighborLists &         m_Lists;
-  std::vector<int>              m_Marks; ///< last supply whose neighbor the node was
-  int                           m_Supply{ 0 };
+  std::vector<int>              m_Marks; ///< of each node, see MarkNeighbors()
+  int                           m_LastMark{ 0 };
   std::vector<Arc>              m_Arcs; ///< arc i and its reverse i ^ 1
   std::vector<std::vector<int>> m_Out;
   std::vector<int>              m_Distances;

@@ -324,6 +324,18 @@ TEST(GraphCurvature, Trees)
   }
 }
 
+/** Edges of a star of n leaves: 0, and 2 / n for Lin, Lu and Yau, since the mass (n - 1) / (2 n) moves by 2. */
+TEST(GraphCurvature, Stars)
+{
+  for (const int leaves : { 2, 3, 10, 1000 })
+  {
+    const Graph star = shapeton::CompleteBipartiteGraph(1, leaves);
+    ExpectAll(star, CurvatureMethod::Ollivier, "0");
+    const auto limit = Curvature(star, CurvatureMethod::LinLuYau).edges.front();
+    EXPECT_EQ(2 * limit.denominator, limit.numerator * leaves);
+  }
+}
+
 /** Bounds of Jost and Liu 2014 (theorem 3 and 4) by degrees and triangles. */
 TEST(GraphCurvature, BoundsOfJostAndLiu)
 {
