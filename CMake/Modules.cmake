@@ -20,6 +20,7 @@ set(Shapeton_MODULES
   Graph/EmbeddingCertificate
   Graph/RicciFlowEmbedding
   Graph/GraphComparison
+  Graph/GraphCurvature
   Colon/ColonLumen
   Colon/ColonCenterline
   Colon/ColonModel

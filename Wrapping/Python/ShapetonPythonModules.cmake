@@ -4,6 +4,7 @@ set(ShapetonPython_MODULES
   ConformalFlattening
   EmbeddingCertificate
   GraphComparison
+  GraphCurvature
   Particles
   Phantoms
   PolypCandidates

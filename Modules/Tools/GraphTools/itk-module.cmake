@@ -8,6 +8,7 @@ itk_module(ShapetonGraphTools
     ShapetonGraphModel
     ShapetonRicciFlowEmbedding
     ShapetonGraphComparison
+    ShapetonGraphCurvature
     ShapetonGraphViews
   PRIVATE_DEPENDS
     ShapetonCommandLine

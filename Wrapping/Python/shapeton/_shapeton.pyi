@@ -528,6 +528,59 @@ class ConformalMap:
         ...
 
 
+class ConformalTypeResult:
+    """Balls of growing radius, their packings, and the verdict."""
+    @property
+    def limit_radius(self) -> Tuple[Any, ...]:
+        """Extrapolated hyperbolic radius of the circle of the root, two values; 0 if parabolic, NaN if not decided."""
+        ...
+
+    @property
+    def moduli(self) -> NDArray[Any]:
+        """-log tanh(r / 2) of the root radii."""
+        ...
+
+    @property
+    def nodes(self) -> NDArray[Any]:
+        """Nodes of each ball."""
+        ...
+
+    @property
+    def packing(self) -> Dict[str, Any]:
+        """Growth of the moduli: type, decay, limit, far_limit."""
+        ...
+
+    @property
+    def radii(self) -> NDArray[Any]:
+        """Radius of each ball, edges."""
+        ...
+
+    @property
+    def resistance(self) -> Dict[str, Any]:
+        """Growth of the resistances: type, decay, limit, far_limit."""
+        ...
+
+    @property
+    def resistances(self) -> NDArray[Any]:
+        """Effective resistance from the root to the boundary of each ball."""
+        ...
+
+    @property
+    def root(self) -> int:
+        """Node at the center of the balls."""
+        ...
+
+    @property
+    def root_radii(self) -> NDArray[Any]:
+        """Hyperbolic radius of the circle of the root in each ball."""
+        ...
+
+    @property
+    def type(self) -> str:
+        """"parabolic", "hyperbolic" or "not decided"."""
+        ...
+
+
 class DicomDefect:
     """A defect or peculiarity of a DICOM series."""
     @property
@@ -819,6 +872,39 @@ class GraphComparison:
     @property
     def isomorphic(self) -> bool:
         """Whether the graphs are isomorphic."""
+        ...
+
+
+class GraphCurvature:
+    """Discrete Ricci curvature of a graph; no unit."""
+    @property
+    def denominators(self) -> NDArray[Any]:
+        """Denominators of the exact curvatures, int64; 0 for loops."""
+        ...
+
+    @property
+    def edges(self) -> NDArray[Any]:
+        """One per edge; NaN for loops."""
+        ...
+
+    @property
+    def node_means(self) -> NDArray[Any]:
+        """Mean over the edges of each node; NaN without edges; a view."""
+        ...
+
+    @property
+    def node_sums(self) -> NDArray[Any]:
+        """Sum over the edges of each node; a view."""
+        ...
+
+    @property
+    def numerators(self) -> NDArray[Any]:
+        """Numerators of the exact curvatures of edges, int64."""
+        ...
+
+    @property
+    def triangles(self) -> NDArray[Any]:
+        """Common neighbors of the ends of each edge."""
         ...
 
 

@@ -2,13 +2,18 @@
 #include "Conversions.h"
 #include "Options.h"
 
+#include "shapetonConformalType.h"
 #include "shapetonEmbeddingVerification.h"
 #include "shapetonExceptions.h"
 #include "shapetonGraphComparison.h"
+#include "shapetonGraphCurvature.h"
 #include "shapetonGraphEmbedding.h"
 #include "shapetonGraphFamilies.h"
 #include "shapetonGraphGenus.h"
 #include "shapetonGraphReader.h"
+
+#include <algorithm>
+#include <functional>
 
 namespace shapeton::python
 {
@@ -139,6 +144,9 @@ AddGraph(py::module_ & module)
   module.def("complete_graph", &CompleteGraph);
   module.def("complete_bipartite_graph", &CompleteBipartiteGraph);
   module.def("grid_graph", &GridGraph);
+  module.def("regular_tiling_graph", &RegularTilingGraph);
+  module.def(
+    "planar_part", [](const Graph & graph) { return GraphWithEdges(graph, PlanarEdges(graph)); }, ReleaseGil());
   module.def("hypercube_graph", &HypercubeGraph);
   module.def("torus_grid", [](int columns, int rows, bool diagonals) {
     const CombinatorialMap map = TorusGridMap(columns, rows, diagonals);
@@ -198,6 +206,119 @@ disk (radius: a length; in the disk, hyperbolic). Half-edge 2e leaves the first 
     [](const Certificate & certificate, const Path & path) { WriteEmbeddingCertificate(certificate, path.text); },
     ReleaseGil());
 }
+
+/** Numbers of a result, one per element of a list. */
+template <typename TValue, typename TElement>
+py::array
+Collected(const std::vector<TElement> & elements, const std::function<TValue(const TElement &)> & valueOf)
+{
+  py::array_t<TValue> values(static_cast<py::ssize_t>(elements.size()));
+  std::transform(elements.begin(), elements.end(), values.mutable_data(), valueOf);
+  return values;
+}
+
+py::dict
+DictOf(const TypeEvidence & evidence)
+{
+  return py::dict("type"_a = NameOf(evidence.type),
+                  "decay"_a = evidence.decay,
+                  "limit"_a = evidence.limit,
+                  "far_limit"_a = evidence.farLimit);
+}
+
+template <typename TValue>
+auto
+OfBalls(TValue PackedBall::*member)
+{
+  return [member](const ConformalTypeResult & result) {
+    return Collected<TValue, PackedBall>(result.balls, [member](const PackedBall & ball) { return ball.*member; });
+  };
+}
+
+void
+AddCurvature(py::module_ & module)
+{
+  const auto part = [](std::int64_t ExactNumber::*member) {
+    return [member](const GraphCurvature & curvature) {
+      return Collected<std::int64_t, ExactNumber>(curvature.edges,
+                                                  [member](const ExactNumber & n) { return n.*member; });
+    };
+  };
+  py::class_<GraphCurvature>(module, "GraphCurvature", "Discrete Ricci curvature of a graph; no unit.")
+    .def_property_readonly(
+      "edges",
+      [](const GraphCurvature & curvature) {
+        return Collected<double, ExactNumber>(curvature.edges, [](const ExactNumber & n) { return n.Value(); });
+      },
+      "One per edge; NaN for loops.")
+    .def_property_readonly(
+      "numerators", part(&ExactNumber::numerator), "Numerators of the exact curvatures of edges, int64.")
+    .def_property_readonly(
+      "denominators", part(&ExactNumber::denominator), "Denominators of the exact curvatures, int64; 0 for loops.")
+    .def_property_readonly(
+      "triangles",
+      [](const GraphCurvature & curvature) {
+        return Collected<int, int>(curvature.triangles, [](const int & n) { return n; });
+      },
+      "Common neighbors of the ends of each edge.")
+    .def_property_readonly(
+      "node_means",
+      [](const py::object & self) { return Row(self.cast<const GraphCurvature &>().nodeMeans, self); },
+      "Mean over the edges of each node; NaN without edges; a view.")
+    .def_property_readonly(
+      "node_sums",
+      [](const py::object & self) { return Row(self.cast<const GraphCurvature &>().nodeSums, self); },
+      "Sum over the edges of each node; a view.");
+  module.def("ricci_curvature",
+             Reporting(+[](const Graph & graph, const Given<GraphCurvatureOptions> & given, const Progress & progress) {
+               return MeasureCurvature(graph, { given.options, progress });
+             }),
+             ReleaseGil());
+}
+
+void
+AddConformalType(py::module_ & module)
+{
+  using Result = ConformalTypeResult;
+  py::class_<Result>(module, "ConformalTypeResult", "Balls of growing radius, their packings, and the verdict.")
+    .def_property_readonly(
+      "type", [](const Result & r) { return NameOf(r.type); }, "\"parabolic\", \"hyperbolic\" or \"not decided\".")
+    .def_readonly("root", &Result::root, "Node at the center of the balls.")
+    .def_property_readonly(
+      "limit_radius",
+      [](const Result & r) { return py::make_tuple(r.leastLimitRadius, r.limitRadius); },
+      "Extrapolated hyperbolic radius of the circle of the root, two values; 0 if parabolic, NaN if not decided.")
+    .def_property_readonly("radii", OfBalls(&PackedBall::radius), "Radius of each ball, edges.")
+    .def_property_readonly("nodes", OfBalls(&PackedBall::nodes), "Nodes of each ball.")
+    .def_property_readonly(
+      "root_radii", OfBalls(&PackedBall::rootRadius), "Hyperbolic radius of the circle of the root in each ball.")
+    .def_property_readonly("moduli", OfBalls(&PackedBall::modulus), "-log tanh(r / 2) of the root radii.")
+    .def_property_readonly("resistances",
+                           OfBalls(&PackedBall::resistance),
+                           "Effective resistance from the root to the boundary of each ball.")
+    .def_property_readonly(
+      "packing",
+      [](const Result & r) { return DictOf(r.packing); },
+      "Growth of the moduli: type, decay, limit, far_limit.")
+    .def_property_readonly(
+      "resistance",
+      [](const Result & r) { return DictOf(r.resistance); },
+      "Growth of the resistances: type, decay, limit, far_limit.");
+  module.def(
+    "conformal_type",
+    Reporting(+[](const Graph & graph, int root, const Given<ConformalTypeOptions> & given, const Progress & progress) {
+      return FindConformalType(graph, { given.options, root, progress });
+    }),
+    ReleaseGil());
+  module.def(
+    "conformal_type_of_sequence",
+    Reporting(+[](const std::vector<Graph> & graphs, const std::vector<int> & roots, const Progress & progress) {
+      RequireParameter(!graphs.empty() && graphs.size() == roots.size(),
+                       "the parameter \"roots\" must have one node per graph");
+      return FindConformalType(graphs, roots, progress);
+    }),
+    ReleaseGil());
+}
 } // namespace
 
 void
@@ -205,6 +326,8 @@ AddGraphs(py::module_ & module)
 {
   AddGraph(module);
   AddCertificate(module);
+  AddCurvature(module);
+  AddConformalType(module);
   py::class_<EmbeddingVerdict>(module, "EmbeddingVerdict", "Result of `verify_embedding`.")
     .def_property_readonly(
       "is_valid",

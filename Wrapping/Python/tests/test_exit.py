@@ -73,8 +73,10 @@ graph = graphs.complete_graph(5)
 certificate = graphs.embed_graph(graph)
 verdict = graphs.verify_embedding(certificate)
 comparison = graphs.compare_graphs(graph, graphs.complete_bipartite_graph(3, 3))
+curvature = graphs.ricci_curvature(graph)
+conformal = graphs.conformal_type(graphs.regular_tiling_graph(3, 7, 2))
 """,
-        "Graph EmbeddingCertificate EmbeddingVerdict GraphComparison",
+        "Graph EmbeddingCertificate EmbeddingVerdict GraphComparison GraphCurvature ConformalTypeResult",
     ),
     "surfaces": (
         """

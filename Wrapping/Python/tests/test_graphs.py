@@ -76,6 +76,40 @@ class GraphTest(TestCase):
         self.assertFalse(other.isomorphic)
         self.assertTrue(other.differences)
 
+    def test_curvatures_are_exact(self):
+        k5 = graphs.ricci_curvature(graphs.complete_graph(5))
+        self.assertEqual(set(zip(k5.numerators.tolist(), k5.denominators.tolist())), {(3, 4)})
+        np.testing.assert_array_equal(k5.edges, 0.75)
+        np.testing.assert_array_equal(k5.triangles, 3)
+        np.testing.assert_array_equal(k5.node_sums, 3.0)
+        self.assertEqual(set(graphs.ricci_curvature(graphs.hypercube_graph(4), method="linLuYau").edges), {0.5})
+        forman = graphs.ricci_curvature(graphs.grid_graph(2, 2), method="forman")
+        np.testing.assert_array_equal(forman.node_means, 0.0)
+        loop = graphs.ricci_curvature(graphs.Graph(3, [[0, 1], [1, 1]]))
+        self.assertEqual(loop.denominators[1], 0)
+        self.assertTrue(np.isnan(loop.edges[1]) and np.isnan(loop.node_means[2]))
+        for options in ({"idleness": 1.0}, {"method": "forman", "idleness": 0.5}):
+            with self.assertRaisesRegex(shapeton.ParameterError, "idleness"):
+                graphs.ricci_curvature(graphs.complete_graph(4), **options)
+
+    def test_lattices_have_their_types(self):
+        plane = graphs.conformal_type(graphs.regular_tiling_graph(3, 6, 16))
+        self.assertEqual((plane.type, plane.root, plane.limit_radius), ("parabolic", 0, (0.0, 0.0)))
+        tilings = [graphs.regular_tiling_graph(3, 7, rings) for rings in range(1, 7)]
+        disk = graphs.conformal_type(tilings[-1], root=0)
+        self.assertEqual(disk.type, "hyperbolic")
+        exact = np.arccosh(0.5 / np.sin(np.pi / 7))
+        self.assertAlmostEqual(disk.limit_radius[1], exact, delta=1e-3)
+        self.assertEqual(disk.packing["type"], disk.resistance["type"])
+        np.testing.assert_array_equal(disk.radii, range(1, 7))
+        sequence = graphs.conformal_type_of_sequence(tilings, [0] * 6)
+        np.testing.assert_allclose(sequence.root_radii, disk.root_radii, rtol=1e-9)
+        with self.assertRaisesRegex(shapeton.InputError, "not planar"):
+            graphs.conformal_type(graphs.complete_graph(5))
+        self.assertEqual(len(graphs.planar_part(graphs.complete_graph(5)).edges), 9)
+        with self.assertRaisesRegex(shapeton.ParameterError, "roots"):
+            graphs.conformal_type_of_sequence(tilings, [0])
+
     @needs_tools
     def test_a_certificate_is_that_of_the_tool(self):
         graph = graphs.complete_graph(8)

@@ -136,6 +136,26 @@ class SameAsToolsTest(TestCase):
         self.assertSameCertificate(found.a, files[2] / "a.json")
         self.assertSameCertificate(found.b, files[2] / "b.json")
 
+    def test_GraphCurvature(self):
+        files = [self.folder / name for name in ("graph.graphml", "edges.csv", "nodes.csv")]
+        graphs.write_graph(graphs.regular_tiling_graph(3, 7, 2), files[0])
+        run_tool("GraphCurvature", files[0], files[1], "--nodeTable", files[2], "--idleness", "0.3")
+        found = graphs.ricci_curvature(graphs.read_graph(files[0]), idleness=0.3)
+        edges, nodes = ([row.split(",") for row in path.read_text().split("\n")[1:-1]] for path in files[1:])
+        self.assertEqual([float(row[5]) for row in edges], found.edges.tolist())
+        self.assertEqual([float(row[2]) for row in nodes], found.node_means.tolist())
+        self.assertEqual([float(row[3]) for row in nodes], found.node_sums.tolist())
+
+    def test_GraphConformalType(self):
+        files = [self.folder / name for name in ("graph.graphml", "type.json", "balls.csv")]
+        graphs.write_graph(graphs.regular_tiling_graph(3, 7, 5), files[0])
+        run_tool("GraphConformalType", files[0], files[1], "--table", files[2])
+        written, found = json.loads(files[1].read_text()), graphs.conformal_type(graphs.read_graph(files[0]))
+        self.assertEqual((written["type"], tuple(written["limitRadius"])), (found.type, found.limit_radius))
+        rows = [row.split(",") for row in files[2].read_text().split("\n")[1:-1]]
+        self.assertEqual([float(row[4]) for row in rows], found.root_radii.tolist())
+        self.assertEqual([float(row[6]) for row in rows], found.resistances.tolist())
+
     def assertSameCertificate(self, certificate, path):
         """Returns values as stored in files, without the sign of zero."""
         graphs.write_certificate(certificate, self.folder / "own.json")

@@ -31,6 +31,11 @@ GeneralizedPetersenGraph(int n, int step);
 /** Columns x rows nodes; node (c, r) is r * columns + c, with edges to the right and upward. */
 ShapetonGraphModel_EXPORT Graph
 GridGraph(int columns, int rows);
+/** A disk of the regular tiling {sides, degree}: node 0 and `rings` >= 1 rings of faces around it, each of which
+ * completes the nodes of the boundary before. Euclidean for {3, 6}, {4, 4} and {6, 3}, hyperbolic for larger numbers;
+ * sides >= 3, degree >= 3, and no spherical tilings. */
+ShapetonGraphModel_EXPORT Graph
+RegularTilingGraph(int sides, int degree, int rings);
 /** Grid periodic in both directions, columns >= 1, rows >= 1, embedded in the torus with columns * rows quadrilaterals;
  * with `diagonals`, twice as many triangles. */
 ShapetonGraphModel_EXPORT CombinatorialMap

@@ -43,6 +43,16 @@ FindEmbedding(const Graph & graph, const GenusSettings & options = GenusSettings
 ShapetonGraphModel_EXPORT bool
 FindPlanarEmbedding(const Graph & graph, CombinatorialMap & map);
 
+/** Edges of a maximal planar subgraph, ascending: an edge is kept if it is planar together with the kept edges before
+ * it. It has all nodes and the components of the graph, but not always the most edges possible. For k edges left out of
+ * m, about k log m planarity tests. \ingroup ShapetonGraphModel */
+ShapetonGraphModel_EXPORT std::vector<int>
+                          PlanarEdges(const Graph & graph);
+
+/** The graph with only these edges; nodes and names are kept. \ingroup ShapetonGraphModel */
+ShapetonGraphModel_EXPORT Graph
+GraphWithEdges(const Graph & graph, const std::vector<int> & edges);
+
 /** Lower bound of the genus by Euler's formula V - E + F = 2 - 2g for a connected simple graph of minimum degree three:
  * each cycle bounds at most one face, and the numbers of cycles of length 3, 4 and 5 are limited.
  * \ingroup ShapetonGraphModel

@@ -148,6 +148,115 @@ GridGraph(int columns, int rows)
   return graph;
 }
 
+namespace
+{
+/** A disk of a regular tiling that grows by rings of faces. */
+class TilingDisk
+{
+public:
+  TilingDisk(int sides, int degree)
+    : m_Sides(sides), m_Degree(degree), m_Graph{ 1, {}, {} }, m_Boundary{ 0 }, m_Degrees{ 0 }
+  {}
+
+  void
+  AddRing()
+  {
+    this->FindSpokes();
+    const std::size_t number = m_Owners.size();
+    std::size_t       first = 0; // does not share its end with the spoke before
+    while (this->Rest((first + number - 1) % number) == 0)
+    {
+      ++first;
+    }
+    std::vector<int> boundary{ this->NewNode() };
+    for (std::size_t k = 0; k < number; ++k)
+    {
+      const std::size_t spoke = (first + k) % number;
+      const int         rest = this->Rest(spoke);
+      this->Join(m_Boundary[m_Owners[spoke]], boundary.back());
+      for (int i = 0; i < rest; ++i)
+      {
+        const bool isClosing = k + 1 == number && i + 1 == rest;
+        const int  next = isClosing ? boundary.front() : this->NewNode();
+        this->Join(boundary.back(), next);
+        if (!isClosing)
+        {
+          boundary.push_back(next);
+        }
+      }
+    }
+    m_Boundary = boundary;
+  }
+
+  Graph
+  Take()
+  {
+    return std::move(m_Graph);
+  }
+
+private:
+  /** One entry per missing edge of a boundary node, counter-clockwise: the index of the node in the boundary. */
+  void
+  FindSpokes()
+  {
+    m_Owners.clear();
+    for (std::size_t i = 0; i < m_Boundary.size(); ++i)
+    {
+      m_Owners.insert(m_Owners.end(), m_Degree - m_Degrees[m_Boundary[i]], static_cast<int>(i));
+    }
+  }
+
+  /** Number of new edges that close the face after a spoke. */
+  int
+  Rest(std::size_t spoke) const
+  {
+    constexpr int spokes = 2;
+    const auto    size = static_cast<int>(m_Boundary.size());
+    const int     steps = m_Owners[(spoke + 1) % m_Owners.size()] - m_Owners[spoke];
+    return m_Sides - spokes - (steps + size) % size;
+  }
+
+  int
+  NewNode()
+  {
+    RequireCounts({ m_Graph.nodes }, 0, m_Graph.nodes + 1.0);
+    m_Degrees.push_back(0);
+    return m_Graph.nodes++;
+  }
+
+  void
+  Join(int a, int b)
+  {
+    m_Graph.edges.push_back({ a, b });
+    ++m_Degrees[a];
+    ++m_Degrees[b];
+  }
+
+  int              m_Sides;
+  int              m_Degree;
+  Graph            m_Graph;
+  std::vector<int> m_Boundary; ///< counter-clockwise
+  std::vector<int> m_Degrees;
+  std::vector<int> m_Owners;
+};
+} // namespace
+
+Graph
+RegularTilingGraph(int sides, int degree, int rings)
+{
+  RequireCounts({ sides, degree }, 3, 0.0);
+  RequireCounts({ rings }, 1, 0.0);
+  constexpr long long euclidean = 4; // (sides - 2) (degree - 2) of a tiling of the plane
+  RequireCounts(
+    { static_cast<int>(std::min((sides - 2LL) * (degree - 2LL), euclidean)) }, static_cast<int>(euclidean), 0.0);
+  TilingDisk disk(sides, degree);
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    disk.AddRing();
+  }
+  return disk.Take();
+}
+
 CombinatorialMap
 TorusGridMap(int columns, int rows, bool diagonals)
 {

@@ -130,3 +130,27 @@ TEST(Planarity, KnownGraphs)
   EXPECT_FALSE(IsPlanar(shapeton::GeneralizedPetersenGraph(5, 2)));
   EXPECT_FALSE(IsPlanar(shapeton::TorusGridMap(4, 4).ToGraph()));
 }
+
+/** The same edges as one test per edge by Boost; of K5 and K3,3 one edge is left out. */
+TEST(Planarity, PlanarEdgesAreGreedy)
+{
+  EXPECT_EQ(9u, shapeton::PlanarEdges(shapeton::CompleteGraph(5)).size());
+  EXPECT_EQ(8u, shapeton::PlanarEdges(shapeton::CompleteBipartiteGraph(3, 3)).size());
+  EXPECT_EQ(12u, shapeton::PlanarEdges(shapeton::HypercubeGraph(3)).size());
+  EXPECT_TRUE(shapeton::PlanarEdges(shapeton::Graph{ 3, {}, {} }).empty());
+  shapeton::PhiloxStream random(17, 0, 0);
+  for (int i = 0; i < 20; ++i)
+  {
+    const shapeton::Graph graph = RandomGraph(25, 90, random);
+    std::vector<int>      kept;
+    for (int edge = 0; edge < static_cast<int>(graph.edges.size()); ++edge)
+    {
+      kept.push_back(edge);
+      if (!IsPlanarByBoost(shapeton::GraphWithEdges(graph, kept)))
+      {
+        kept.pop_back();
+      }
+    }
+    EXPECT_EQ(kept, shapeton::PlanarEdges(graph));
+  }
+}

@@ -1,4 +1,6 @@
 const NODE = '#c62828', DUAL = '#2e7d32', EDGE = '#212121', CIRCLE = '#f3b3ac';
+// Outlines and marks next to colors that show a quantity.
+const OUTLINE = '#9e9e9e', MARK = '#424242';
 const PASTEL = ['#fff3c4', '#cfe8ff', '#ffd9d4', '#d6f5d6', '#eadcff', '#ffe3c2', '#d2f4f0', '#ffd6ec', '#e8f0c8', '#dfe3ee'];
 // Selection styles: hues that are safe for color-blind readers (Okabe and Ito), each with a different width.
 const CHOSEN = '#0072b2', NEAR = '#d55e00';
@@ -6,6 +8,23 @@ const MOST_LINES = 500; // lines per path; browsers are slower per line in longe
 const FULL = 2 * Math.PI;
 
 const colorOf = (data, node) => (data.colors ? data.colors[node] : CIRCLE);
+
+const outlineOf = (data) => (data.edgeColors ? OUTLINE : NODE);
+
+// Halves of edges of each color, found on first use.
+const found = new WeakMap();
+function halvesByColor(data) {
+  if (!found.has(data)) {
+    const groups = new Map();
+    data.edgeOf.forEach((edge, half) => {
+      const color = data.edgeColors ? data.edgeColors[edge] : EDGE;
+      if (!groups.has(color)) groups.set(color, []);
+      groups.get(color).push(half);
+    });
+    found.set(data, groups);
+  }
+  return found.get(data);
+}
 
 function addLine(g, line) { line?.forEach(([x, y], k) => (k ? g.lineTo(x, y) : g.moveTo(x, y))); }
 
@@ -25,7 +44,7 @@ export function widthsOf(data) {
 
 function paintNodeCircles(g, tile) {
   const { data } = tile;
-  g.strokeStyle = NODE;
+  g.strokeStyle = outlineOf(data);
   for (let i = 0; i < data.names.length; i++) {
     const size = tile.nodeCircle(g, i);
     if (size > 0) { g.fillStyle = colorOf(data, i); g.fill(); }
@@ -55,13 +74,16 @@ export function paintTile(g, tile, show, isFirst) {
   if (show.nodeCircles) paintNodeCircles(g, tile);
   g.strokeStyle = DUAL;
   for (let i = 0; show.faceCircles && i < data.faceRadii.length; i++) if (tile.faceCircle(g, i)) g.stroke();
-  g.strokeStyle = EDGE;
-  if (show.graph) strokeLines(g, data.starts.length, (h) => tile.half(h));
+  for (const [color, halves] of show.graph ? halvesByColor(data) : []) {
+    Object.assign(g, { strokeStyle: color, lineWidth: data.edgeColors ? 2 * line : line });
+    strokeLines(g, halves.length, (i) => tile.half(halves[i]));
+  }
+  g.lineWidth = line;
   g.strokeStyle = DUAL;
   if (show.dual) strokeLines(g, data.dual.length / 2 / tile.model.step, (i) => tile.dual(i));
   for (let i = 0; (show.nodes || show.labels) && i < data.names.length; i++) {
     if (!tile.isSeen(i)) continue;
-    if (show.nodes) paintDot(g, tile, i, size, NODE);
+    if (show.nodes) paintDot(g, tile, i, size, data.edgeColors ? MARK : NODE);
     if (show.labels && isFirst) label(g, tile, i);
   }
 }
@@ -74,7 +96,7 @@ export function paintDomain(g, tile, index) {
     if (i) g.lineTo(x, y); else g.moveTo(x, y);
   }
   g.closePath();
-  g.fillStyle = PASTEL[index % PASTEL.length];
+  g.fillStyle = tile.data.edgeColors ? '#fff' : PASTEL[index % PASTEL.length];
   g.strokeStyle = index ? '#b0a890' : '#8d6e00';
   g.fill();
   g.stroke();

@@ -92,46 +92,28 @@ private:
     }
   }
 
-  /** Graph edge of each packed edge; -1 for edges of dummies. */
-  std::vector<int>
-  EdgesOfGraph() const
-  {
-    const auto       edges = static_cast<int>(m_View.certificate->graph.edges.size());
-    std::vector<int> owners(m_Graph.map.Edges(), -1);
-    for (int edge = 0; edge < edges; ++edge)
-    {
-      owners[edge] = edge;
-    }
-    for (const std::vector<int> & path : m_View.certificate->subdivided)
-    {
-      const int edge = owners[path.front() / 2];
-      for (const int h : path)
-      {
-        owners[h / 2] = edge;
-      }
-    }
-    return owners;
-  }
-
   void
   AddEdges()
   {
-    const std::vector<int> owners = this->EdgesOfGraph();
-    Json                   starts = Json::array();
-    Json                   touches = Json::array();
-    Json                   edgeOf = Json::array();
+    Json starts = Json::array();
+    Json touches = Json::array();
+    Json edgeOf = Json::array();
     for (int h = 0; h < m_Graph.map.HalfEdges(); ++h)
     {
       if (m_Graph.isVisibleEdge[h / 2] != 0)
       {
         starts.push_back(m_Graph.map.Node(h));
         this->Append(touches, m_Graph.touch[h]);
-        edgeOf.push_back(owners[h / 2]);
+        edgeOf.push_back(m_Graph.edgeOf[h / 2]);
       }
     }
     m_Data["starts"] = std::move(starts);
     m_Data["touches"] = std::move(touches);
     m_Data["edgeOf"] = std::move(edgeOf);
+    if (!m_View.edgeColors.empty())
+    {
+      m_Data["edgeColors"] = m_View.edgeColors;
+    }
     Json ends = Json::array();
     for (const auto & edge : m_View.certificate->graph.edges)
     {

@@ -66,6 +66,14 @@ HelpOf(EmbeddingGeometry geometry)
   }
 }
 
+std::string
+LegendOf(const GraphView & view)
+{
+  return view.colorBar ? "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"290\" height=\"46\">\n" +
+                           ColorBarMarkup(*view.colorBar, 0, 0) + "</svg>"
+                       : std::string();
+}
+
 void
 AddGroup(const ViewGroup & views, DiskModel disk, int & number, HtmlReport & page)
 {
@@ -75,7 +83,7 @@ AddGroup(const ViewGroup & views, DiskModel disk, int & number, HtmlReport & pag
     const std::string id = "graph" + std::to_string(number++);
     page.AddMarkup("<figure data-graph=\"" + id + "\"><div class=\"stack\"></div><figcaption>" + SvgText(view->title) +
                    "</figcaption>\n<script type=\"application/json\" id=\"" + id + "\">" +
-                   ScriptText(PageDataOf(*view)) + "</script></figure>\n");
+                   ScriptText(PageDataOf(*view)) + "</script>" + LegendOf(*view) + "</figure>\n");
   }
   page.AddMarkup("</div>\n</div>\n");
   page.AddParagraph(HelpOf(views.front()->certificate->geometry));

@@ -23,6 +23,8 @@ struct ShapetonGraphViews_EXPORT EmbeddedGraph
    * as seen from the lift of its start node. */
   std::vector<Place> touch;
   std::vector<Place> corner;
+  /** Edge of the graph to which each packed edge belongs; -1 for edges of dummies. */
+  std::vector<int> edgeOf;
   /** Whether a packed edge belongs to an edge of the graph. */
   std::vector<char> isVisibleEdge;
   /** Halves of the graph's edges, each from a node or a dummy of a path to the tangency point. */

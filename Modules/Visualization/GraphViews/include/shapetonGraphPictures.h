@@ -4,6 +4,7 @@
 #include "ShapetonGraphViewsExport.h"
 #include "shapetonEmbeddingCertificate.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,15 @@ enum class DiskModel
 {
   Poincare,
   Klein
+};
+
+/** Legend of the colors of a quantity, see DivergingColor(). \ingroup ShapetonGraphViews */
+struct GraphColorBar
+{
+  /** Quantity and unit. */
+  std::string title;
+  /** Values up to this magnitude are shown, > 0. */
+  double most{ 1.0 };
 };
 
 /** An embedded graph and how to draw it.
@@ -31,6 +41,11 @@ struct GraphView
   /** Pages only: key of each node, shared with the corresponding nodes of other graphs. If empty, nodes correspond by
    * name. */
   std::vector<int> nodeKeys{};
+  /** Color of each edge, "#rrggbb"; empty for one color. With edge colors, outlines are gray, and
+   * the tiles of the universal cover white and without the fundamental polygon. */
+  std::vector<std::string> edgeColors{};
+  /** Legend of node and edge colors, or none. */
+  std::optional<GraphColorBar> colorBar{};
 };
 
 /** Model of the hyperbolic plane, size and arrangement of the panels for WriteGraphSvg().
@@ -73,6 +88,17 @@ WriteGraphVtp(const EmbeddingCertificate &                             certifica
  * \ingroup ShapetonGraphViews */
 ShapetonGraphViews_EXPORT std::vector<std::string>
                           DistinctColors(int count);
+
+/** Color of a value between -1 and 1: orange, gray at 0, blue; values outside are clamped. Orange and blue are
+ * distinguishable for color-blind readers (Okabe and Ito). `lightness` from 0 to 1 mixes with white, for areas behind
+ * lines. \ingroup ShapetonGraphViews */
+ShapetonGraphViews_EXPORT std::string
+                          DivergingColor(double value, double lightness = 0.0);
+
+/** SVG elements of a legend with its upper left corner at a position in pixels; 290 x 46 pixels.
+ * \ingroup ShapetonGraphViews */
+ShapetonGraphViews_EXPORT std::string
+                          ColorBarMarkup(const GraphColorBar & bar, int left, int top);
 } // namespace shapeton
 
 #endif

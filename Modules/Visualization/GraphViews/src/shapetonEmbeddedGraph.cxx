@@ -73,15 +73,17 @@ EmbeddedGraph::FindPlaces()
 void
 EmbeddedGraph::FindVisibleEdges()
 {
-  isVisibleEdge.assign(map.Edges(), 0);
-  std::fill_n(isVisibleEdge.begin(), certificate.graph.edges.size(), 1);
+  edgeOf.assign(map.Edges(), -1);
+  std::iota(edgeOf.begin(), edgeOf.begin() + static_cast<std::ptrdiff_t>(certificate.graph.edges.size()), 0);
   for (const std::vector<int> & path : certificate.subdivided)
   {
     for (const int h : path)
     {
-      isVisibleEdge[h / 2] = 1;
+      edgeOf[h / 2] = path.front() / 2;
     }
   }
+  isVisibleEdge.assign(map.Edges(), 0);
+  std::transform(edgeOf.begin(), edgeOf.end(), isVisibleEdge.begin(), [](int edge) { return edge >= 0 ? 1 : 0; });
   for (int h = 0; h < map.HalfEdges(); ++h)
   {
     if (isVisibleEdge[h / 2] != 0)

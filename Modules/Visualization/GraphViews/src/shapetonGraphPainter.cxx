@@ -24,6 +24,15 @@ constexpr double PolygonWidth = 1.8;
 /** Widths relative to edges. */
 constexpr double DualWidth = 0.7;
 constexpr double CircleWidth = 0.8;
+constexpr double ColoredWidth = 2.0; // edges with colors need more area
+
+/** Outlines and marks next to colors that show a quantity. */
+const char * const OutlineColor = "#9e9e9e";
+const char * const MarkColor = "#424242";
+
+/** Space around the legend, pixels. */
+constexpr int LegendMargin = 8;
+constexpr int LegendHeight = 46;
 } // namespace
 
 std::string
@@ -43,12 +52,16 @@ GraphPainter::Paint(const PanelPlan & plan) const
     this->PaintCircles(plan, panel);
   }
   const double width = LineWidth();
-  panel.AddSegments(this->Edges(), plan.tiles, { EdgeColor, "", width, 1.0, false });
+  for (const auto & [color, segments] : this->EdgesByColor())
+  {
+    const double ofColor = m_View.edgeColors.empty() ? 1.0 : ColoredWidth;
+    panel.AddSegments(segments, plan.tiles, { color, "", ofColor * width, 1.0, false });
+  }
   if (plan.hasDual)
   {
     panel.AddSegments(m_Graph.dual, plan.tiles, { FaceColor, "", DualWidth * width, 1.0, false });
   }
-  if (plan.hasTiles)
+  if (plan.hasTiles && m_View.edgeColors.empty())
   {
     panel.AddPolygon(PolygonCorners(m_Graph), {}, { "#8e24aa", "", PolygonWidth, 1.0, true });
   }
@@ -71,23 +84,25 @@ GraphPainter::Paint(const PanelPlan & plan) const
                                       : std::to_string(namesLeftOut) + " names do not fit their circles");
   }
   panel.AddTitle(title);
-  return panel.Content();
+  return panel.Content() +
+         (m_View.colorBar ? ColorBarMarkup(*m_View.colorBar, LegendMargin, m_Size - LegendHeight - LegendMargin) : "");
 }
 
-/** Draws whole edges on the sphere if the arc between the ends passes through the tangency point, else halves. */
-std::vector<EmbeddedGraph::Segment>
-GraphPainter::Edges() const
+/** Segments of each color. Draws whole edges on the sphere if the arc between the ends passes through the tangency
+ * point, else halves. */
+std::map<std::string, std::vector<EmbeddedGraph::Segment>>
+GraphPainter::EdgesByColor() const
 {
-  if (m_Graph.space.Geometry() != EmbeddingGeometry::Spherical)
+  const bool isSphere = m_Graph.space.Geometry() == EmbeddingGeometry::Spherical;
+  std::map<std::string, std::vector<EmbeddedGraph::Segment>> edges;
+  for (int h = 0; h < m_Graph.map.HalfEdges(); h += isSphere ? 2 : 1)
   {
-    return m_Graph.halfEdges;
-  }
-  std::vector<EmbeddedGraph::Segment> edges;
-  for (int h = 0; h < m_Graph.map.HalfEdges(); h += 2)
-  {
-    if (m_Graph.isVisibleEdge[h / 2] != 0)
+    const int edge = m_Graph.edgeOf[h / 2];
+    if (edge >= 0)
     {
-      edges.push_back({ m_Graph.nodes[m_Graph.map.Node(h)], m_Graph.nodes[m_Graph.map.Node(h + 1)] });
+      const Place & start = m_Graph.nodes[m_Graph.map.Node(h)];
+      const Place & end = isSphere ? m_Graph.nodes[m_Graph.map.Node(h + 1)] : m_Graph.touch[h];
+      edges[m_View.edgeColors.empty() ? EdgeColor : m_View.edgeColors[edge]].push_back({ start, end });
     }
   }
   return edges;
@@ -120,7 +135,8 @@ GraphPainter::PaintTiles(const PanelPlan & plan, SvgPanel & panel) const
   }
   for (std::size_t i = plan.tiles.size(); i-- > 0;)
   {
-    panel.AddPolygon(boundary, plan.tiles[i], { "#b0a890", TileColors[i % TileColors.size()], TileWidth, 1.0, false });
+    const std::string fill = m_View.edgeColors.empty() ? TileColors[i % TileColors.size()] : "#ffffff";
+    panel.AddPolygon(boundary, plan.tiles[i], { "#b0a890", fill, TileWidth, 1.0, false });
   }
   panel.AddPolygon(boundary, {}, { "#8d6e00", "", DomainWidth, 1.0, false });
 }
@@ -128,14 +144,15 @@ GraphPainter::PaintTiles(const PanelPlan & plan, SvgPanel & panel) const
 void
 GraphPainter::PaintCircles(const PanelPlan & plan, SvgPanel & panel) const
 {
-  const double width = CircleWidth * LineWidth();
+  const double       width = CircleWidth * LineWidth();
+  const char * const outline = m_View.edgeColors.empty() ? NodeColor : OutlineColor;
   for (const Motion & tile : plan.tiles)
   {
     for (int node = 0; node < m_Graph.certificate.graph.nodes; ++node)
     {
       const std::string fill = m_View.nodeColors.empty() ? "#f8c9c4" : m_View.nodeColors[node];
       panel.AddCircle(
-        m_Graph.nodes[node], m_Graph.certificate.nodeRadii[node], tile, { NodeColor, fill, width, 1.0, false });
+        m_Graph.nodes[node], m_Graph.certificate.nodeRadii[node], tile, { outline, fill, width, 1.0, false });
     }
     for (std::size_t face = 0; plan.hasDual && face < m_Graph.faces.size(); ++face)
     {
@@ -151,14 +168,15 @@ GraphPainter::PaintCircles(const PanelPlan & plan, SvgPanel & panel) const
 void
 GraphPainter::PaintDots(const PanelPlan & plan, SvgPanel & panel) const
 {
-  constexpr double largest = 5.0, largestOfFace = 4.0, largestOfLine = 1.6; // pixels; the last relative to edges
-  constexpr double ofNode = 0.3, ofFace = 0.25, ofEdgeNode = 0.12;          // of the radius of the circle
+  constexpr double   largest = 5.0, largestOfFace = 4.0, largestOfLine = 1.6; // pixels; the last relative to edges
+  constexpr double   ofNode = 0.3, ofFace = 0.25, ofEdgeNode = 0.12;          // of the radius of the circle
+  const char * const mark = m_View.edgeColors.empty() ? NodeColor : MarkColor;
   for (const Motion & tile : plan.tiles)
   {
     for (int node = 0; node < m_Graph.certificate.graph.nodes && !m_View.hasLabels; ++node)
     {
       const double pixels = panel.PixelsOf(m_Graph.nodes[node], m_Graph.certificate.nodeRadii[node], tile);
-      panel.AddDot(m_Graph.nodes[node], tile, std::min(largest, ofNode * pixels), NodeColor);
+      panel.AddDot(m_Graph.nodes[node], tile, std::min(largest, ofNode * pixels), mark);
     }
     for (const int face : plan.hasDual ? m_Graph.representatives : std::vector<int>())
     {

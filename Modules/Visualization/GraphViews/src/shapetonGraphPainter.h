@@ -3,6 +3,8 @@
 
 #include "shapetonPanelPlans.h"
 
+#include <map>
+
 namespace shapeton
 {
 /** Paints panels of one graph. */
@@ -17,8 +19,8 @@ public:
   Paint(const PanelPlan & plan) const;
 
 private:
-  std::vector<EmbeddedGraph::Segment>
-  Edges() const;
+  std::map<std::string, std::vector<EmbeddedGraph::Segment>>
+  EdgesByColor() const;
   double
   LeastPixels() const;
   double

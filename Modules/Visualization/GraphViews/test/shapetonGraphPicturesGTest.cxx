@@ -3,6 +3,7 @@
 #include "shapetonCertificateFixtures.h"
 #include "shapetonCurveSet.h"
 #include "shapetonGraphInSpace.h"
+#include "shapetonGrowthPlot.h"
 #include "shapetonTestFolder.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonSurfaceReader.h"
@@ -146,6 +147,56 @@ TEST(GraphPictures, SmallMultiplesHaveTheColorsOfTheirNodes)
   {
     EXPECT_EQ(2u, page.Count("circle", "fill", color));
   }
+}
+
+/** Edges have their colors, and neither outlines nor tiles compete with them. */
+TEST(GraphPictures, EdgesHaveTheirColorsAndALegend)
+{
+  const Folder               folder;
+  const EmbeddingCertificate cube = Cube();
+  const EmbeddingCertificate torus = TorusGrid(3, 2);
+  for (const EmbeddingCertificate * certificate : { &cube, &torus })
+  {
+    const auto          edges = static_cast<int>(certificate->graph.edges.size());
+    shapeton::GraphView view{ "colored", certificate, shapeton::DistinctColors(certificate->graph.nodes) };
+    view.edgeColors = shapeton::DistinctColors(edges);
+    view.colorBar = shapeton::GraphColorBar{ "curvature <no unit>", 1.25 };
+    shapeton::WriteGraphSheetSvg({ view }, {}, folder / "colored.svg");
+    const XmlPage page(folder / "colored.svg");
+    ASSERT_TRUE(page.isWellFormed);
+    for (const std::string & color : view.edgeColors)
+    {
+      EXPECT_EQ(1u, page.Count("path", "stroke", color));
+    }
+    EXPECT_EQ(0u, page.Count("path", "stroke", "#212121"));
+    EXPECT_EQ(0u, page.Count("circle", "stroke", Node));
+    EXPECT_EQ(0u, page.Count("path", "fill", "#fff3c4"));
+    EXPECT_NE(std::string::npos, page.text.find("curvature &lt;no unit&gt;"));
+    EXPECT_NE(std::string::npos, page.text.find(">-1.25<"));
+    EXPECT_EQ(1u, page.Count("g", "class", "colorBar"));
+  }
+}
+
+TEST(GraphPictures, DivergingColors)
+{
+  EXPECT_EQ("#d55e00", shapeton::DivergingColor(-1.0));
+  EXPECT_EQ("#0072b2", shapeton::DivergingColor(7.0));
+  EXPECT_EQ("#b0b0b0", shapeton::DivergingColor(0.0));
+  EXPECT_EQ("#ffffff", shapeton::DivergingColor(0.3, 1.0));
+}
+
+/** A point per radius, and none where the quantity is undefined. */
+TEST(GraphPictures, GrowthPlot)
+{
+  const Folder folder;
+  const double undefined = std::nan("");
+  shapeton::WriteGrowthSvg(
+    { { "a", { 1, 2, 8, 20 }, { 0.1, 0.2, 0.4, 0.5 } }, { "b", { 1, 2 }, { undefined, 3.0 } }, { "c", {}, {} } },
+    folder / "growth.svg");
+  const XmlPage page(folder / "growth.svg");
+  ASSERT_TRUE(page.isWellFormed);
+  EXPECT_EQ(5u, page.Count("circle", "fill", "#0072b2"));
+  EXPECT_NE(std::string::npos, page.text.find(">10<"));
 }
 
 /** Circles of the VTP file of a cube touch where expected: the nearest points of two tangent circles are equal, except

@@ -1,0 +1,80 @@
+#include "shapetonGraphPictures.h"
+#include "shapetonSvgPanel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+using Channels = std::array<double, 3>;
+
+std::string
+HexColor(const Channels & color)
+{
+  constexpr char digits[] = "0123456789abcdef";
+  constexpr int  base = 16;
+  std::string    text = "#";
+  for (const double channel : color)
+  {
+    const int byte = static_cast<int>(std::lround(std::clamp(channel, 0.0, 255.0)));
+    text += digits[byte / base];
+    text += digits[byte % base];
+  }
+  return text;
+}
+
+Channels
+Mixed(const Channels & a, const Channels & b, double share)
+{
+  Channels mixed{};
+  for (std::size_t i = 0; i < mixed.size(); ++i)
+  {
+    mixed[i] = a[i] + share * (b[i] - a[i]);
+  }
+  return mixed;
+}
+
+std::string
+Text(double x, double y, const char * anchor, const std::string & text)
+{
+  return "<text x=\"" + SvgNumber(x) + "\" y=\"" + SvgNumber(y) +
+         "\" font-size=\"11\" font-family=\"sans-serif\" text-anchor=\"" + anchor + "\">" + SvgText(text) + "</text>\n";
+}
+} // namespace
+
+std::string
+DivergingColor(double value, double lightness)
+{
+  constexpr Channels negative{ 213.0, 94.0, 0.0 };
+  constexpr Channels zero{ 176.0, 176.0, 176.0 }; // still visible as a line on white
+  constexpr Channels positive{ 0.0, 114.0, 178.0 };
+  constexpr Channels white{ 255.0, 255.0, 255.0 };
+  const double       share = std::min(std::abs(value), 1.0);
+  return HexColor(Mixed(Mixed(zero, value < 0.0 ? negative : positive, share), white, lightness));
+}
+
+std::string
+ColorBarMarkup(const GraphColorBar & bar, int left, int top)
+{
+  constexpr double width = 290.0, height = 46.0, margin = 8.0;
+  constexpr double titleLine = 13.0, barTop = 18.0, barHeight = 10.0, numberLine = 41.0;
+  constexpr int    steps = 32;
+  const double     length = width - 2.0 * margin;
+  std::string text = "<g class=\"colorBar\" transform=\"translate(" + std::to_string(left) + ' ' + std::to_string(top) +
+                     ")\">\n<rect width=\"" + SvgNumber(width) + "\" height=\"" + SvgNumber(height) +
+                     "\" fill=\"#ffffff\" opacity=\"0.9\"/>\n";
+  for (int i = 0; i < steps; ++i)
+  {
+    const double middle = (2.0 * i + 1.0) / steps - 1.0;
+    text += "<rect x=\"" + SvgNumber(margin + length * i / steps) + "\" y=\"" + SvgNumber(barTop) + "\" width=\"" +
+            SvgNumber(length / steps + 0.5) + "\" height=\"" + SvgNumber(barHeight) + "\" fill=\"" +
+            DivergingColor(middle) + "\"/>\n";
+  }
+  return text + Text(margin, titleLine, "start", bar.title) + Text(margin, numberLine, "start", SvgNumber(-bar.most)) +
+         Text(width / 2.0, numberLine, "middle", "0") + Text(width - margin, numberLine, "end", SvgNumber(bar.most)) +
+         "</g>\n";
+}
+} // namespace shapeton
