@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 
 namespace shapeton
 {
@@ -112,6 +113,50 @@ private:
     Pair
   };
 
+  /** Two unknowns of an edge, the smaller one first; -1 if one is fixed. */
+  std::array<int, 2>
+  UnknownsOf(int edge) const
+  {
+    const IntrinsicTriangulation & triangulation = m_Metric.Triangulation();
+    const int                      side = triangulation.SideOf(edge);
+    const int                      a = m_Place[m_Unknowns.ofVertices[triangulation.Origin(side)]];
+    const int                      b = m_Place[m_Unknowns.ofVertices[triangulation.End(side)]];
+    return { std::min(a, b), std::max(a, b) };
+  }
+
+  /** The larger unknown and the number of each edge between two different ones, in buckets by the smaller unknown; also
+   * resets the kinds of all edges. */
+  std::vector<std::array<int, 2>>
+  EdgesByFirstUnknown(std::vector<int> & begin)
+  {
+    const int edges = m_Metric.Triangulation().NumberOfEdges();
+    m_PairOfEdge.assign(edges, { Kind::Fixed, -1 });
+    std::vector<std::array<int, 2>> unknowns(edges);
+    for (int e = 0; e < edges; ++e)
+    {
+      const auto [a, b] = unknowns[e] = this->UnknownsOf(e);
+      if (a != -1 && a == b)
+      {
+        m_PairOfEdge[e] = { Kind::Loop, a };
+      }
+      else if (a != -1)
+      {
+        ++begin[a + 1];
+      }
+    }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<int>                next = begin;
+    std::vector<std::array<int, 2>> buckets(begin.back());
+    for (int e = 0; e < edges; ++e)
+    {
+      if (const auto [a, b] = unknowns[e]; a != -1 && a != b)
+      {
+        buckets[next[a]++] = { b, e };
+      }
+    }
+    return buckets;
+  }
+
   /** Symbolic factorization of the current triangulation. */
   void
   Analyze()
@@ -121,32 +166,21 @@ private:
       return;
     }
     m_Changes = m_Metric.Changes();
-    const IntrinsicTriangulation &  triangulation = m_Metric.Triangulation();
-    std::vector<std::array<int, 3>> sorted; // two places and the edge
-    m_PairOfEdge.assign(triangulation.NumberOfEdges(), { Kind::Fixed, -1 });
-    for (int e = 0; e < triangulation.NumberOfEdges(); ++e)
-    {
-      const int side = triangulation.SideOf(e);
-      const int a = m_Place[m_Unknowns.ofVertices[triangulation.Origin(side)]];
-      const int b = m_Place[m_Unknowns.ofVertices[triangulation.End(side)]];
-      if (a != -1 && a == b)
-      {
-        m_PairOfEdge[e] = { Kind::Loop, a };
-      }
-      else if (a != -1 && b != -1)
-      {
-        sorted.push_back({ std::min(a, b), std::max(a, b), e });
-      }
-    }
-    std::sort(sorted.begin(), sorted.end());
     std::vector<std::array<int, 2>> pairs;
-    for (const auto & [a, b, edge] : sorted)
+    std::vector<int>                begin(m_Free + 1, 0);
+    auto                            buckets = this->EdgesByFirstUnknown(begin);
+    for (int first = 0; first < m_Free; ++first)
     {
-      if (pairs.empty() || pairs.back() != std::array<int, 2>{ a, b })
+      std::sort(buckets.begin() + begin[first], buckets.begin() + begin[first + 1]);
+      for (int i = begin[first]; i < begin[first + 1]; ++i)
       {
-        pairs.push_back({ a, b });
+        const auto [second, edge] = buckets[i];
+        if (i == begin[first] || buckets[i - 1][0] != second)
+        {
+          pairs.push_back({ first, second });
+        }
+        m_PairOfEdge[edge] = { Kind::Pair, static_cast<int>(pairs.size()) - 1 };
       }
-      m_PairOfEdge[edge] = { Kind::Pair, static_cast<int>(pairs.size()) - 1 };
     }
     if (pairs != m_Pairs || !m_Factor)
     {
@@ -178,7 +212,7 @@ RicciSolution
 SolveForCurvature(ConformalMetric &       metric,
                   const RicciUnknowns &   unknowns,
                   const Eigen::VectorXd & start,
-                  double                  tolerance,
+                  const RicciTolerance &  tolerance,
                   const Progress &        progress)
 {
   Newton        newton(metric, unknowns);
@@ -189,9 +223,9 @@ SolveForCurvature(ConformalMetric &       metric,
   }
   Eigen::VectorXd gradient = newton.Gradient();
   const double    first = LargestOf(gradient);
-  for (solution.residual = first; solution.residual > tolerance; ++solution.steps)
+  for (solution.residual = first; solution.residual > tolerance.goal; ++solution.steps)
   {
-    progress(1.0 - std::log(solution.residual / tolerance) / std::log(std::max(first / tolerance, 2.0)));
+    progress(1.0 - std::log(solution.residual / tolerance.goal) / std::log(std::max(first / tolerance.goal, 2.0)));
     const Eigen::VectorXd step = newton.Step(gradient);
     const double          descent = -gradient.dot(step);
     double                part = std::min(1.0, longestStep / std::max(LargestOf(step), 1e-300));
@@ -211,12 +245,22 @@ SolveForCurvature(ConformalMetric &       metric,
         gradient = next;
       }
     }
+    if (!isBetter && solution.residual <= tolerance.accepted)
+    {
+      newton.Set(solution.u);
+      return solution;
+    }
     if (!isBetter)
     {
       throw InputError("the Ricci flow stops at a curvature error of " + NumberText(solution.residual) + " after " +
                        std::to_string(solution.steps) + " steps");
     }
+    const double before = solution.residual;
     solution.residual = LargestOf(gradient);
+    if (before <= tolerance.accepted && solution.residual > 0.5 * before)
+    {
+      break; // rounding errors
+    }
   }
   return solution;
 }

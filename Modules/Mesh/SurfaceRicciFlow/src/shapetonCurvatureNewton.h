@@ -21,6 +21,14 @@ struct RicciUnknowns
   int gauge{ -1 };
 };
 
+/** Largest errors of a curvature (radians): where the flow ends, and where it may end if rounding errors prevent
+ * further progress. */
+struct RicciTolerance
+{
+  double goal{ 2e-11 };
+  double accepted{ 1e-10 };
+};
+
 struct RicciSolution
 {
   Eigen::VectorXd u; ///< for each unknown
@@ -31,13 +39,12 @@ struct RicciSolution
 
 /** Minimizes the convex energy with the gradient curvature - target by Newton's method. A step is halved until the slope
  * of the energy at its end is negative, or at most half the initial descent in size with a smaller gradient. On return,
- * the factors of the solution are current in `metric`. Stops at the tolerance, or where rounding errors prevent further
- * progress. Throws InputError if no step helps or the Hessian is not positive definite. */
+ * the factors of the solution are current in `metric`. Throws InputError if no step helps or the Hessian is not positive definite. */
 RicciSolution
 SolveForCurvature(ConformalMetric &       metric,
                   const RicciUnknowns &   unknowns,
                   const Eigen::VectorXd & start,
-                  double                  tolerance,
+                  const RicciTolerance &  tolerance,
                   const Progress &        progress);
 } // namespace shapeton
 

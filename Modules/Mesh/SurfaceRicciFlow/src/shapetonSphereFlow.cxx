@@ -13,6 +13,10 @@ namespace shapeton
 {
 namespace
 {
+/** Stricter than for other metrics, because small faces near the vertex at infinity magnify errors. */
+constexpr RicciTolerance planeTolerance{ 1e-13, 1e-10 };
+/** Vertices tried at infinity. The first is usually good. */
+constexpr std::size_t mostCandidates = 20;
 constexpr int mostRounds = 100; // of flips at the vertex at infinity; 1 to 3 are usual
 
 /** Sides that start at a vertex. */
@@ -78,7 +82,6 @@ RicciSolution
 FlowToCones(IntrinsicTriangulation & triangulation,
             Eigen::VectorXd &        coordinates,
             const std::vector<int> & cones,
-            double                   tolerance,
             const Progress &         progress,
             int &                    flips)
 {
@@ -96,18 +99,18 @@ FlowToCones(IntrinsicTriangulation & triangulation,
   }
   ConformalMetric     metric(triangulation, coordinates, RicciScheme::VertexScaling, RicciGeometry::Euclidean);
   const RicciSolution solution = SolveForCurvature(
-    metric, unknowns, Eigen::VectorXd::Zero(triangulation.NumberOfVertices()), tolerance, progress);
+    metric, unknowns, Eigen::VectorXd::Zero(triangulation.NumberOfVertices()), planeTolerance, progress);
   triangulation = metric.Triangulation();
   coordinates = metric.Lengths();
   flips = static_cast<int>(metric.Flips().size());
   return solution;
 }
 
-/** The vertex whose faces have the best worst shape; its neighbors are distinct, and it is not close to the cones. */
-int
-ChooseInfinity(const IntrinsicTriangulation & triangulation,
-               const Eigen::VectorXd &        lengths,
-               const std::vector<int> &       cones)
+/** Vertices with distinct neighbors and not close to the cones, those whose faces have the best worst shape first. */
+std::vector<int>
+CandidatesForInfinity(const IntrinsicTriangulation & triangulation,
+                      const Eigen::VectorXd &        lengths,
+                      const std::vector<int> &       cones)
 {
   const std::vector<int>     steps = StepsFrom(triangulation, cones);
   const int                  farthest = *std::max_element(steps.begin(), steps.end());
@@ -124,16 +127,17 @@ ChooseInfinity(const IntrinsicTriangulation & triangulation,
     neighbors[v].insert(triangulation.End(side));
     ++degrees[v];
   }
-  int best = -1;
+  std::vector<int> candidates;
   for (int v = 0; v < triangulation.NumberOfVertices(); ++v)
   {
-    if (neighbors[v].size() == degrees[v] && neighbors[v].count(v) == 0 && 2 * steps[v] >= farthest &&
-        (best == -1 || quality[v] > quality[best]))
+    if (neighbors[v].size() == degrees[v] && neighbors[v].count(v) == 0 && 2 * steps[v] >= farthest)
     {
-      best = v;
+      candidates.push_back(v);
     }
   }
-  return best;
+  std::stable_sort(candidates.begin(), candidates.end(), [&](int a, int b) { return quality[a] > quality[b]; });
+  candidates.resize(std::min(candidates.size(), mostCandidates));
+  return candidates;
 }
 
 /** Flat metric of the faces that do not touch the vertex at infinity. */
@@ -151,7 +155,6 @@ FlattenAround(IntrinsicTriangulation & triangulation,
               Eigen::VectorXd &        coordinates,
               int                      infinity,
               Eigen::VectorXd          start,
-              double                   tolerance,
               const Progress &         progress)
 {
   FlatPart               part;
@@ -176,7 +179,7 @@ FlattenAround(IntrinsicTriangulation & triangulation,
     start[v] = -2.0 * std::log(coordinates[triangulation.EdgeOf(side)]);
   }
   ConformalMetric metric(rest, kept, RicciScheme::VertexScaling, RicciGeometry::Euclidean);
-  part.solution = SolveForCurvature(metric, unknowns, start, tolerance, progress);
+  part.solution = SolveForCurvature(metric, unknowns, start, planeTolerance, progress);
   part.angleSums = metric.AngleSums();
   part.flips = static_cast<int>(metric.Flips().size());
   for (const int side : metric.Flips())
@@ -225,6 +228,59 @@ FlipConcaveNeighbors(IntrinsicTriangulation & triangulation,
   return isFlipped;
 }
 
+/** A flat metric whose vertex at infinity has convex neighbors. */
+struct FlatSphere
+{
+  IntrinsicTriangulation triangulation;
+  Eigen::VectorXd        coordinates;
+  FlatPart               part;
+  int                    infinity{ -1 };
+};
+
+/** Flattens the triangulation without the vertex at infinity until the neighbors of that are convex. Throws InputError
+ * if this fails. Adds steps and flips. */
+void
+Unfold(FlatSphere & flat, const Progress & progress, SpherePolyhedron & count)
+{
+  Eigen::VectorXd start = Eigen::VectorXd::Constant(
+    flat.triangulation.NumberOfVertices(),
+    -2.0 * std::log(flat.coordinates[flat.triangulation.EdgeOf(SidesFrom(flat.triangulation, flat.infinity).front())]));
+  for (int round = 0; round < mostRounds; ++round)
+  {
+    flat.part = FlattenAround(flat.triangulation, flat.coordinates, flat.infinity, start, progress);
+    count.steps += flat.part.solution.steps;
+    count.flips += flat.part.flips;
+    start = flat.part.solution.u;
+    if (!FlipConcaveNeighbors(flat.triangulation, flat.coordinates, flat.infinity, flat.part.angleSums))
+    {
+      return;
+    }
+  }
+  throw InputError("the neighbors of the vertex at infinity are not convex");
+}
+
+/** Unfold() for the first vertex at infinity with which it succeeds. */
+FlatSphere
+UnfoldAround(const std::vector<int> & candidates, const FlatSphere & start, const Progress & progress, SpherePolyhedron & count)
+{
+  std::string reason = "no vertex has distinct neighbors";
+  for (const int infinity : candidates)
+  {
+    FlatSphere flat = start;
+    flat.infinity = infinity;
+    try
+    {
+      Unfold(flat, progress, count);
+      return flat;
+    }
+    catch (const InputError & error)
+    {
+      reason = error.what();
+    }
+  }
+  throw InputError("no spherical metric was found: " + reason);
+}
+
 /** Boosts the sphere until the weighted mean is 0; scales of chords go along. */
 void
 CenterSphere(const Eigen::VectorXd & weights, VertexMatrix & places, Eigen::VectorXd & logScales)
@@ -253,13 +309,37 @@ CenterSphere(const Eigen::VectorXd & weights, VertexMatrix & places, Eigen::Vect
     }
   }
 }
+
+/** Stereographic projection of the plane, scaled and moved so that the sphere is roughly centered. */
+void
+Project(const FlatSphere & flat, const Eigen::VectorXd & weights, SpherePolyhedron & result)
+{
+  // Scale the plane by the root of the mean weighted square of the distance from the weighted mean.
+  const double               total = weights.sum() - weights[flat.infinity];
+  Eigen::VectorXd            others = weights;
+  others[flat.infinity] = 0.0;
+  const std::complex<double> mean = (others.cast<std::complex<double>>().transpose() * flat.part.places)(0) / total;
+  const Eigen::VectorXcd     places = flat.part.places.array() - mean;
+  const double               scale = std::sqrt(others.dot(places.cwiseAbs2()) / total);
+  result.places.resize(places.size(), 3);
+  result.logScales.resize(places.size());
+  for (Eigen::Index v = 0; v < places.size(); ++v)
+  {
+    const std::complex<double> z = places[v] / scale;
+    const double               square = std::norm(z);
+    result.places.row(v) << 2.0 * z.real() / (1.0 + square), 2.0 * z.imag() / (1.0 + square),
+      (1.0 - square) / (1.0 + square);
+    result.logScales[v] = flat.part.solution.u[v] + std::log(2.0 / scale / (1.0 + square));
+  }
+  result.places.row(flat.infinity) << 0.0, 0.0, -1.0;
+  result.logScales[flat.infinity] = std::log(2.0 * scale);
+}
 } // namespace
 
 SpherePolyhedron
 FlowToSphere(IntrinsicTriangulation & triangulation,
              Eigen::VectorXd          coordinates,
              const Eigen::VectorXd &  weights,
-             double                   tolerance,
              const Progress &         progress)
 {
   constexpr int          fewestVertices = 5;
@@ -272,56 +352,21 @@ FlowToSphere(IntrinsicTriangulation & triangulation,
   // inversion there makes its neighbors convex.
   SpherePolyhedron    result;
   const RicciSolution onCones =
-    FlowToCones(triangulation, coordinates, cones, tolerance, progress.Part("", 0.0, 0.5), result.flips);
-  const int infinity = ChooseInfinity(triangulation, coordinates, cones);
-  if (infinity == -1)
-  {
-    throw InputError("no vertex of the surface has distinct neighbors, which a spherical metric requires");
-  }
+    FlowToCones(triangulation, coordinates, cones, progress.Part("", 0.0, 0.5), result.flips);
   result.steps = onCones.steps;
-  FlatPart         part;
-  Eigen::VectorXd  start = Eigen::VectorXd::Constant(
-    triangulation.NumberOfVertices(),
-    -2.0 * std::log(coordinates[triangulation.EdgeOf(SidesFrom(triangulation, infinity).front())]));
-  bool isConvex = false;
-  for (int round = 0; round < mostRounds && !isConvex; ++round)
-  {
-    part = FlattenAround(triangulation, coordinates, infinity, start, tolerance, progress.Part("", 0.5, 1.0));
-    result.steps += part.solution.steps;
-    result.flips += part.flips;
-    start = part.solution.u;
-    isConvex = !FlipConcaveNeighbors(triangulation, coordinates, infinity, part.angleSums);
-  }
-  if (!isConvex)
-  {
-    throw InputError("no spherical metric was found: the neighbors of the vertex at infinity are not convex");
-  }
-  // Scale the plane by the root of the mean weighted square of the distance from the weighted mean.
-  const double               total = weights.sum() - weights[infinity];
-  Eigen::VectorXd            others = weights;
-  others[infinity] = 0.0;
-  const std::complex<double> mean = (others.cast<std::complex<double>>().transpose() * part.places)(0) / total;
-  const Eigen::VectorXcd     places = part.places.array() - mean;
-  const double               scale = std::sqrt(others.dot(places.cwiseAbs2()) / total);
-  result.places.resize(places.size(), 3);
-  result.logScales.resize(places.size());
-  for (Eigen::Index v = 0; v < places.size(); ++v)
-  {
-    const std::complex<double> z = places[v] / scale;
-    const double               square = std::norm(z);
-    result.places.row(v) << 2.0 * z.real() / (1.0 + square), 2.0 * z.imag() / (1.0 + square),
-      (1.0 - square) / (1.0 + square);
-    result.logScales[v] = start[v] + std::log(2.0 / scale / (1.0 + square));
-  }
-  result.places.row(infinity) << 0.0, 0.0, -1.0;
-  result.logScales[infinity] = std::log(2.0 * scale);
+  const FlatSphere flat = UnfoldAround(CandidatesForInfinity(triangulation, coordinates, cones),
+                                       { triangulation, coordinates, {}, -1 },
+                                       progress.Part("", 0.5, 1.0),
+                                       result);
+  triangulation = flat.triangulation;
+  Project(flat, weights, result);
   CenterSphere(weights, result.places, result.logScales);
   result.chords.resize(coordinates.size());
   for (int e = 0; e < triangulation.NumberOfEdges(); ++e)
   {
     const int side = triangulation.SideOf(e);
     result.chords[e] =
-      coordinates[e] *
+      flat.coordinates[e] *
       std::exp(0.5 * (result.logScales[triangulation.Origin(side)] + result.logScales[triangulation.End(side)]));
   }
   result.logScales += onCones.u;

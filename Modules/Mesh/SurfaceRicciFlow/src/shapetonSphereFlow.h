@@ -24,7 +24,6 @@ SpherePolyhedron
 FlowToSphere(IntrinsicTriangulation & triangulation,
              Eigen::VectorXd          coordinates,
              const Eigen::VectorXd &  weights,
-             double                   tolerance,
              const Progress &         progress);
 } // namespace shapeton
 

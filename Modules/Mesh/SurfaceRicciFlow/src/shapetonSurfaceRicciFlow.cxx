@@ -18,8 +18,7 @@ namespace shapeton
 {
 namespace
 {
-/** Largest accepted error of a curvature (radians). Newton's last step usually goes far below. */
-constexpr double curvatureTolerance = 1e-10;
+constexpr double curvatureTolerance = RicciTolerance{}.accepted;
 /** Curvatures below this are flat (radians). */
 constexpr double flatCurvature = 1e-9;
 
@@ -135,6 +134,14 @@ private:
     m_Topology.genus = component.genus.value_or(0);
     m_Topology.boundaries = component.boundaryLoops;
     m_Topology.isTube = m_Topology.genus == 0 && m_Topology.boundaries == 2;
+    m_IsBoundary.assign(m_Connectivity.NumberOfVertices(), 0);
+    for (const auto & loop : m_Connectivity.BoundaryLoops())
+    {
+      for (const int v : loop)
+      {
+        m_IsBoundary[v] = 1;
+      }
+    }
     if (m_Topology.boundaries > 0)
     {
       BoundaryLoopsByLength(m_Connectivity, m_Mesh.V); // checks that boundaries do not touch
@@ -167,12 +174,12 @@ private:
     unknowns.angles = -m_Result.targetCurvatures;
     for (int v = 0; v < vertices; ++v)
     {
-      unknowns.angles[v] += m_Connectivity.IsBoundaryVertex(v) ? Pi : TwoPi;
+      unknowns.angles[v] += m_IsBoundary[v] ? Pi : TwoPi;
       unknowns.ofVertices.push_back(v);
     }
     for (int v = 0; v < vertices && static_cast<int>(unknowns.ofVertices.size()) < triangulation.NumberOfVertices(); ++v)
     {
-      if (!m_Connectivity.IsBoundaryVertex(v))
+      if (!m_IsBoundary[v])
       {
         unknowns.ofVertices.push_back(v);
       }
@@ -200,7 +207,7 @@ private:
     ConformalMetric metric(std::move(triangulation), invariants, m_Options.scheme, m_Result.geometry);
     m_Result.delaunayFlips = isScaling ? metric.MakeDelaunay() : 0;
     m_Solution = SolveForCurvature(
-      metric, unknowns, start, curvatureTolerance, m_Options.progress.Part("Ricci flow", 0.0, 0.9));
+      metric, unknowns, start, RicciTolerance{}, m_Options.progress.Part("Ricci flow", 0.0, 0.9));
     this->NormalizeArea(metric, unknowns);
     m_Result.steps = m_Solution.steps;
     m_Result.flips = static_cast<int>(metric.Flips().size()) - m_Result.delaunayFlips;
@@ -271,7 +278,7 @@ private:
     std::vector<int> cones;
     for (int v = 0; v < m_Connectivity.NumberOfVertices(); ++v)
     {
-      if (!m_Connectivity.IsBoundaryVertex(v) && std::abs(m_Result.targetCurvatures[v]) > flatCurvature)
+      if (!m_IsBoundary[v] && std::abs(m_Result.targetCurvatures[v]) > flatCurvature)
       {
         cones.push_back(v);
       }
@@ -312,7 +319,7 @@ private:
     std::vector<char> sideOfVertices(triangulation.NumberOfVertices(), 2);
     for (int v = 0; v < m_Connectivity.NumberOfVertices(); ++v)
     {
-      sideOfVertices[v] = m_Connectivity.IsBoundaryVertex(v) ? 0 : 1;
+      sideOfVertices[v] = m_IsBoundary[v] ? 0 : 1;
     }
     std::vector<std::pair<std::array<int, 2>, double>> axis;
     for (int e = 0; e < m_Connectivity.NumberOfEdges(); ++e)
@@ -446,7 +453,7 @@ private:
     triangulation = start.Triangulation();
     const Eigen::VectorXd weights = MakeSurfaceLaplacian(m_Connectivity, m_Lengths).mass;
     const auto            sphere = FlowToSphere(
-      triangulation, start.Invariants(), weights, curvatureTolerance, m_Options.progress.Part("Ricci flow", 0.0, 0.9));
+      triangulation, start.Invariants(), weights, m_Options.progress.Part("Ricci flow", 0.0, 0.9));
     m_Result.steps = sphere.steps;
     m_Result.flips = sphere.flips;
     m_Result.logScales = sphere.logScales;
@@ -514,6 +521,7 @@ private:
   std::string                      m_What;
   SurfaceConnectivity              m_Connectivity;
   RicciTopology                    m_Topology;
+  std::vector<char>                m_IsBoundary; ///< for each vertex
   Eigen::VectorXd                  m_Lengths;
   double                           m_Area{ 0.0 };
   double                           m_Circumference{ 0.0 };
