@@ -109,7 +109,7 @@ TEST(SurfaceRicciFlow, AZoneOfASphereIsAMercatorMap)
   for (const SurfaceRicciFlowSettings & options : { SurfaceRicciFlowSettings(), Published() })
   {
     std::vector<double> errors, deviations;
-    for (const int around : { 24, 48 })
+    for (const int around : { 40, 80 })
     {
       const int         along = around * 2 / 5;
       const SurfaceMesh mesh = Grid(around, along, Wrap::Around, [&](double s, double t) {
@@ -130,8 +130,8 @@ TEST(SurfaceRicciFlow, AZoneOfASphereIsAMercatorMap)
       deviations.push_back(deviation);
     }
     EXPECT_GT(errors[0] / errors[1], 3.5);
-    EXPECT_GT(deviations[0] / deviations[1], 3.5);
-    EXPECT_LT(deviations[1], 2e-3);
+    EXPECT_GT(deviations[0] / deviations[1], 3.2); // tends to 4
+    EXPECT_LT(deviations[1], 2e-4);
   }
 }
 
@@ -198,7 +198,7 @@ TEST(SurfaceRicciFlow, MoebiusImagesHaveTheSameModulus)
 
 TEST(SurfaceRicciFlow, ConvergesWhereNewtonWithoutFlipsStalls)
 {
-  const SurfaceMesh mesh = Roughened(Torus(40, 20, 2.0, 1.0), 0.15, 7);
+  const SurfaceMesh mesh = Roughened(Torus(40, 20, 2.0, 1.0), 0.2, 7);
   EXPECT_FALSE(PlainNewton(mesh, FlatAngleSums(mesh)));
   const SurfaceRicciFlow flow = FlowSurface(mesh, {}, "the torus");
   ExpectExactCurvature(flow);
@@ -226,10 +226,10 @@ TEST(SurfaceRicciFlow, CornersMakeARectangleOfKnownModulus)
   const Eigen::MatrixX2d uv = FlatCoordinates(flow.flat, "the map");
   const double           width = (uv.row(corners[2]) - uv.row(corners[1])).norm();
   const double           height = (uv.row(corners[1]) - uv.row(corners[0])).norm();
-  EXPECT_NEAR((uv.row(corners[3]) - uv.row(corners[2])).norm(), height, 1e-2 * height);
-  // Images 1, 1/2, -1/2, -1 of the corners; cross ratio of the middle pair.
+  EXPECT_NEAR((uv.row(corners[3]) - uv.row(corners[2])).norm(), height, 1e-3 * height);
+  // The images of the corners are 1, 1/2, -1/2, -1.
   const double lambda = (1.0 - 0.5) / (1.0 + 0.5) * (1.0 - 0.5) / (1.0 + 0.5);
-  EXPECT_NEAR(width / height, 1.0 / (0.5 * ModulusOfCrossRatio(lambda)), 0.02 * width / height);
+  EXPECT_NEAR(width / height, ModulusOfCrossRatio(lambda), 1e-3);
 }
 
 TEST(SurfaceRicciFlow, ASquareKeepsItsShapeWithItsCorners)
