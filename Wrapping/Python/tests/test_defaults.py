@@ -37,6 +37,7 @@ TOOLS = {
     "ShapeSignature": [shapes.describe_shapes, shapeton.read_volume],
     "ShapetonDiffusion": [shapeton.diffuse_shapetons, shapeton.read_volume],
     "SurfaceInspector": [surfaces.inspect_surface, surfaces.read_surface],
+    "SurfaceRicciFlow": [flattening.flow_surface, surfaces.read_surface],
     "SurfaceSpectrum": [surfaces.spectrum, surfaces.read_surface],
 }
 

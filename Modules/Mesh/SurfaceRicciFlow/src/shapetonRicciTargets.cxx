@@ -118,11 +118,13 @@ ChooseGeometry(const SurfaceRicciFlowSettings & options, const RicciTopology & t
   RicciGeometry geometry = options.geometry;
   if (geometry == RicciGeometry::Auto)
   {
-    const bool isFlat = topology.boundaries > 0 || topology.genus == 1 || !options.cones.empty() ||
-                        options.targetCurvatures.size() > 0;
-    geometry = isFlat                ? RicciGeometry::Euclidean
-               : topology.genus == 0 ? RicciGeometry::Spherical
-                                     : RicciGeometry::Hyperbolic;
+    const bool areGiven = !options.cones.empty() || options.targetCurvatures.size() > 0;
+    const bool isHyperbolic = topology.boundaries > 0 ? topology.genus > 0 : topology.genus > 1;
+    const bool isSphere = topology.boundaries == 0 && topology.genus == 0;
+    geometry = areGiven       ? RicciGeometry::Euclidean
+               : isHyperbolic ? RicciGeometry::Hyperbolic
+               : isSphere     ? RicciGeometry::Spherical
+                              : RicciGeometry::Euclidean;
   }
   if (geometry == RicciGeometry::Spherical)
   {

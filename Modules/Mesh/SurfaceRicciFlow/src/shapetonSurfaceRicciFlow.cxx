@@ -352,7 +352,8 @@ private:
     const Eigen::MatrixX2d uv = PlacesOfVertices(cut, places, m_Result.layoutResidual);
     if (!uv.allFinite())
     {
-      throw InputError(m_What + ": the result of the Ricci flow is too degenerate to be laid out in double precision");
+      throw InputError(m_What + ": the result of the Ricci flow is too degenerate to be laid out in double precision; "
+                               "choose cones near the handles, or hyperbolic geometry");
     }
     this->CountFlippedFaces(places);
     m_Result.flat = MakeFlatSurface(std::move(cut), uv);
