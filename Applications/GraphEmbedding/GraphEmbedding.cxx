@@ -4,7 +4,9 @@
 #include "shapetonGraphEmbedding.h"
 #include "shapetonGraphGenus.h"
 #include "shapetonGraphInSpace.h"
+#include "shapetonGraphOnMesh.h"
 #include "shapetonReadOptions.h"
+#include "shapetonSurfaceReader.h"
 #include "shapetonToolGraphs.h"
 #include "shapetonGraphReport.h"
 #include "shapetonExceptions.h"
@@ -23,6 +25,22 @@ OptionsOf(const CommandLine & commandLine)
   shapeton::ReadOptions(commandLine, options);
   options.isRotationFree = !commandLine.IsGiven("rotation");
   return options;
+}
+
+/** Maps the graph onto a given surface. */
+void
+WriteOntoMesh(CommandLine & commandLine, const shapeton::EmbeddingCertificate & certificate, const std::string & path)
+{
+  shapeton::SurfaceReadOptions options;
+  options.anyExtent = true;
+  options.takesOneComponent = true;
+  const std::string           name = commandLine.GetString("onto");
+  const shapeton::Surface     surface = shapeton::ReadRepairedSurface(name, options);
+  const shapeton::GraphOnMesh graph = shapeton::MapGraphOntoMesh(certificate, surface.mesh, name);
+  commandLine.AddInput("onto", surface.identity);
+  commandLine.Warn(surface.repairs);
+  commandLine.Warn(graph.warnings);
+  shapeton::WriteGraphOnMesh(graph, surface.mesh, shapeton::ProvenanceMetadata(commandLine.GetProvenance()), path);
 }
 
 /** Rotation system of the graph: read from a file, or with a small genus. */
@@ -95,7 +113,9 @@ Embed(CommandLine & commandLine)
 {
   shapeton::RequireParameter(!commandLine.IsGiven("rotation") || !commandLine.IsGiven("genus"),
                              "--rotation determines the genus; omit --genus");
-  const Pictures    pictures(commandLine);
+  shapeton::RequireParameter(!commandLine.IsGiven("onto") || commandLine.IsGiven("surface"), "--onto requires --surface");
+  Pictures          pictures(commandLine);
+  const std::string onMesh = commandLine.IsGiven("onto") ? std::exchange(pictures.surface, "") : "";
   const std::string output = commandLine.GetString("certificate");
   const std::string path = commandLine.Output(output);
   commandLine.RecordRun(output + ".run.json");
@@ -115,6 +135,10 @@ Embed(CommandLine & commandLine)
   shapeton::WriteEmbeddingCertificate(certificate, path);
   commandLine.Progress("Painting", 0.9);
   pictures.Write(certificate);
+  if (!onMesh.empty())
+  {
+    WriteOntoMesh(commandLine, certificate, onMesh);
+  }
 }
 } // namespace
 

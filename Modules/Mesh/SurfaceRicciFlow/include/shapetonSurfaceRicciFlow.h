@@ -113,7 +113,7 @@ FinalTriangulation(const SurfaceMesh & mesh, const SurfaceRicciFlow & flow);
 
 /** Statistics as JSON. The keys are stable: scheme, geometry, genus, boundaries, residual (rad), steps, delaunayFlips,
  * flips, flippedFaces, area, layoutResidual, smallestLogScale, largestLogScale, cones (a list of vertex and curvature in
- * rad, for vertices inside with curvature), periods and tau of a torus, modulus of a tube (null for others).
+ * rad, for vertices with curvature, including those on boundaries), periods and tau of a torus, modulus of a tube (null for others).
  * \ingroup ShapetonSurfaceRicciFlow */
 ShapetonSurfaceRicciFlow_EXPORT Json
 SurfaceRicciFlowToJson(const SurfaceRicciFlow & flow);

@@ -14,12 +14,19 @@ Figure(double value)
   return std::stod(CsvTable::Rounded(value, 9));
 }
 
+/** Two coordinates; a value below 1e-9 of the other one is rounding noise. */
+Json
+PairToJson(double x, double y)
+{
+  constexpr double noise = 1e-9;
+  return { std::abs(x) < noise * std::abs(y) ? 0.0 : Figure(x), std::abs(y) < noise * std::abs(x) ? 0.0 : Figure(y) };
+}
+
 Json
 ConesToJson(const SurfaceRicciFlow & flow)
 {
   constexpr double flat = 1e-9; // radians
   Json             list = Json::array();
-  std::vector<char> isBoundary(flow.curvatures.size(), 0);
   for (Eigen::Index v = 0; v < flow.targetCurvatures.size(); ++v)
   {
     if (std::abs(flow.targetCurvatures[v]) > flat)
@@ -59,9 +66,9 @@ SurfaceRicciFlowToJson(const SurfaceRicciFlow & flow)
     json["periods"] = Json::array();
     for (const Eigen::Vector2d & period : flow.periods)
     {
-      json["periods"].push_back({ Figure(period.x()), Figure(period.y()) });
+      json["periods"].push_back(PairToJson(period.x(), period.y()));
     }
-    json["tau"] = { Figure(flow.tau.real()), Figure(flow.tau.imag()) };
+    json["tau"] = PairToJson(flow.tau.real(), flow.tau.imag());
   }
   if (flow.modulus > 0.0)
   {
