@@ -6,13 +6,13 @@
 #include "shapetonGraphInSpace.h"
 #include "shapetonGraphOnMesh.h"
 #include "shapetonReadOptions.h"
-#include "shapetonSurfaceReader.h"
+#include "shapetonToolSurfaces.h"
 #include "shapetonToolGraphs.h"
 #include "shapetonGraphReport.h"
 #include "shapetonExceptions.h"
 
-#include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace
 {
@@ -34,11 +34,9 @@ WriteOntoMesh(CommandLine & commandLine, const shapeton::EmbeddingCertificate & 
   shapeton::SurfaceReadOptions options;
   options.anyExtent = true;
   options.takesOneComponent = true;
-  const std::string           name = commandLine.GetString("onto");
-  const shapeton::Surface     surface = shapeton::ReadRepairedSurface(name, options);
-  const shapeton::GraphOnMesh graph = shapeton::MapGraphOntoMesh(certificate, surface.mesh, name);
-  commandLine.AddInput("onto", surface.identity);
-  commandLine.Warn(surface.repairs);
+  const shapeton::Surface     surface = shapeton::ReadRepairedSurface(commandLine, "onto", options);
+  const shapeton::GraphOnMesh graph =
+    shapeton::MapGraphOntoMesh(certificate, surface.mesh, commandLine.GetString("onto"));
   commandLine.Warn(graph.warnings);
   shapeton::WriteGraphOnMesh(graph, surface.mesh, shapeton::ProvenanceMetadata(commandLine.GetProvenance()), path);
 }
@@ -67,7 +65,10 @@ struct Pictures
   {
     options.disk =
       commandLine.GetString("disk") == "klein" ? shapeton::DiskModel::Klein : shapeton::DiskModel::Poincare;
-    commandLine.LeaveOutOfProvenance("disk"); // the certificate does not depend on it
+    for (const char * name : { "disk", "part", "component", "unit" }) // the certificate does not depend on them
+    {
+      commandLine.LeaveOutOfProvenance(name);
+    }
     if (commandLine.IsGiven("report"))
     {
       const std::string folder = commandLine.GetString("report");
@@ -113,7 +114,8 @@ Embed(CommandLine & commandLine)
 {
   shapeton::RequireParameter(!commandLine.IsGiven("rotation") || !commandLine.IsGiven("genus"),
                              "--rotation determines the genus; omit --genus");
-  shapeton::RequireParameter(!commandLine.IsGiven("onto") || commandLine.IsGiven("surface"), "--onto requires --surface");
+  shapeton::RequireParameter(!commandLine.IsGiven("onto") || commandLine.IsGiven("surface"),
+                             "--onto requires --surface");
   Pictures          pictures(commandLine);
   const std::string onMesh = commandLine.IsGiven("onto") ? std::exchange(pictures.surface, "") : "";
   const std::string output = commandLine.GetString("certificate");
@@ -128,7 +130,7 @@ Embed(CommandLine & commandLine)
   {
     certificate.statistics.emplace_back("genusLowerBound", surface.lowerBound);
   }
-  std::for_each(certificate.warnings.begin(), certificate.warnings.end(), [&](const auto & w) { commandLine.Warn(w); });
+  commandLine.Warn(certificate.warnings);
   certificate.provenance = commandLine.GetProvenance();
   certificate.warnings = commandLine.GetWarnings();
   commandLine.Progress("Writing", 0.8);

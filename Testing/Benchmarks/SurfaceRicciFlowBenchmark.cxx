@@ -1,5 +1,5 @@
-// Discrete Ricci flow by vertex scaling with flips compared with Newton's method for conformal equivalence without flips
-// (CETM), on colon-like tubes. usage: SurfaceRicciFlowBenchmark [faces...]; default: 12000 55000
+// Discrete Ricci flow by vertex scaling with flips compared with Newton's method for conformal equivalence without
+// flips (CETM), on colon-like tubes. usage: SurfaceRicciFlowBenchmark [faces...]; default: 12000 55000
 #include "FlatteningTrial.h"
 #include "NewtonFlattening.h"
 
@@ -43,9 +43,8 @@ CompareTimes(int faces)
   const TubeMap    map = plain.Flatten(plain.lengths);
   const CutSurface cut = CutAlongPaths(plain.tube.mesh, plain.connectivity, { map.cutPath });
   NewtonFlattening newton;
-  const double     byNewton = BestSeconds([&] {
-    newton = FlattenByNewton(plain.connectivity, plain.tube.mesh.F, plain.lengths, plain.ends, cut);
-  });
+  const double     byNewton = BestSeconds(
+    [&] { newton = FlattenByNewton(plain.connectivity, plain.tube.mesh.F, plain.lengths, plain.ends, cut); });
   SurfaceRicciFlow flow;
   const double     ours = BestSeconds([&] { flow = FlowSurface(plain.tube.mesh, {}, "the tube"); });
   std::printf("%d faces: Ricci flow %.3f s (%d steps, %d flips), Newton-CETM %.3f s (%d steps%s); modulus %.6f, %.6f\n",

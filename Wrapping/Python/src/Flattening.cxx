@@ -25,7 +25,7 @@ MapOf(const SurfaceMesh &                    mesh,
 }
 
 SurfaceRicciFlow
-FlowOf(const SurfaceMesh &                     mesh,
+FlowOf(const SurfaceMesh &                    mesh,
        const Given<SurfaceRicciFlowOptions> & given,
        const std::optional<Eigen::VectorXd> & curvatures,
        const std::optional<Eigen::VectorXd> & edgeLengths,

@@ -30,7 +30,7 @@ TOOLS = {
     "DicomSeriesInspector": [shapeton.list_series],
     "DicomSeriesToImage": [shapeton.read_volume],
     "GraphCompare": [graphs.compare_graphs],
-    "GraphEmbedding": [graphs.embed_graph],
+    "GraphEmbedding": [graphs.embed_graph, surfaces.read_surface],
     "GraphEmbeddingVerifier": [graphs.verify_embedding],
     "SeededHeatSegmentation": [shapes.SeededHeat, shapeton.read_volume],
     "ShapeSearch": [shapes.find_shape],

@@ -29,8 +29,8 @@ struct SurfaceRicciFlowSettings : SurfaceRicciFlowOptions
 struct SurfaceRicciFlow
 {
   /** The surface in space, cut open, with the point array `sourcePointId` and
-   * - Euclidean: `uv` in mm, as in shapetonFlatSurface.h; total area as before. For a tube with straight boundaries, u is
-   *   along it from the first boundary, v around it, and `circumference` and `length` are set.
+   * - Euclidean: `uv` in mm, as in shapetonFlatSurface.h; total area as before. For a tube with straight boundaries, u
+   * is along it from the first boundary, v around it, and `circumference` and `length` are set.
    * - hyperbolic: `uv` in the unit disk (Poincare model; length 2 |dz| / (1 - |z|^2));
    * - spherical: `sphere`, three components on the unit sphere, with the weighted mean 0 (weights: area in space); not
    *   cut.
@@ -80,13 +80,13 @@ struct SurfaceRicciFlow
 /** Conformal metric with prescribed curvatures: the limit of the discrete Ricci flow du/dt = target - K (dissertation
  * 6.2.4), by Newton's method.
  *
- * Vertex scaling: all Euclidean and hyperbolic metrics of a discrete conformal class share the Penner coordinates of the
- * Delaunay triangulation. The surface is made Delaunay first; in each step, chords scaled by exp((u_a + u_b) / 2) are
- * made Delaunay by Ptolemy flips. Then the energy is convex and twice differentiable for all u, and a solution exists
- * for curvatures below 2 pi with the right sum (Gu, Luo, Sun, Wu 2018; Gu, Guo, Luo, Sun, Wu 2018; Gillespie, Springborn,
- * Crane 2021). A surface with boundaries is doubled, and both halves have the same u; an obtuse angle opposite to a
- * boundary edge causes a flip across the boundary. Without flips the result is that of CETM (Springborn, Schroeder,
- * Pinkall 2008).
+ * Vertex scaling: all Euclidean and hyperbolic metrics of a discrete conformal class share the Penner coordinates of
+ * the Delaunay triangulation. The surface is made Delaunay first; in each step, chords scaled by exp((u_a + u_b) / 2)
+ * are made Delaunay by Ptolemy flips. Then the energy is convex and twice differentiable for all u, and a solution
+ * exists for curvatures below 2 pi with the right sum (Gu, Luo, Sun, Wu 2018; Gu, Guo, Luo, Sun, Wu 2018; Gillespie,
+ * Springborn, Crane 2021). A surface with boundaries is doubled, and both halves have the same u; an obtuse angle
+ * opposite to a boundary edge causes a flip across the boundary. Without flips the result is that of CETM (Springborn,
+ * Schroeder, Pinkall 2008).
  *
  * Inversive distance: the published scheme, on the faces of the surface, without flips. Solutions are unique for
  * nonnegative distances (Guo 2011); one may not exist.
@@ -94,14 +94,15 @@ struct SurfaceRicciFlow
  * Spherical: for closed surfaces of genus 0, vertex scaling. One vertex moves to infinity: its neighbors get equal
  * distance from it, and the rest is flattened with fixed scales there (Bobenko, Pinkall, Springborn 2015). Concave
  * neighbors cause flips at the removed vertex and another flow; no proof of convergence is known for this loop.
- * Stereographic projection gives a polyhedron inscribed in the sphere; its curvatures in spherical geometry are checked.
+ * Stereographic projection gives a polyhedron inscribed in the sphere; its curvatures in spherical geometry are
+ * checked.
  *
- * Correspondence: vertices are exact. Flips are undone in the developed result: `flat` has the faces of the surface, and
- * is straight on each. This is exact without flips; where edges were flipped, points inside faces of the final
+ * Correspondence: vertices are exact. Flips are undone in the developed result: `flat` has the faces of the surface,
+ * and is straight on each. This is exact without flips; where edges were flipped, points inside faces of the final
  * triangulation are not carried.
  *
- * Throws InputError with the prefix `what` if the surface is not a single oriented manifold component, the geometry does
- * not suit its topology, or the flow does not converge; ParameterError for unsuitable cones or curvatures.
+ * Throws InputError with the prefix `what` if the surface is not a single oriented manifold component, the geometry
+ * does not suit its topology, or the flow does not converge; ParameterError for unsuitable cones or curvatures.
  * \ingroup ShapetonSurfaceRicciFlow */
 ShapetonSurfaceRicciFlow_EXPORT SurfaceRicciFlow
 FlowSurface(const SurfaceMesh & mesh, const SurfaceRicciFlowSettings & options, const std::string & what);
@@ -112,9 +113,9 @@ ShapetonSurfaceRicciFlow_EXPORT SurfaceMesh
 FinalTriangulation(const SurfaceMesh & mesh, const SurfaceRicciFlow & flow);
 
 /** Statistics as JSON. The keys are stable: scheme, geometry, genus, boundaries, residual (rad), steps, delaunayFlips,
- * flips, flippedFaces, area, layoutResidual, smallestLogScale, largestLogScale, cones (a list of vertex and curvature in
- * rad, for vertices with curvature, including those on boundaries), periods and tau of a torus, modulus of a tube (null for others).
- * \ingroup ShapetonSurfaceRicciFlow */
+ * flips, flippedFaces, area, layoutResidual, smallestLogScale, largestLogScale, cones (a list of vertex and curvature
+ * in rad, for vertices with curvature, including those on boundaries), periods and tau of a torus, modulus of a tube
+ * (null for others). \ingroup ShapetonSurfaceRicciFlow */
 ShapetonSurfaceRicciFlow_EXPORT Json
 SurfaceRicciFlowToJson(const SurfaceRicciFlow & flow);
 } // namespace shapeton

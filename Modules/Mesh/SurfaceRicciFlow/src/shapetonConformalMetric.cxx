@@ -20,8 +20,8 @@ OppositeCosine(double e, double a, double b)
   return 0.5 * (a / b + b / a - e / a * (e / b));
 }
 
-/** Length of the other diagonal of two Euclidean triangles with the common side e: a and b start at its ends and meet on
- * one side, c and d on the other; a and c meet. */
+/** Length of the other diagonal of two Euclidean triangles with the common side e: a and b start at its ends and meet
+ * on one side, c and d on the other; a and c meet. */
 double
 OtherDiagonal(double e, double a, double b, double c, double d)
 {
@@ -57,9 +57,14 @@ ConformalMetric::ConformalMetric(IntrinsicTriangulation triangulation,
                                  Eigen::VectorXd        invariants,
                                  RicciScheme            scheme,
                                  RicciGeometry          geometry)
-  : m_Triangulation(std::move(triangulation)), m_Invariants(std::move(invariants)), m_Scheme(scheme),
-    m_Geometry(geometry), m_Chords(m_Invariants), m_Lengths(m_Invariants.size()),
-    m_LengthDerivatives(m_Invariants.size()), m_Tangents(m_Triangulation.NumberOfFaces())
+  : m_Triangulation(std::move(triangulation))
+  , m_Invariants(std::move(invariants))
+  , m_Scheme(scheme)
+  , m_Geometry(geometry)
+  , m_Chords(m_Invariants)
+  , m_Lengths(m_Invariants.size())
+  , m_LengthDerivatives(m_Invariants.size())
+  , m_Tangents(m_Triangulation.NumberOfFaces())
 {}
 
 int
@@ -292,9 +297,9 @@ MakeInversivePacking(const IntrinsicTriangulation & triangulation,
     const double p = radii[triangulation.Origin(triangulation.SideOf(e))];
     const double q = radii[triangulation.End(triangulation.SideOf(e))];
     const double l = lengths[e];
-    result.distances[e] =
-      isHyperbolic ? (CoshMinusOne(l) - CoshMinusOne(p) * std::cosh(q) - CoshMinusOne(q)) / (std::sinh(p) * std::sinh(q))
-                   : (l * l - p * p - q * q) / (2.0 * p * q);
+    result.distances[e] = isHyperbolic ? (CoshMinusOne(l) - CoshMinusOne(p) * std::cosh(q) - CoshMinusOne(q)) /
+                                           (std::sinh(p) * std::sinh(q))
+                                       : (l * l - p * p - q * q) / (2.0 * p * q);
   }
   return result;
 }

@@ -37,9 +37,10 @@ struct RicciSolution
   int    steps{ 0 };
 };
 
-/** Minimizes the convex energy with the gradient curvature - target by Newton's method. A step is halved until the slope
- * of the energy at its end is negative, or at most half the initial descent in size with a smaller gradient. On return,
- * the factors of the solution are current in `metric`. Throws InputError if no step helps or the Hessian is not positive definite. */
+/** Minimizes the convex energy with the gradient curvature - target by Newton's method. A step is halved until the
+ * slope of the energy at its end is negative, or at most half the initial descent in size with a smaller gradient. On
+ * return, the factors of the solution are current in `metric`. Throws InputError if no step helps or the Hessian is not
+ * positive definite. */
 RicciSolution
 SolveForCurvature(ConformalMetric &       metric,
                   const RicciUnknowns &   unknowns,

@@ -107,7 +107,7 @@ Prune(const std::vector<std::vector<std::array<int, 2>>> & neighbors,
       const std::vector<char> &                            isKept,
       std::vector<char> &                                  isCut)
 {
-  const auto isWall = [&](int e) { return isCut[e] || connectivity.IsBoundaryEdge(e); };
+  const auto       isWall = [&](int e) { return isCut[e] || connectivity.IsBoundaryEdge(e); };
   std::vector<int> waiting;
   for (int v = static_cast<int>(neighbors.size()) - 1; v >= 0; --v)
   {
@@ -145,9 +145,8 @@ FindCutGraph(const SurfaceConnectivity & connectivity,
   const auto &   loops = connectivity.BoundaryLoops();
   const int      root = !loops.empty() ? loops.front().front() : vertices.empty() ? 0 : vertices.front();
   const PathTree tree = MakePathTree(neighbors, connectivity, lengths, root);
-  CutGraph       result{ std::vector<char>(connectivity.NumberOfEdges(), 0),
-                   GeneratorsOf(tree, connectivity, lengths) };
-  const auto     cutToRoot = [&](int vertex) {
+  CutGraph   result{ std::vector<char>(connectivity.NumberOfEdges(), 0), GeneratorsOf(tree, connectivity, lengths) };
+  const auto cutToRoot = [&](int vertex) {
     while (tree.edgeToParent[vertex] != -1)
     {
       const int    edge = tree.edgeToParent[vertex];

@@ -15,8 +15,8 @@ struct CutGraph
 };
 
 /** A cut graph of short loops: a tree of shortest paths and a tree of faces that crosses the remaining edges, longest
- * detours first, leave the generators; dangling edges are removed (Erickson and Whittlesey 2005, greedy homotopy basis).
- * It connects all boundaries and the given vertices. \pre One oriented manifold component. */
+ * detours first, leave the generators; dangling edges are removed (Erickson and Whittlesey 2005, greedy homotopy
+ * basis). It connects all boundaries and the given vertices. \pre One oriented manifold component. */
 CutGraph
 FindCutGraph(const SurfaceConnectivity & connectivity,
              const Eigen::VectorXd &     lengths,

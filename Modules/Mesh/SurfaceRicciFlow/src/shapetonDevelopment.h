@@ -62,11 +62,11 @@ FacesOf(const IntrinsicTriangulation & triangulation, const Eigen::VectorXd & le
  * \param sideOfVertices 1 and 2 for the copies, 0 on the axis.
  * \param axis pairs of vertices of the axis edges and their lengths. */
 GeodesicFaces
-HalfOfDouble(IntrinsicTriangulation                                   triangulation,
-             std::vector<PlanePoint>                                  charts,
-             const std::vector<char> &                                sideOfVertices,
+HalfOfDouble(IntrinsicTriangulation                                     triangulation,
+             std::vector<PlanePoint>                                    charts,
+             const std::vector<char> &                                  sideOfVertices,
              const std::vector<std::pair<std::array<int, 2>, double>> & axis,
-             RicciGeometry                                            geometry);
+             RicciGeometry                                              geometry);
 } // namespace shapeton
 
 #endif

@@ -3,8 +3,11 @@
 namespace shapeton
 {
 IntrinsicTriangulation::IntrinsicTriangulation(const FaceMatrix & F, const SurfaceConnectivity & connectivity)
-  : m_NumberOfVertices(connectivity.NumberOfVertices()), m_Origins(F.data(), F.data() + F.size()),
-    m_Twins(F.size(), -1), m_Edges(F.size()), m_SideOfEdge(connectivity.NumberOfEdges(), -1)
+  : m_NumberOfVertices(connectivity.NumberOfVertices())
+  , m_Origins(F.data(), F.data() + F.size())
+  , m_Twins(F.size(), -1)
+  , m_Edges(F.size())
+  , m_SideOfEdge(connectivity.NumberOfEdges(), -1)
 {
   for (int side = 0; side < this->NumberOfSides(); ++side)
   {

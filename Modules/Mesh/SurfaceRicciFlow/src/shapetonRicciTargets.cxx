@@ -165,8 +165,8 @@ FindTargets(const SurfaceRicciFlowSettings & options,
   {
     const bool isBoundary = connectivity.IsBoundaryVertex(v);
     RequireParameter(targets[v] < (isBoundary ? Pi : TwoPi),
-                     "the curvature " + NumberText(targets[v]) + " of vertex " + std::to_string(v) +
-                       " must be below " + (isBoundary ? "pi, because it is on a boundary" : "2 pi"));
+                     "the curvature " + NumberText(targets[v]) + " of vertex " + std::to_string(v) + " must be below " +
+                       (isBoundary ? "pi, because it is on a boundary" : "2 pi"));
   }
   if (geometry != RicciGeometry::Spherical)
   {

@@ -17,7 +17,7 @@ namespace
 constexpr RicciTolerance planeTolerance{ 1e-13, 1e-10 };
 /** Vertices tried at infinity. The first is usually good. */
 constexpr std::size_t mostCandidates = 20;
-constexpr int mostRounds = 100; // of flips at the vertex at infinity; 1 to 3 are usual
+constexpr int         mostRounds = 100; // of flips at the vertex at infinity; 1 to 3 are usual
 
 /** Sides that start at a vertex. */
 std::vector<int>
@@ -122,7 +122,7 @@ CandidatesForInfinity(const IntrinsicTriangulation & triangulation,
     const int    face = side - side % 3;
     const double a = lengths[triangulation.EdgeOf(face)], b = lengths[triangulation.EdgeOf(face + 1)],
                  c = lengths[triangulation.EdgeOf(face + 2)];
-    const int    v = triangulation.Origin(side);
+    const int v = triangulation.Origin(side);
     quality[v] = std::min(quality[v], (b + c - a) * (c + a - b) * (a + b - c) / (a * b * c));
     neighbors[v].insert(triangulation.End(side));
     ++degrees[v];
@@ -190,8 +190,8 @@ FlattenAround(IntrinsicTriangulation & triangulation,
   }
   const auto                    charts = ChartsOfFaces(metric.Triangulation(), metric.Lengths(), metric.Geometry());
   const std::vector<char>       isCut(metric.Triangulation().NumberOfEdges(), 0);
-  const std::vector<PlanePoint> places = LayOutFaces(
-    metric.Triangulation(), charts, isCut, metric.Geometry(), InnermostFace(metric.Triangulation(), isCut));
+  const std::vector<PlanePoint> places =
+    LayOutFaces(metric.Triangulation(), charts, isCut, metric.Geometry(), InnermostFace(metric.Triangulation(), isCut));
   part.places = Eigen::VectorXcd::Zero(start.size());
   for (int side = 0; side < metric.Triangulation().NumberOfSides(); ++side)
   {
@@ -261,7 +261,10 @@ Unfold(FlatSphere & flat, const Progress & progress, SpherePolyhedron & count)
 
 /** Unfold() for the first vertex at infinity with which it succeeds. */
 FlatSphere
-UnfoldAround(const std::vector<int> & candidates, const FlatSphere & start, const Progress & progress, SpherePolyhedron & count)
+UnfoldAround(const std::vector<int> & candidates,
+             const FlatSphere &       start,
+             const Progress &         progress,
+             SpherePolyhedron &       count)
 {
   std::string reason = "no vertex has distinct neighbors";
   for (const int infinity : candidates)
@@ -315,8 +318,8 @@ void
 Project(const FlatSphere & flat, const Eigen::VectorXd & weights, SpherePolyhedron & result)
 {
   // Scale the plane by the root of the mean weighted square of the distance from the weighted mean.
-  const double               total = weights.sum() - weights[flat.infinity];
-  Eigen::VectorXd            others = weights;
+  const double    total = weights.sum() - weights[flat.infinity];
+  Eigen::VectorXd others = weights;
   others[flat.infinity] = 0.0;
   const std::complex<double> mean = (others.cast<std::complex<double>>().transpose() * flat.part.places)(0) / total;
   const Eigen::VectorXcd     places = flat.part.places.array() - mean;

@@ -177,7 +177,8 @@ private:
       unknowns.angles[v] += m_IsBoundary[v] ? Pi : TwoPi;
       unknowns.ofVertices.push_back(v);
     }
-    for (int v = 0; v < vertices && static_cast<int>(unknowns.ofVertices.size()) < triangulation.NumberOfVertices(); ++v)
+    for (int v = 0; v < vertices && static_cast<int>(unknowns.ofVertices.size()) < triangulation.NumberOfVertices();
+         ++v)
     {
       if (!m_IsBoundary[v])
       {
@@ -206,8 +207,8 @@ private:
     }
     ConformalMetric metric(std::move(triangulation), invariants, m_Options.scheme, m_Result.geometry);
     m_Result.delaunayFlips = isScaling ? metric.MakeDelaunay() : 0;
-    m_Solution = SolveForCurvature(
-      metric, unknowns, start, RicciTolerance{}, m_Options.progress.Part("Ricci flow", 0.0, 0.9));
+    m_Solution =
+      SolveForCurvature(metric, unknowns, start, RicciTolerance{}, m_Options.progress.Part("Ricci flow", 0.0, 0.9));
     this->NormalizeArea(metric, unknowns);
     m_Result.steps = m_Solution.steps;
     m_Result.flips = static_cast<int>(metric.Flips().size()) - m_Result.delaunayFlips;
@@ -345,15 +346,15 @@ private:
         paths.push_back({ ends[0], ends[1] });
       }
     }
-    std::vector<PlanePoint> places = LayOutFaces(
-      triangulation, charts, graph.isCut, m_Result.geometry, InnermostFace(triangulation, graph.isCut));
+    std::vector<PlanePoint> places =
+      LayOutFaces(triangulation, charts, graph.isCut, m_Result.geometry, InnermostFace(triangulation, graph.isCut));
     this->FindPeriods(triangulation, graph, places);
     CutSurface             cut = CutAlongPaths(m_Mesh, m_Connectivity, paths);
     const Eigen::MatrixX2d uv = PlacesOfVertices(cut, places, m_Result.layoutResidual);
     if (!uv.allFinite())
     {
       throw InputError(m_What + ": the result of the Ricci flow is too degenerate to be laid out in double precision; "
-                               "choose cones near the handles, or hyperbolic geometry");
+                                "choose cones near the handles, or hyperbolic geometry");
     }
     this->CountFlippedFaces(places);
     m_Result.flat = MakeFlatSurface(std::move(cut), uv);
@@ -397,8 +398,8 @@ private:
     {
       const auto [a, b] = ReducedLattice(PeriodOf(triangulation, places, graph.generators[0]),
                                          PeriodOf(triangulation, places, graph.generators[1]));
-      m_Result.periods = { { std::abs(a), 0.0 }, { (b * std::conj(a)).real() / std::abs(a),
-                                                   (b * std::conj(a)).imag() / std::abs(a) } };
+      m_Result.periods = { { std::abs(a), 0.0 },
+                           { (b * std::conj(a)).real() / std::abs(a), (b * std::conj(a)).imag() / std::abs(a) } };
       m_Result.tau = b / a;
       Turn(places, std::conj(a) / std::abs(a), 0.0);
     }
@@ -417,8 +418,8 @@ private:
   void
   StartAtFirstBoundary(const IntrinsicTriangulation & triangulation, std::vector<PlanePoint> & places) const
   {
-    const int    first = m_Connectivity.BoundaryLoops().front().front();
-    double       atFirst = 0.0, sum = 0.0;
+    const int first = m_Connectivity.BoundaryLoops().front().front();
+    double    atFirst = 0.0, sum = 0.0;
     for (int side = 0; side < triangulation.NumberOfSides(); ++side)
     {
       sum += places[side].real();
@@ -453,8 +454,8 @@ private:
     m_Result.delaunayFlips = start.MakeDelaunay();
     triangulation = start.Triangulation();
     const Eigen::VectorXd weights = MakeSurfaceLaplacian(m_Connectivity, m_Lengths).mass;
-    const auto            sphere = FlowToSphere(
-      triangulation, start.Invariants(), weights, m_Options.progress.Part("Ricci flow", 0.0, 0.9));
+    const auto            sphere =
+      FlowToSphere(triangulation, start.Invariants(), weights, m_Options.progress.Part("Ricci flow", 0.0, 0.9));
     m_Result.steps = sphere.steps;
     m_Result.flips = sphere.flips;
     m_Result.logScales = sphere.logScales;

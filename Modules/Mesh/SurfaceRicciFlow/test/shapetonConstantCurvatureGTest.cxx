@@ -39,7 +39,8 @@ MeshOfData(const std::string & name)
 {
   SurfaceReadOptions options;
   options.anyExtent = true;
-  return RepairSurface(ReadSurface(std::string(std::getenv("SHAPETON_TEST_DATA_DIR")) + "/meshes/" + name, options).mesh);
+  return RepairSurface(
+    ReadSurface(std::string(std::getenv("SHAPETON_TEST_DATA_DIR")) + "/meshes/" + name, options).mesh);
 }
 
 /** Length cross ratio of an edge, invariant under scales at vertices. */
@@ -68,7 +69,8 @@ TEST(ConstantCurvature, GeneratedSurfacesOfGenus1To4)
 
 TEST(ConstantCurvature, RealSurfacesOfGenus1To4)
 {
-  if (!std::getenv("SHAPETON_TEST_DATA_DIR"))
+  const char * const folder = std::getenv("SHAPETON_TEST_DATA_DIR");
+  if (!folder || *folder == '\0')
   {
     GTEST_SKIP() << "SHAPETON_TEST_DATA_DIR is not set";
   }

@@ -17,12 +17,12 @@ namespace testsurfaces
 inline shapeton::SurfaceMesh
 ChainOfRings(int genus, int cells)
 {
-  constexpr double         tube = 0.35, margin = 0.6;
+  constexpr double            tube = 0.35, margin = 0.6;
   const std::array<double, 3> corner{ -1.0 - margin, -1.0 - margin, -margin - 0.013 };
-  const std::array<int, 3> size{ static_cast<int>(cells * (2.0 * genus + 2.0 * margin)) + 2,
+  const std::array<int, 3>    size{ static_cast<int>(cells * (2.0 * genus + 2.0 * margin)) + 2,
                                  static_cast<int>(cells * (2.0 + 2.0 * margin)) + 2,
                                  static_cast<int>(cells * 2.0 * margin) + 2 };
-  std::vector<float>       values;
+  std::vector<float>          values;
   for (int k = 0; k < size[2]; ++k)
   {
     for (int j = 0; j < size[1]; ++j)
@@ -31,7 +31,7 @@ ChainOfRings(int genus, int cells)
       {
         const double x = corner[0] + double(i) / cells, y = corner[1] + double(j) / cells,
                      z = corner[2] + double(k) / cells;
-        double       nearest = 1e9;
+        double nearest = 1e9;
         for (int ring = 0; ring < genus; ++ring)
         {
           nearest = std::min(nearest, std::hypot(std::hypot(x - 2.0 * ring, y) - 1.0, z));

@@ -56,9 +56,9 @@ PlainNewton(const shapeton::SurfaceMesh & mesh, const Eigen::VectorXd & angleSum
     }
     Eigen::SparseMatrix<double> hessian(n, n);
     hessian.setFromTriplets(entries.begin(), entries.end());
-    Eigen::SparseMatrix<double> grounded = hessian.topLeftCorner(n - 1, n - 1);
+    Eigen::SparseMatrix<double>                        grounded = hessian.topLeftCorner(n - 1, n - 1);
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(grounded);
-    Eigen::VectorXd direction = Eigen::VectorXd::Zero(n);
+    Eigen::VectorXd                                    direction = Eigen::VectorXd::Zero(n);
     direction.head(n - 1) = solver.solve(error.head(n - 1));
     bool isBetter = false;
     for (double part = 1.0; part > 1e-6 && !isBetter; part *= 0.5)

@@ -111,10 +111,11 @@ TEST(SurfaceRicciFlow, AZoneOfASphereIsAMercatorMap)
     std::vector<double> errors, deviations;
     for (const int around : { 40, 80 })
     {
-      const int         along = around * 2 / 5;
-      const SurfaceMesh mesh = Grid(around, along, Wrap::Around, [&](double s, double t) {
+      const int              along = around * 2 / 5;
+      const SurfaceMesh      mesh = Grid(around, along, Wrap::Around, [&](double s, double t) {
         const double theta = last + (first - last) * t;
-        return Eigen::Vector3d(std::sin(theta) * std::cos(2 * Pi * s), std::sin(theta) * std::sin(2 * Pi * s), std::cos(theta));
+        return Eigen::Vector3d(
+          std::sin(theta) * std::cos(2 * Pi * s), std::sin(theta) * std::sin(2 * Pi * s), std::cos(theta));
       });
       const SurfaceRicciFlow flow = FlowSurface(mesh, options, "the zone");
       ExpectExactCurvature(flow);
@@ -210,10 +211,10 @@ TEST(SurfaceRicciFlow, ConvergesWhereNewtonWithoutFlipsStalls)
 TEST(SurfaceRicciFlow, CornersMakeARectangleOfKnownModulus)
 {
   // The half disk with four boundary vertices: z -> (z + 1 / z) / 2 maps it to the lower half plane.
-  const SurfaceMesh              mesh = HalfDisk(24);
-  const std::array<double, 4>    angles{ 0.0, Pi / 3, 2 * Pi / 3, Pi };
-  std::array<int, 4>             corners{};
-  SurfaceRicciFlowSettings       options;
+  const SurfaceMesh           mesh = HalfDisk(24);
+  const std::array<double, 4> angles{ 0.0, Pi / 3, 2 * Pi / 3, Pi };
+  std::array<int, 4>          corners{};
+  SurfaceRicciFlowSettings    options;
   options.targetCurvatures = Eigen::VectorXd::Zero(mesh.NumberOfVertices());
   for (int i = 0; i < 4; ++i)
   {
@@ -313,17 +314,18 @@ TEST(SurfaceRicciFlow, EqualBytesForAnyNumberOfThreads)
 TEST(SurfaceRicciFlow, RejectsWhatHasNoSuchMetric)
 {
   const SurfaceMesh sphere = Icosphere(1, 1.0), disk = Square(4, 1.0);
-  const auto        parameterError = [](const SurfaceMesh & mesh, const SurfaceRicciFlowSettings & options, const char * text) {
-    try
-    {
-      FlowSurface(mesh, options, "it");
-      ADD_FAILURE() << text;
-    }
-    catch (const Exception & error)
-    {
-      EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
-    }
-  };
+  const auto        parameterError =
+    [](const SurfaceMesh & mesh, const SurfaceRicciFlowSettings & options, const char * text) {
+      try
+      {
+        FlowSurface(mesh, options, "it");
+        ADD_FAILURE() << text;
+      }
+      catch (const Exception & error)
+      {
+        EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
+      }
+    };
   SurfaceRicciFlowSettings flat;
   flat.geometry = RicciGeometry::Euclidean;
   parameterError(sphere, flat, "the surface requires 4 pi");

@@ -49,7 +49,7 @@ public:
   Eigen::Vector3d
   InSpace(const SurfaceLocator::Closest & closest) const
   {
-    const auto            corner = [&](const VertexMatrix & V, int k) -> Eigen::Vector3d {
+    const auto corner = [&](const VertexMatrix & V, int k) -> Eigen::Vector3d {
       return V.row(m_Flat.F(closest.face, k)).transpose();
     };
     const Eigen::Vector3d a = corner(m_Places, 0), u = corner(m_Places, 1) - a, v = corner(m_Places, 2) - a;
@@ -188,8 +188,8 @@ MapTorus(const EmbeddingCertificate & certificate, const SurfaceRicciFlow & flow
   const DevelopedMesh          developed(flow.flat, places);
   const std::array<Complex, 2> periods{ Complex(flow.periods[0].x(), flow.periods[0].y()),
                                         Complex(flow.periods[1].x(), flow.periods[1].y()) };
-  const auto basis = NearestBasis(torus.Period(1) / torus.Period(0), periods, result.dilatation);
-  const auto toPlane = [&](const Complex & z) {
+  const auto                   basis = NearestBasis(torus.Period(1) / torus.Period(0), periods, result.dilatation);
+  const auto                   toPlane = [&](const Complex & z) {
     const auto [s, t] = torus.Coordinates(z);
     return s * basis[0] + t * basis[1];
   };
@@ -200,10 +200,10 @@ MapTorus(const EmbeddingCertificate & certificate, const SurfaceRicciFlow & flow
   const int     turns = static_cast<int>(std::ceil(2.0 * reach / std::abs(periods[0]))) + 1;
   const int     rows = static_cast<int>(std::ceil(2.0 * reach / periods[1].imag())) + 1;
   const auto    toMesh = [&](const Complex & z) {
-    const Complex w = toPlane(z) - middle;
-    const double  t = std::round(w.imag() / periods[1].imag());
-    const Complex v = w - t * periods[1];
-    const Complex base = middle + v - std::round(v.real() / periods[0].real()) * periods[0];
+    const Complex           w = toPlane(z) - middle;
+    const double            t = std::round(w.imag() / periods[1].imag());
+    const Complex           v = w - t * periods[1];
+    const Complex           base = middle + v - std::round(v.real() / periods[0].real()) * periods[0];
     SurfaceLocator::Closest best;
     best.distance = 1e300;
     for (int j = -rows; j <= rows && best.distance > 1e-12 * size; ++j)

@@ -30,7 +30,10 @@ CompleteGraph(int nodes)
 
 /** Points are on the surface; edges start and end at their nodes and have no long jumps. */
 void
-ExpectSound(const EmbeddingCertificate & certificate, const GraphOnMesh & graph, const SurfaceMesh & mesh, double longest)
+ExpectSound(const EmbeddingCertificate & certificate,
+            const GraphOnMesh &          graph,
+            const SurfaceMesh &          mesh,
+            double                       longest)
 {
   const SurfaceLocator locator(mesh.V, mesh.F);
   EXPECT_LT(graph.gap, 1e-9);
