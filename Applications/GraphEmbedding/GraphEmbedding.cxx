@@ -27,7 +27,6 @@ OptionsOf(const CommandLine & commandLine)
   return options;
 }
 
-/** Maps the graph onto a given surface. */
 void
 WriteOntoMesh(CommandLine & commandLine, const shapeton::EmbeddingCertificate & certificate, const std::string & path)
 {

@@ -2,6 +2,7 @@
 
 #include "shapetonCurveSet.h"
 #include "shapetonExceptions.h"
+#include "shapetonFlatSurface.h"
 #include "shapetonModelSpace.h"
 #include "shapetonSpaceCells.h"
 #include "shapetonSurfaceLocator.h"
