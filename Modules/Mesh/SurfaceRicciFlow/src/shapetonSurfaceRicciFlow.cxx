@@ -19,6 +19,8 @@ namespace shapeton
 namespace
 {
 constexpr double curvatureTolerance = RicciTolerance{}.accepted;
+/** Approximate fraction of the run time completed after the flow. */
+constexpr double shareOfFlow = 0.9;
 /** Curvatures below this are flat (radians). */
 constexpr double flatCurvature = 1e-9;
 
@@ -208,7 +210,7 @@ private:
     ConformalMetric metric(std::move(triangulation), invariants, m_Options.scheme, m_Result.geometry);
     m_Result.delaunayFlips = isScaling ? metric.MakeDelaunay() : 0;
     m_Solution =
-      SolveForCurvature(metric, unknowns, start, RicciTolerance{}, m_Options.progress.Part("Ricci flow", 0.0, 0.9));
+      SolveForCurvature(metric, unknowns, start, RicciTolerance{}, m_Options.progress.Part("Ricci flow", 0.0, shareOfFlow));
     this->NormalizeArea(metric, unknowns);
     m_Result.steps = m_Solution.steps;
     m_Result.flips = static_cast<int>(metric.Flips().size()) - m_Result.delaunayFlips;
@@ -455,7 +457,7 @@ private:
     triangulation = start.Triangulation();
     const Eigen::VectorXd weights = MakeSurfaceLaplacian(m_Connectivity, m_Lengths).mass;
     const auto            sphere =
-      FlowToSphere(triangulation, start.Invariants(), weights, m_Options.progress.Part("Ricci flow", 0.0, 0.9));
+      FlowToSphere(triangulation, start.Invariants(), weights, m_Options.progress.Part("Ricci flow", 0.0, shareOfFlow));
     m_Result.steps = sphere.steps;
     m_Result.flips = sphere.flips;
     m_Result.logScales = sphere.logScales;

@@ -154,15 +154,15 @@ DilatationOf(const Complex & from, const Complex & to)
 std::array<Complex, 2>
 NearestBasis(const Complex & ratio, const std::array<Complex, 2> & periods, double & dilatation)
 {
-  constexpr int          largest = 2;
+  constexpr int          largest = 2, choices = 2 * largest + 1;
   std::array<Complex, 2> best = periods;
   dilatation = DilatationOf(ratio, periods[1] / periods[0]);
-  for (int code = 0; code < 625; ++code)
+  for (int code = 0; code < choices * choices * choices * choices; ++code)
   {
     std::array<int, 4> m{};
-    for (int i = 0, rest = code; i < 4; ++i, rest /= 2 * largest + 1)
+    for (int i = 0, rest = code; i < 4; ++i, rest /= choices)
     {
-      m[i] = rest % (2 * largest + 1) - largest;
+      m[i] = rest % choices - largest;
     }
     if (m[0] * m[3] - m[1] * m[2] == 1)
     {
