@@ -42,6 +42,14 @@ public:
   bool
   SetFactors(const Eigen::VectorXd & u);
 
+  /** Multiplies all lengths by a factor, that is, adds its logarithm to u. \pre Euclidean geometry. */
+  void
+  ScaleLengths(double factor)
+  {
+    m_Lengths *= factor;
+    m_Chords *= factor;
+  }
+
   /** Angle sums of the vertices. */
   Eigen::VectorXd
   AngleSums() const;

@@ -209,8 +209,8 @@ private:
     }
     ConformalMetric metric(std::move(triangulation), invariants, m_Options.scheme, m_Result.geometry);
     m_Result.delaunayFlips = isScaling ? metric.MakeDelaunay() : 0;
-    m_Solution =
-      SolveForCurvature(metric, unknowns, start, RicciTolerance{}, m_Options.progress.Part("Ricci flow", 0.0, shareOfFlow));
+    m_Solution = SolveForCurvature(
+      metric, unknowns, start, RicciTolerance{}, m_Options.progress.Part("Ricci flow", 0.0, shareOfFlow));
     this->NormalizeArea(metric, unknowns);
     m_Result.steps = m_Solution.steps;
     m_Result.flips = static_cast<int>(metric.Flips().size()) - m_Result.delaunayFlips;
@@ -256,12 +256,7 @@ private:
     const double area =
       AreaOf(m_Result.geometry, FacesOf(metric.Triangulation(), metric.Lengths()).sides) / unknowns.copies;
     m_Solution.u.array() += 0.5 * std::log(m_Area / area);
-    Eigen::VectorXd u(unknowns.ofVertices.size());
-    for (Eigen::Index v = 0; v < u.size(); ++v)
-    {
-      u[v] = m_Solution.u[unknowns.ofVertices[v]];
-    }
-    metric.SetFactors(u);
+    metric.ScaleLengths(std::sqrt(m_Area / area));
   }
 
   void
