@@ -10,6 +10,7 @@ set(Shapeton_MODULES
   Mesh/SurfaceMesh
   Mesh/HeatDiffusionMetric
   Mesh/ConformalFlattening
+  Mesh/SurfaceRicciFlow
   IO/VolumeFiles
   IO/DicomResults
   Filtering/Heat

@@ -4,13 +4,15 @@
 #include "shapetonGraphEmbedding.h"
 #include "shapetonGraphGenus.h"
 #include "shapetonGraphInSpace.h"
+#include "shapetonGraphOnMesh.h"
 #include "shapetonReadOptions.h"
+#include "shapetonToolSurfaces.h"
 #include "shapetonToolGraphs.h"
 #include "shapetonGraphReport.h"
 #include "shapetonExceptions.h"
 
-#include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace
 {
@@ -23,6 +25,19 @@ OptionsOf(const CommandLine & commandLine)
   shapeton::ReadOptions(commandLine, options);
   options.isRotationFree = !commandLine.IsGiven("rotation");
   return options;
+}
+
+void
+WriteOntoMesh(CommandLine & commandLine, const shapeton::EmbeddingCertificate & certificate, const std::string & path)
+{
+  shapeton::SurfaceReadOptions options;
+  options.anyExtent = true;
+  options.takesOneComponent = true;
+  const shapeton::Surface     surface = shapeton::ReadRepairedSurface(commandLine, "onto", options);
+  const shapeton::GraphOnMesh graph =
+    shapeton::MapGraphOntoMesh(certificate, surface.mesh, commandLine.GetString("onto"));
+  commandLine.Warn(graph.warnings);
+  shapeton::WriteGraphOnMesh(graph, surface.mesh, shapeton::ProvenanceMetadata(commandLine.GetProvenance()), path);
 }
 
 /** Rotation system of the graph: read from a file, or with a small genus. */
@@ -49,7 +64,10 @@ struct Pictures
   {
     options.disk =
       commandLine.GetString("disk") == "klein" ? shapeton::DiskModel::Klein : shapeton::DiskModel::Poincare;
-    commandLine.LeaveOutOfProvenance("disk"); // the certificate does not depend on it
+    for (const char * name : { "disk", "part", "component", "unit" }) // the certificate does not depend on them
+    {
+      commandLine.LeaveOutOfProvenance(name);
+    }
     if (commandLine.IsGiven("report"))
     {
       const std::string folder = commandLine.GetString("report");
@@ -95,7 +113,10 @@ Embed(CommandLine & commandLine)
 {
   shapeton::RequireParameter(!commandLine.IsGiven("rotation") || !commandLine.IsGiven("genus"),
                              "--rotation determines the genus; omit --genus");
-  const Pictures    pictures(commandLine);
+  shapeton::RequireParameter(!commandLine.IsGiven("onto") || commandLine.IsGiven("surface"),
+                             "--onto requires --surface");
+  Pictures          pictures(commandLine);
+  const std::string onMesh = commandLine.IsGiven("onto") ? std::exchange(pictures.surface, "") : "";
   const std::string output = commandLine.GetString("certificate");
   const std::string path = commandLine.Output(output);
   commandLine.RecordRun(output + ".run.json");
@@ -108,13 +129,17 @@ Embed(CommandLine & commandLine)
   {
     certificate.statistics.emplace_back("genusLowerBound", surface.lowerBound);
   }
-  std::for_each(certificate.warnings.begin(), certificate.warnings.end(), [&](const auto & w) { commandLine.Warn(w); });
+  commandLine.Warn(certificate.warnings);
   certificate.provenance = commandLine.GetProvenance();
   certificate.warnings = commandLine.GetWarnings();
   commandLine.Progress("Writing", 0.8);
   shapeton::WriteEmbeddingCertificate(certificate, path);
   commandLine.Progress("Painting", 0.9);
   pictures.Write(certificate);
+  if (!onMesh.empty())
+  {
+    WriteOntoMesh(commandLine, certificate, onMesh);
+  }
 }
 } // namespace
 

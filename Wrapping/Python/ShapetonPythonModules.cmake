@@ -2,6 +2,7 @@
 set(ShapetonPython_MODULES
   ColonModel
   ConformalFlattening
+  SurfaceRicciFlow
   EmbeddingCertificate
   GraphComparison
   GraphCurvature

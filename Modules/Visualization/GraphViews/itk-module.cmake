@@ -4,14 +4,15 @@ itk_module(ShapetonGraphViews
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    ShapetonEmbeddingCertificate
-  PRIVATE_DEPENDS
     ShapetonCommon
+    ShapetonEmbeddingCertificate
     ShapetonSurfaceMesh
+  PRIVATE_DEPENDS
+    ShapetonConformalFlattening
+    ShapetonSurfaceRicciFlow
     ShapetonGraphModel
     ShapetonRicciFlowEmbedding
   TEST_DEPENDS
-    ShapetonSurfaceMesh
     ShapetonRicciFlowEmbedding
     ITKExpat
     ITKGoogleTest

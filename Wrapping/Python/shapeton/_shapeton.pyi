@@ -1706,6 +1706,79 @@ class SurfaceHandle:
         ...
 
 
+class SurfaceRicciFlow:
+    """A surface with a metric of prescribed curvature."""
+    @property
+    def curvatures(self) -> NDArray[Any]:
+        """Curvature of each vertex, radians."""
+        ...
+
+    @property
+    def edge_lengths(self) -> NDArray[Any]:
+        """Geodesic length in place of each edge, in the order of surfaces.surface_edges."""
+        ...
+
+    @property
+    def flat(self) -> Mesh:
+        """The cut surface in space with the point array uv (mm, or in the unit disk) or sphere."""
+        ...
+
+    @property
+    def flips(self) -> int:
+        """Number of flips during the flow."""
+        ...
+
+    @property
+    def genus(self) -> int:
+        """Number of handles."""
+        ...
+
+    @property
+    def log_scales(self) -> NDArray[Any]:
+        """Logarithm of the length scale at each vertex."""
+        ...
+
+    @property
+    def modulus(self) -> float:
+        """Circumference over length of a flat tube; 0 for others."""
+        ...
+
+    @property
+    def residual(self) -> float:
+        """Largest curvature error, radians."""
+        ...
+
+    @property
+    def sides(self) -> NDArray[Any]:
+        """Side lengths of these faces, from each corner to the next."""
+        ...
+
+    @property
+    def statistics(self) -> Dict[str, Any]:
+        """A dictionary with the keys of the statistics of SurfaceRicciFlow."""
+        ...
+
+    @property
+    def steps(self) -> int:
+        """Number of Newton steps."""
+        ...
+
+    @property
+    def tau(self) -> complex:
+        """Quotient of the periods of a flat torus; 0 for others."""
+        ...
+
+    @property
+    def triangles(self) -> NDArray[Any]:
+        """Faces of the final triangulation."""
+        ...
+
+    @property
+    def warnings(self) -> List[str]:
+        """Doubtful results, one per line."""
+        ...
+
+
 class SurfaceSpectrum:
     """The smoothest eigenfunctions of a surface of n vertices."""
     def diffusion_distance(self, p: int, q: int, time: float) -> float:

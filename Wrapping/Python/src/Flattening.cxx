@@ -6,6 +6,9 @@
 #include "shapetonConformalMap.h"
 #include "shapetonExceptions.h"
 #include "shapetonJson.h"
+#include "shapetonSurfaceRicciFlow.h"
+
+#include <pybind11/complex.h>
 
 namespace shapeton::python
 {
@@ -19,6 +22,19 @@ MapOf(const SurfaceMesh &                    mesh,
 {
   return MapConformally(
     mesh, { given.options, edgeLengths.value_or(Eigen::VectorXd()), progress.Part("Mapping", 0.0, 1.0) }, "the mesh");
+}
+
+SurfaceRicciFlow
+FlowOf(const SurfaceMesh &                    mesh,
+       const Given<SurfaceRicciFlowOptions> & given,
+       const std::optional<Eigen::VectorXd> & curvatures,
+       const std::optional<Eigen::VectorXd> & edgeLengths,
+       const Progress &                       progress)
+{
+  return FlowSurface(
+    mesh,
+    { given.options, curvatures.value_or(Eigen::VectorXd()), edgeLengths.value_or(Eigen::VectorXd()), progress },
+    "the mesh");
 }
 
 ColonFlattening
@@ -65,12 +81,41 @@ AddConformalMap(py::module_ & module)
 
   module.def("conformal_map", Reporting(&MapOf), ReleaseGil());
 }
+
+void
+AddSurfaceRicciFlow(py::module_ & module)
+{
+  py::class_<SurfaceRicciFlow>(module, "SurfaceRicciFlow", "A surface with a metric of prescribed curvature.")
+    .def_readonly("flat",
+                  &SurfaceRicciFlow::flat,
+                  "The cut surface in space with the point array uv (mm, or in the unit disk) or sphere.")
+    .def_readonly("genus", &SurfaceRicciFlow::genus, "Number of handles.")
+    .def_readonly("curvatures", &SurfaceRicciFlow::curvatures, "Curvature of each vertex, radians.")
+    .def_readonly("residual", &SurfaceRicciFlow::residual, "Largest curvature error, radians.")
+    .def_readonly("steps", &SurfaceRicciFlow::steps, "Number of Newton steps.")
+    .def_readonly("flips", &SurfaceRicciFlow::flips, "Number of flips during the flow.")
+    .def_readonly("log_scales", &SurfaceRicciFlow::logScales, "Logarithm of the length scale at each vertex.")
+    .def_readonly("edge_lengths",
+                  &SurfaceRicciFlow::edgeLengths,
+                  "Geodesic length in place of each edge, in the order of surfaces.surface_edges.")
+    .def_readonly("triangles", &SurfaceRicciFlow::triangles, "Faces of the final triangulation.")
+    .def_readonly("sides", &SurfaceRicciFlow::sides, "Side lengths of these faces, from each corner to the next.")
+    .def_readonly("tau", &SurfaceRicciFlow::tau, "Quotient of the periods of a flat torus; 0 for others.")
+    .def_readonly("modulus", &SurfaceRicciFlow::modulus, "Circumference over length of a flat tube; 0 for others.")
+    .def_readonly("warnings", &SurfaceRicciFlow::warnings, "Doubtful results, one per line.")
+    .def_property_readonly("statistics",
+                           Statistics<SurfaceRicciFlow>(&SurfaceRicciFlowToJson),
+                           "A dictionary with the keys of the statistics of SurfaceRicciFlow.");
+
+  module.def("flow_surface", Reporting(&FlowOf), ReleaseGil());
+}
 } // namespace
 
 void
 AddFlattening(py::module_ & module)
 {
   AddConformalMap(module);
+  AddSurfaceRicciFlow(module);
   py::class_<SurfaceHandle>(module, "SurfaceHandle", "A handle of a flattened surface.")
     .def_readonly("genus", &SurfaceHandle::genus, "Number of handles: more than 1 if they cannot be separated.")
     .def_readonly("place", &SurfaceHandle::place, "LPS, mm.")

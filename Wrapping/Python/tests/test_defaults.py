@@ -33,12 +33,14 @@ TOOLS = {
     "GraphConformalType": [graphs.conformal_type],
     "GraphCurvature": [graphs.ricci_curvature, graphs.embed_graph],
     "GraphEmbedding": [graphs.embed_graph],
+    "GraphEmbedding": [graphs.embed_graph, surfaces.read_surface],
     "GraphEmbeddingVerifier": [graphs.verify_embedding],
     "SeededHeatSegmentation": [shapes.SeededHeat, shapeton.read_volume],
     "ShapeSearch": [shapes.find_shape],
     "ShapeSignature": [shapes.describe_shapes, shapeton.read_volume],
     "ShapetonDiffusion": [shapeton.diffuse_shapetons, shapeton.read_volume],
     "SurfaceInspector": [surfaces.inspect_surface, surfaces.read_surface],
+    "SurfaceRicciFlow": [flattening.flow_surface, surfaces.read_surface],
     "SurfaceSpectrum": [surfaces.spectrum, surfaces.read_surface],
 }
 

@@ -198,6 +198,12 @@ class SameAsToolsTest(TestCase):
         flat = flattening.conformal_map(tube).flat
         self.assertSame(surfaces.read_surface(self.folder / "flat.vtp").point_arrays["uv"], flat.point_arrays["uv"])
 
+    def test_SurfaceRicciFlow(self):
+        run_tool("SurfaceRicciFlow", TORUS, self.folder / "flat.vtp")
+        flow = flattening.flow_surface(surfaces.read_surface(TORUS))
+        self.assertSame(surfaces.read_surface(self.folder / "flat.vtp").point_arrays["uv"], flow.flat.point_arrays["uv"])
+        self.assertLess(flow.residual, 1e-10)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -2,6 +2,7 @@
 
 #include "shapetonCurveSet.h"
 #include "shapetonGraphPictures.h"
+#include "shapetonSpaceCells.h"
 #include "shapetonSurfaceWithHandles.h"
 #include "shapetonTorusInSpace.h"
 
@@ -15,23 +16,6 @@ Eigen::VectorXd
 Column(const std::vector<double> & values)
 {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-/** Kind of each cell, and its index within its kind. */
-std::vector<SurfaceArray>
-CellArraysOf(const std::array<std::size_t, 3> & numbers)
-{
-  std::vector<double> kinds;
-  std::vector<double> ids;
-  for (std::size_t kind = 0; kind < numbers.size(); ++kind)
-  {
-    for (std::size_t id = 0; id < numbers[kind]; ++id)
-    {
-      kinds.push_back(static_cast<double>(kind));
-      ids.push_back(static_cast<double>(id));
-    }
-  }
-  return { { "kind", Column(kinds), true }, { "id", Column(ids), true } };
 }
 
 VertexMatrix
@@ -60,7 +44,7 @@ WriteOnTorus(const EmbeddingCertificate &                             certificat
     points.insert(points.end(), edge.begin(), edge.end());
   }
   set.V = VerticesOf(points);
-  set.cellArrays = CellArraysOf({ torus.Nodes().size(), edges.size(), 0 });
+  set.cellArrays = CellArraysInSpace({ torus.Nodes().size(), edges.size(), 0 });
   set.fieldArrays = { { "tubeRadius", Column({ torus.TubeRadius() }), false },
                       { "dilatation", Column({ torus.Dilatation() }), false } };
   set.facts = facts;
@@ -82,7 +66,7 @@ WriteOnSurfaceWithHandles(const EmbeddingCertificate &                          
   }
   set.curves.insert(set.curves.end(), surface.Edges().begin(), surface.Edges().end());
   const auto & triangles = surface.Triangles();
-  set.cellArrays = CellArraysOf({ nodes, surface.Edges().size(), triangles.size() });
+  set.cellArrays = CellArraysInSpace({ nodes, surface.Edges().size(), triangles.size() });
   set.fieldArrays = { { "twist", Column(surface.Twists()), false } };
   set.facts = facts;
   WriteCurvesOnSurface(

@@ -8,16 +8,7 @@ namespace shapeton
 {
 namespace
 {
-
 using Complex = std::complex<double>;
-
-/** Coordinates of z in the basis w1, w2. */
-std::array<double, 2>
-Coordinates(const Complex & z, const Complex & w1, const Complex & w2)
-{
-  const double area = (std::conj(w1) * w2).imag();
-  return { (std::conj(z) * w2).imag() / area, (std::conj(w1) * z).imag() / area };
-}
 } // namespace
 
 TorusInSpace::TorusInSpace(const EmbeddingCertificate & certificate)
@@ -32,10 +23,17 @@ TorusInSpace::TorusInSpace(const EmbeddingCertificate & certificate)
   m_TubeRadius = 1.0 / std::sqrt(1.0 + std::norm(ratio));
 }
 
+std::array<double, 2>
+TorusInSpace::Coordinates(const Complex & z) const
+{
+  const double area = (std::conj(m_W1) * m_W2).imag();
+  return { (std::conj(z) * m_W2).imag() / area, (std::conj(m_W1) * z).imag() / area };
+}
+
 TorusInSpace::Point
 TorusInSpace::operator()(const Complex & z) const
 {
-  const auto [s, t] = Coordinates(z, m_W1, m_W2);
+  const auto [s, t] = this->Coordinates(z);
   const double u = -2.0 * Pi * t; // keeps the orientation as seen from outside
   const double r = m_TubeRadius;
   const double v = 2.0 * std::atan2(std::sqrt(1.0 + r) * std::sin(Pi * s), std::sqrt(1.0 - r) * std::cos(Pi * s));
@@ -58,7 +56,7 @@ TorusInSpace::Along(int halfEdge) const
   const int     to = ends[1 - halfEdge % 2];
   const double  length = m_Certificate.nodeRadii[from] + m_Certificate.nodeRadii[to];
   const Complex difference = this->Place(to) - this->Place(from);
-  const auto    whole = Coordinates(difference, m_W1, m_W2);
+  const auto    whole = this->Coordinates(difference);
   const Complex nearest = difference - std::round(whole[0]) * m_W1 - std::round(whole[1]) * m_W2;
   Complex       best = nearest;
   for (int i = -2; i <= 2; ++i)
@@ -72,19 +70,19 @@ TorusInSpace::Along(int halfEdge) const
   return best;
 }
 
-std::vector<TorusInSpace::Point>
-TorusInSpace::Nodes() const
+std::vector<Complex>
+TorusInSpace::FlatNodes() const
 {
-  std::vector<Point> nodes;
+  std::vector<Complex> nodes;
   for (int node = 0; node < m_Certificate.graph.nodes; ++node)
   {
-    nodes.push_back((*this)(this->Place(node)));
+    nodes.push_back(this->Place(node));
   }
   return nodes;
 }
 
-std::vector<std::vector<TorusInSpace::Point>>
-TorusInSpace::Edges(int pieces) const
+std::vector<std::vector<Complex>>
+TorusInSpace::FlatEdges(int pieces) const
 {
   std::vector<std::vector<int>> paths;
   for (std::size_t edge = 0; edge < m_Certificate.graph.edges.size(); ++edge)
@@ -95,17 +93,44 @@ TorusInSpace::Edges(int pieces) const
   {
     paths[path.front() / 2] = path;
   }
-  std::vector<std::vector<Point>> curves(paths.size());
+  std::vector<std::vector<Complex>> curves(paths.size());
   for (std::size_t edge = 0; edge < paths.size(); ++edge)
   {
+    Complex start = this->Place(m_Certificate.packed.edges[paths[edge].front() / 2][paths[edge].front() % 2]);
     for (const int h : paths[edge])
     {
-      const Complex start = this->Place(m_Certificate.packed.edges[h / 2][h % 2]);
       const Complex along = this->Along(h);
       for (int i = curves[edge].empty() ? 0 : 1; i <= pieces; ++i)
       {
-        curves[edge].push_back((*this)(start + along * (static_cast<double>(i) / pieces)));
+        curves[edge].push_back(start + along * (static_cast<double>(i) / pieces));
       }
+      start += along;
+    }
+  }
+  return curves;
+}
+
+std::vector<TorusInSpace::Point>
+TorusInSpace::Nodes() const
+{
+  std::vector<Point> nodes;
+  for (const Complex & place : this->FlatNodes())
+  {
+    nodes.push_back((*this)(place));
+  }
+  return nodes;
+}
+
+std::vector<std::vector<TorusInSpace::Point>>
+TorusInSpace::Edges(int pieces) const
+{
+  std::vector<std::vector<Point>> curves;
+  for (const std::vector<Complex> & flat : this->FlatEdges(pieces))
+  {
+    curves.emplace_back();
+    for (const Complex & place : flat)
+    {
+      curves.back().push_back((*this)(place));
     }
   }
   return curves;

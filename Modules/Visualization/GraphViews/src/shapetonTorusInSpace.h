@@ -39,6 +39,20 @@ public:
   {
     return m_Dilatation;
   }
+  /** Period 0 or 1 of the lattice. */
+  std::complex<double>
+  Period(int i) const
+  {
+    return i == 0 ? m_W1 : m_W2;
+  }
+  /** Coordinates of a point of the plane in the basis of the periods. */
+  std::array<double, 2>
+  Coordinates(const std::complex<double> & z) const;
+  /** Nodes and edges of the graph in the plane, see Nodes() and Edges(). */
+  std::vector<std::complex<double>>
+  FlatNodes() const;
+  std::vector<std::vector<std::complex<double>>>
+  FlatEdges(int pieces) const;
   /** Positions of the graph's nodes. */
   std::vector<Point>
   Nodes() const;
