@@ -1,6 +1,7 @@
 #include "SurfaceRicciFlowXML.h"
 
 #include "shapetonCommandLine.h"
+#include "shapetonConformalMapPicture.h"
 #include "shapetonExceptions.h"
 #include "shapetonJson.h"
 #include "shapetonReadOptions.h"
@@ -55,6 +56,7 @@ Flow(CommandLine & commandLine)
   const std::string flat = commandLine.Output(output);
   const std::string triangulation = commandLine.OutputOf("triangulation");
   const std::string statistics = commandLine.OutputOf("statistics");
+  const std::string picture = commandLine.OutputOf("picture");
   commandLine.RecordRun(output + ".run.json");
   shapeton::SurfaceReadOptions reading;
   reading.anyExtent = true; // angles have no unit
@@ -76,6 +78,12 @@ Flow(CommandLine & commandLine)
   {
     shapeton::WriteSurface(
       shapeton::FinalTriangulation(surface.mesh, flow), commandLine.GetProvenance(), triangulation);
+  }
+  if (!picture.empty())
+  {
+    shapeton::RequireParameter(flow.geometry != shapeton::RicciGeometry::Spherical,
+                               "--picture shows maps to the plane or the disk; the result is a sphere");
+    shapeton::WritePng(shapeton::DrawFlatSurface(flow.flat, input), picture);
   }
   if (!statistics.empty())
   {

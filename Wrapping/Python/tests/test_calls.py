@@ -47,7 +47,7 @@ class CallsTest(TestCase):
         signal.signal(signal.SIGALRM, signal.default_int_handler)
         signal.setitimer(signal.ITIMER_REAL, 0.2)
         with self.assertRaises(KeyboardInterrupt):
-            shapeton.diffuse_heat(self.image, time_steps=10**9)
+            shapeton.diffuse_heat(self.image, preset="published", time_steps=10**9)
         join_helpers()  # would wait forever otherwise
 
     def test_callbacks_run_in_the_thread_that_calls(self):
@@ -56,7 +56,7 @@ class CallsTest(TestCase):
         def note(*_):
             threads.append(threading.current_thread())
 
-        shapeton.diffuse_heat(self.image, time_steps=100, progress=note, snapshot_steps=[50], snapshot=note)
+        shapeton.diffuse_heat(self.image, preset="published", time_steps=100, progress=note, snapshot_steps=[50], snapshot=note)
         self.assertEqual(set(threads), {threading.main_thread()})
 
     def test_an_exception_of_a_callback_ends_the_thread(self):
@@ -65,16 +65,16 @@ class CallsTest(TestCase):
 
         for callbacks in ({"progress": fail}, {"snapshot_steps": [1, 10**9], "snapshot": fail}):
             with self.assertRaisesRegex(KeyError, "mine"):
-                shapeton.diffuse_heat(self.image, time_steps=10**9, **callbacks)
+                shapeton.diffuse_heat(self.image, preset="published", time_steps=10**9, **callbacks)
             join_helpers()
 
     def test_a_callback_may_call(self):
         results = []
 
         def classify(step, heat):
-            results.append(shapeton.diffuse_heat(heat, time_steps=step).heat)
+            results.append(shapeton.diffuse_heat(heat, preset="published", time_steps=step).heat)
 
-        shapeton.diffuse_heat(self.image, time_steps=20, snapshot_steps=[10], snapshot=classify)
+        shapeton.diffuse_heat(self.image, preset="published", time_steps=20, snapshot_steps=[10], snapshot=classify)
         self.assertEqual(len(results), 1)
 
     def test_another_thread_calls_by_itself(self):
@@ -82,7 +82,7 @@ class CallsTest(TestCase):
 
         def work():
             shapeton.diffuse_heat(
-                self.image, time_steps=100, progress=lambda *_: seen.extend([threading.current_thread(), helpers()])
+                self.image, preset="published", time_steps=100, progress=lambda *_: seen.extend([threading.current_thread(), helpers()])
             )
 
         thread = threading.Thread(target=work)

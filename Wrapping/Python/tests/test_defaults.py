@@ -32,7 +32,6 @@ TOOLS = {
     "GraphCompare": [graphs.compare_graphs],
     "GraphConformalType": [graphs.conformal_type],
     "GraphCurvature": [graphs.ricci_curvature, graphs.embed_graph],
-    "GraphEmbedding": [graphs.embed_graph],
     "GraphEmbedding": [graphs.embed_graph, surfaces.read_surface],
     "GraphEmbeddingVerifier": [graphs.verify_embedding],
     "SeededHeatSegmentation": [shapes.SeededHeat, shapeton.read_volume],

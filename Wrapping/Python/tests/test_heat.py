@@ -19,15 +19,28 @@ class HeatTest(TestCase):
         for side in (4, 6):
             voxels = np.zeros((24, 24, 24), np.float32)
             voxels[8 : 8 + side, 8 : 8 + side, 8 : 8 + side] = 1.0
-            result = shapeton.diffuse_heat(shapeton.Image(voxels), time_steps=20000, components=True)
+            result = shapeton.diffuse_heat(shapeton.Image(voxels), preset="published", time_steps=20000, components=True)
             self.assertAlmostEqual(float(result.heat.array[9, 9, 9]), 1.0 / side, delta=1e-5)
             (cube,) = [c for c in result.components if c.closed]
             self.assertEqual((cube.voxels, cube.index), (side**3, (8, 8, 8)))
             self.assertAlmostEqual(cube.converged_heat, 1.0 / side, delta=1e-6)
 
+    def test_parameters_that_are_not_given_are_chosen(self):
+        image = balls()
+        chosen = shapeton.diffuse_heat(image, components=True)
+        self.assertEqual(set(chosen.reasons), {"intensity_window", "p", "smoothing", "time_steps"})
+        self.assertTrue(all(chosen.reasons.values()))
+        self.assertTrue(all(0 <= c.coherence <= 1 for c in chosen.classes))
+        again = shapeton.diffuse_heat(image, p=chosen.p, intensity_window=chosen.window, smoothing=chosen.smoothing,
+                                      time_steps=chosen.time_step)  # fmt: skip
+        self.assertSame(again.heat.array, chosen.heat.array)
+        self.assertEqual(again.reasons["p"], "")
+        published = shapeton.diffuse_heat(image, preset="published", time_steps=10)
+        self.assertEqual((published.p, published.smoothing), (7.0, 0.0))
+
     def test_the_histogram_counts_each_voxel_once_in_each_row(self):
         steps = shapeton.recorded_steps(500, 12)
-        result = shapeton.diffuse_heat(balls(), time_steps=500, histogram_steps=steps)
+        result = shapeton.diffuse_heat(balls(), preset="published", time_steps=500, histogram_steps=steps)
         self.assertEqual(result.histogram.time_steps, steps)
         np.testing.assert_array_equal(result.histogram.counts.sum(axis=1), result.heat.array.size)
         last, _ = np.histogram(result.heat.array, np.append(result.histogram.edges[:-1], 2.0))
@@ -46,7 +59,7 @@ class HeatTest(TestCase):
             shapeton.heat_histogram([result.heat, result.heat], [500, 12])
 
     def test_classes_divide_the_heat_at_their_bounds(self):
-        heat = shapeton.diffuse_heat(balls(), time_steps=2000).heat
+        heat = shapeton.diffuse_heat(balls(), preset="published", time_steps=2000).heat
         labels, classes = shapeton.classify_heat(heat)
         self.assertEqual([c.label for c in classes], list(range(len(classes))))
         for c in classes:
@@ -56,7 +69,7 @@ class HeatTest(TestCase):
             self.assertAlmostEqual(c.volume, c.voxels * np.prod(heat.spacing), delta=1e-6 * c.volume + 1e-9)
 
     def test_rules_of_classes_are_checked(self):
-        heat = shapeton.diffuse_heat(balls((8, 8, 8)), time_steps=10).heat
+        heat = shapeton.diffuse_heat(balls((8, 8, 8)), preset="published", time_steps=10).heat
         for name, wrong in (
             ("background_heat", -1.0),
             ("minimum_share", 2.0),
@@ -71,11 +84,11 @@ class HeatTest(TestCase):
     def test_snapshots_are_the_heat_of_shorter_runs(self):
         image, seen = balls((12, 14, 16)), {}
         shapeton.diffuse_heat(
-            image, time_steps=80, solver="explicit", snapshot_steps=[0, 40], snapshot=lambda n, h: seen.update({n: h})
+            image, preset="published", time_steps=80, solver="explicit", snapshot_steps=[0, 40], snapshot=lambda n, h: seen.update({n: h})
         )
         self.assertEqual(sorted(seen), [0, 40])
-        self.assertSame(seen[40].array, shapeton.diffuse_heat(image, time_steps=40, solver="explicit").heat.array)
-        initial = shapeton.diffuse_heat(image, time_steps=1, initial_heat=True).initial_heat
+        self.assertSame(seen[40].array, shapeton.diffuse_heat(image, preset="published", time_steps=40, solver="explicit").heat.array)
+        initial = shapeton.diffuse_heat(image, preset="published", time_steps=1, initial_heat=True).initial_heat
         self.assertSame(seen[0].array, initial.array)
 
     def test_wrong_parameters_are_value_errors_that_name_them(self):
@@ -129,7 +142,7 @@ class ThreadsTest(TestCase):
         for number in (1, 2, 5):
             shapeton.set_threads(number)
             self.assertEqual(shapeton.threads(), number)
-            heats.append(shapeton.diffuse_heat(image, time_steps=300).heat.array)
+            heats.append(shapeton.diffuse_heat(image, preset="published", time_steps=300).heat.array)
             visits.append(shapeton.diffuse_shapetons(image, shapetons=2000, time_steps=30).visits.array)
         for other in (1, 2):
             self.assertSame(heats[other], heats[0])
@@ -137,9 +150,9 @@ class ThreadsTest(TestCase):
 
     def test_calls_from_several_threads_of_python_give_the_same_bytes(self):
         image = balls()
-        expected = shapeton.diffuse_heat(image, time_steps=300).heat.array
+        expected = shapeton.diffuse_heat(image, preset="published", time_steps=300).heat.array
         with ThreadPoolExecutor(4) as pool:
-            for result in pool.map(lambda _: shapeton.diffuse_heat(image, time_steps=300), range(8)):
+            for result in pool.map(lambda _: shapeton.diffuse_heat(image, preset="published", time_steps=300), range(8)):
                 self.assertSame(result.heat.array, expected)
 
     def test_other_threads_of_python_run_meanwhile(self):
@@ -152,7 +165,7 @@ class ThreadsTest(TestCase):
         thread = threading.Thread(target=tick)
         thread.start()
         before = []
-        shapeton.diffuse_heat(balls((64, 64, 64)), time_steps=3000, progress=lambda *_: before.append(len(ticks)))
+        shapeton.diffuse_heat(balls((64, 64, 64)), preset="published", time_steps=3000, progress=lambda *_: before.append(len(ticks)))
         done.set()
         thread.join()
         self.assertGreater(len(ticks), before[0] + 5)
@@ -166,15 +179,15 @@ class AbortTest(TestCase):
         self.image = balls((48, 48, 48))
 
     def run_for_hours(self, progress=None):
-        shapeton.diffuse_heat(self.image, time_steps=10**9, solver="explicit", progress=progress)
+        shapeton.diffuse_heat(self.image, preset="published", time_steps=10**9, solver="explicit", progress=progress)
 
     def tearDown(self):
-        result = shapeton.diffuse_heat(self.image, time_steps=10)
+        result = shapeton.diffuse_heat(self.image, preset="published", time_steps=10)
         self.assertEqual(result.time_step, 10)
 
     def test_progress_ascends_and_names_the_stage(self):
         calls = []
-        shapeton.diffuse_heat(self.image, time_steps=3000, progress=lambda share, stage: calls.append((share, stage)))
+        shapeton.diffuse_heat(self.image, preset="published", time_steps=3000, progress=lambda share, stage: calls.append((share, stage)))
         shares = [share for share, _ in calls]
         self.assertEqual(shares, sorted(shares))
         self.assertTrue(0.0 <= shares[0] and shares[-1] <= 1.0)
@@ -198,7 +211,7 @@ class AbortTest(TestCase):
 
     def test_none_and_zero_do_not_abort(self):
         for answer in (None, 0, "", []):
-            shapeton.diffuse_heat(self.image, time_steps=100, progress=lambda *_, answer=answer: answer)
+            shapeton.diffuse_heat(self.image, preset="published", time_steps=100, progress=lambda *_, answer=answer: answer)
 
     def test_an_exception_of_progress_comes_out_as_it_is(self):
         def progress(share, stage):
@@ -253,14 +266,14 @@ mesh = shapeton.Mesh(corners, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], {"a"
 from shapeton import surfaces, graphs
 def everything():
     progress = lambda *_: None
-    result = shapeton.diffuse_heat(image, time_steps=3, histogram_steps=[0, 3], components=True, progress=progress)
+    result = shapeton.diffuse_heat(image, preset="published", time_steps=3, histogram_steps=[0, 3], components=True, progress=progress)
     shapeton.classify_heat(result.heat, result.components)
     result.histogram.counts
     surfaces.repair_surface(mesh)[0].point_arrays
     surfaces.inspect_surface(mesh)
     graphs.embed_graph(graphs.complete_graph(4)).node_positions
     for wrong in (lambda: shapeton.diffuse_heat(image, p=-1), lambda: shapeton.read_volume("there is none"),
-                  lambda: shapeton.diffuse_heat(image, time_steps=3, progress=lambda *_: False)):
+                  lambda: shapeton.diffuse_heat(image, preset="published", time_steps=3, progress=lambda *_: False)):
         try:
             wrong()
         except (ValueError, RuntimeError):

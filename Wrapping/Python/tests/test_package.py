@@ -60,8 +60,8 @@ import threading, time, numpy, shapeton
 from shapeton import graphs
 image = shapeton.Image(numpy.random.default_rng(1).random((96, 96, 96)))
 work = {
-    "heat": lambda: shapeton.diffuse_heat(image, time_steps=30000),
-    "progress": lambda: shapeton.diffuse_heat(image, time_steps=30000, progress=lambda *_: None),
+    "heat": lambda: shapeton.diffuse_heat(image, preset="published", time_steps=30000),
+    "progress": lambda: shapeton.diffuse_heat(image, preset="published", time_steps=30000, progress=lambda *_: None),
     "graph": lambda: graphs.embed_graph(graphs.complete_graph(40)),
 }["WORK"]
 threading.Thread(target=work, daemon=True).start()
@@ -78,14 +78,14 @@ import atexit, sys, threading, time, numpy
 def at_the_end():  # after the handlers of modules that are imported later
     thread.join()
     sys.stdout.write("joined, ")
-    shapeton.diffuse_heat(image, time_steps=3)
+    shapeton.diffuse_heat(image, preset="published", time_steps=3)
     print("computed")
 
 atexit.register(at_the_end)
 sys.stderr = sys.stdout
 import shapeton
 image = shapeton.Image(numpy.random.default_rng(1).random((96, 96, 96)))
-thread = threading.Thread(target=lambda: shapeton.diffuse_heat(image, time_steps=10**7), daemon=True)
+thread = threading.Thread(target=lambda: shapeton.diffuse_heat(image, preset="published", time_steps=10**7), daemon=True)
 thread.start()
 time.sleep(0.3)
 """
@@ -95,7 +95,7 @@ time.sleep(0.3)
         code = """
 import os, sys, threading, time, numpy, shapeton
 image = shapeton.Image(numpy.random.default_rng(1).random((96, 96, 96)))
-threading.Thread(target=lambda: shapeton.diffuse_heat(image, time_steps=30000), daemon=True).start()
+threading.Thread(target=lambda: shapeton.diffuse_heat(image, preset="published", time_steps=30000), daemon=True).start()
 time.sleep(0.3)
 child = os.fork()
 if child == 0:
@@ -106,7 +106,7 @@ print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
 
     def test_results_describe_themselves_by_their_attributes(self):
         image = shapeton.Image(np.eye(9, dtype=np.float32).reshape(9, 3, 3))
-        result = shapeton.diffuse_heat(image, time_steps=3, components=True)
+        result = shapeton.diffuse_heat(image, preset="published", time_steps=3, components=True)
         self.assertRegex(repr(result), r"^<shapeton.HeatResult .*heat=<shapeton.Image 9 x 3 x 3 voxels.*histogram=")
         self.assertRegex(repr(result.components[0]), r"^<shapeton.ShapeComponent index=\(\d, \d, \d\), voxels=\d+, ")
         self.assertRegex(repr(colon.colon_phantom(size=(24, 24, 24))), r"centerline=<shapeton.Curves 1")

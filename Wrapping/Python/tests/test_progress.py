@@ -59,10 +59,10 @@ class ProgressTest(TestCase):
         self.check(shapeton.read_volume, path)
         self.check(shapeton.list_series, SERIES)
         for solver in ("chebyshev", "explicit"):
-            self.check(shapeton.diffuse_heat, image, time_steps=100, solver=solver)
-        self.check(shapeton.diffuse_heat, image, time_steps=10**6, until_steady=True)
-        self.check(shapeton.diffuse_heat, image, time_steps=100, histogram_steps=[0, 50], components=True, initial_heat=True)
-        self.check(shapeton.diffuse_heat, image.like(np.zeros_like(image.array)), time_steps=100)
+            self.check(shapeton.diffuse_heat, image, preset="published", time_steps=100, solver=solver)
+        self.check(shapeton.diffuse_heat, image, preset="published", time_steps=10**6, until_steady=True)
+        self.check(shapeton.diffuse_heat, image, preset="published", time_steps=100, histogram_steps=[0, 50], components=True, initial_heat=True)
+        self.check(shapeton.diffuse_heat, image.like(np.zeros_like(image.array)), preset="published", time_steps=100)
         self.check(shapeton.diffuse_shapetons, image, shapetons=100, time_steps=20)
         self.check(shapeton.diffuse_shapetons, image, time_steps=10**6, until_steady=True)
 

@@ -32,8 +32,8 @@ constexpr std::array<std::uint64_t, 6> TrialSteps = { { 30, 100, 300, 1000, 3000
 constexpr double Smoothing = 0.35;
 /** Noise of this many times 1/p between neighbors insulates too many voxels without smoothing. */
 constexpr double GreatestNoise = 0.25;
-/** A window of CT that shows fewer regions is not used. */
-constexpr double LeastRegions = 2.0;
+/** A window of CT that shows fewer regions, hardly more than one, is not used. */
+constexpr double LeastRegions = 1.5;
 
 /** A volume without its geometry. */
 struct Copy

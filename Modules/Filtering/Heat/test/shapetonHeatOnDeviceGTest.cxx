@@ -1,3 +1,4 @@
+#include "shapetonAutomaticParameters.h"
 #include "shapetonCumulativeHeatDiffusion.h"
 #include "shapetonDeviceTestTools.h"
 #include "shapetonDiffusionTestVolumes.h"

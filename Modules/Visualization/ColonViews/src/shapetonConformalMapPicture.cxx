@@ -127,23 +127,44 @@ LookAtSurface(const SurfaceMesh & mesh, PatientViewOptions & options)
   }
 }
 
-Picture::Pointer
-DrawConformalMap(const ConformalMap & map, const ConformalMapPictureOptions & options)
+namespace
 {
-  const auto              uv = FlatCoordinates(map.flat, "the map");
-  const PlanePattern      pattern = PatternOf(map, options.checks);
+/** The surface at the left, the plane at the right. */
+Picture::Pointer
+DrawBoth(const SurfaceMesh &                flat,
+         const Eigen::MatrixX2d &           uv,
+         const PlanePattern &               pattern,
+         const std::vector<BoundaryLoop> &  loops,
+         const ConformalMapPictureOptions & options)
+{
   SurfaceRenderingOptions view;
   view.width = options.width / 2;
   view.height = options.height;
   view.annotations = false;
   view.depthShading = 0.0;
-  const auto plane = DrawPattern(PlaneOf(map.flat, uv), uv, pattern, map.loops, view);
-  LookAtSurface(map.flat, view);
-  const auto space = DrawPattern(map.flat, uv, pattern, map.loops, view);
+  const auto plane = DrawPattern(PlaneOf(flat, uv), uv, pattern, loops, view);
+  LookAtSurface(flat, view);
+  const auto space = DrawPattern(flat, uv, pattern, loops, view);
   const auto picture = NewPicture(2 * view.width, view.height, MakeColor(255, 255, 255));
   PastePicture(picture, space, 0, 0);
   PastePicture(picture, plane, static_cast<int>(view.width), 0);
   return picture;
+}
+} // namespace
+
+Picture::Pointer
+DrawConformalMap(const ConformalMap & map, const ConformalMapPictureOptions & options)
+{
+  return DrawBoth(
+    map.flat, FlatCoordinates(map.flat, "the map"), PatternOf(map, options.checks), map.loops, options);
+}
+
+Picture::Pointer
+DrawFlatSurface(const SurfaceMesh & flat, const std::string & what, const ConformalMapPictureOptions & options)
+{
+  const auto   uv = FlatCoordinates(flat, what);
+  const double longer = (uv.colwise().maxCoeff() - uv.colwise().minCoeff()).maxCoeff();
+  return DrawBoth(flat, uv, Checkerboard(longer / options.checks), {}, options);
 }
 
 Picture::Pointer
