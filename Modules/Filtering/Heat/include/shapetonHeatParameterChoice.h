@@ -40,10 +40,11 @@ struct HeatParameterChoice
  * combination that shows most regions, by MeasureCoherence(), is used. With the factor f between the smallest spacings,
  * p of the volume is f times p of the copy, because the gradient per voxel is 1/f, and the time f^2 times as long.
  *
- * Windows: for CT, soft tissue (-160 to 240 HU); otherwise, and if that shows hardly more than one region, from mean to mean
- * of three intensity classes (Otsu 1979). `modality` is that of DICOM, such as "CT"; if it is empty, values that look
- * like HU count as CT. p: 1/p is one or two times the median difference of neighbors inside the window. Smoothing:
- * 0.35 times the smallest spacing of the copy if noise would insulate voxels.
+ * Windows: for CT, soft tissue (-160 to 240 HU); otherwise, and if that shows hardly more than one region, four
+ * windows: from the mean or the end of the dark one to the mean or the end of the bright one of three intensity classes
+ * (Otsu 1979). `modality` is that of DICOM, such as "CT"; if it is empty, values that look like HU count as CT. p: 1/p
+ * is one or two times the median difference of neighbors inside the window. Smoothing: 0.35 times the smallest spacing
+ * of the copy if noise would insulate voxels.
  *
  * `settings` contains spacing, conductance, device and so on. Throws as DiffuseCumulativeHeat().
  * \ingroup ShapetonHeat */

@@ -23,7 +23,9 @@ struct Body
   {
     std::size_t i = 0;
     volume.Fill([&](double x, double y, double z) {
-      const auto largest = [](double a, double b, double c) { return std::max({ std::abs(a), std::abs(b), std::abs(c) }); };
+      const auto largest = [](double a, double b, double c) {
+        return std::max({ std::abs(a), std::abs(b), std::abs(c) });
+      };
       const std::array<double, 3> distances = { std::hypot(x - 31.5, y - 31.5, z - 31.5) - 26.0,
                                                 std::hypot(x - 22.0, y - 28.0, z - 32.0) - 7.0,
                                                 largest(x - 42.0, y - 36.0, z - 32.0) - 6.5 };
@@ -50,7 +52,7 @@ Separation(const Body & body, const CumulativeHeatDiffusionSettings & settings)
   CumulativeHeatDiffusionSettings wanted = settings;
   wanted.wantComponents = true;
   std::vector<float> heat(body.labels.size());
-  const auto result = DiffuseCumulativeHeat(body.volume.values.data(), body.volume.size, wanted, heat.data());
+  const auto         result = DiffuseCumulativeHeat(body.volume.values.data(), body.volume.size, wanted, heat.data());
   std::map<int, std::map<std::size_t, double>> counts;
   for (std::size_t i = 0; i < heat.size(); ++i)
   {

@@ -70,9 +70,7 @@ ShapetonColonViews_EXPORT Picture::Pointer
  * checks along the longer side of the plane. Throws InputError, which begins with `what`, if it has none.
  * \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
-                          DrawFlatSurface(const SurfaceMesh &                flat,
-                                          const std::string &                what,
-                                          const ConformalMapPictureOptions & options = {});
+DrawFlatSurface(const SurfaceMesh & flat, const std::string & what, const ConformalMapPictureOptions & options = {});
 
 /** Draws the holomorphic 1-forms of a surface, one row per inner boundary (dissertation, Figure 5.3 d to f): 20
  * level sets from 0 to 1 of the harmonic function that is 1 on this boundary and 0 on the others, equally spaced level

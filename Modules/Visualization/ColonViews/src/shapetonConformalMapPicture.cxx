@@ -155,8 +155,7 @@ DrawBoth(const SurfaceMesh &                flat,
 Picture::Pointer
 DrawConformalMap(const ConformalMap & map, const ConformalMapPictureOptions & options)
 {
-  return DrawBoth(
-    map.flat, FlatCoordinates(map.flat, "the map"), PatternOf(map, options.checks), map.loops, options);
+  return DrawBoth(map.flat, FlatCoordinates(map.flat, "the map"), PatternOf(map, options.checks), map.loops, options);
 }
 
 Picture::Pointer
