@@ -2,6 +2,7 @@
 
 #include "shapetonBoundedWeights.h"
 #include "shapetonConjugateFunction.h"
+#include "shapetonHandleLoops.h"
 #include "shapetonHarmonicSolver.h"
 #include "shapetonParallelFor.h"
 #include "shapetonTubeCut.h"
@@ -23,6 +24,9 @@ constexpr double deviation = 1.0 / 12.0;
 constexpr double band = 0.15;
 /** Vertices with a larger angle defect (radians) belong to flipped or singular faces. */
 constexpr double leastDefect = 1e-6;
+/** Edges that advance farther along the centerline, relative to their length, are in handles or inside of sharp bends.
+ * At 2 mm edges, handles of real colons advance by 40 times and more. */
+constexpr double mostAdvance = 10.0;
 
 /** Values at the vertices of the ends: 0 on the first loop, 1 on the second. */
 Eigen::MatrixXd
@@ -54,7 +58,7 @@ public:
   Run(const Progress & progress)
   {
     m_Map = {};
-    m_IsSaddle.clear();
+    m_IsAvoided.clear();
     progress(0.0);
     this->Factorize(progress.Part("", 0.0, 0.5));
     m_Map.u = m_Along->Solve(EndValues(m_Ends)).col(0);
@@ -133,9 +137,10 @@ private:
     const std::vector<int> multiplicities = SaddleMultiplicities(m_Mesh.F, m_Connectivity, m_Map.u);
     for (const int multiplicity : multiplicities)
     {
-      m_IsSaddle.push_back(multiplicity > 0);
+      m_IsAvoided.push_back(multiplicity > 0);
       m_Map.saddles += std::max(0, multiplicity);
     }
+    this->AvoidHandles();
     const bool isFinal = m_Options.conjugate == TubeConjugate::Published || !m_Options.cutCurve.empty();
     if (m_Map.saddles == 0 && !isFinal)
     {
@@ -161,9 +166,42 @@ private:
     }
     if (m_Map.saddles > 0)
     {
-      this->Avoid(m_IsSaddle, m_Options.saddleRings, costs);
+      this->Avoid(m_IsAvoided, m_Options.saddleRings, costs);
     }
     return CheapestPath(m_Graph, m_Ends, costs);
+  }
+
+  /** A cut through a handle crosses its loop, and jumps along the centerline if the handle is a shortcut. */
+  void
+  AvoidHandles()
+  {
+    for (const HandleLoop & loop : this->HandleLoops())
+    {
+      for (const int vertex : loop.vertices)
+      {
+        m_IsAvoided[vertex] = 1;
+      }
+    }
+    const SurfaceArray * const arcLength = FindSurfaceArray(m_Mesh.pointArrays, "arcLength");
+    for (int edge = 0; arcLength != nullptr && edge < m_Connectivity.NumberOfEdges(); ++edge)
+    {
+      const auto & [a, b] = m_Connectivity.VerticesOfEdge(edge);
+      if (std::abs(arcLength->values(a, 0) - arcLength->values(b, 0)) > mostAdvance * m_Lengths[edge])
+      {
+        m_IsAvoided[a] = m_IsAvoided[b] = 1;
+      }
+    }
+  }
+
+  /** Computed once: all maps are of the same surface. */
+  const std::vector<HandleLoop> &
+  HandleLoops()
+  {
+    if (!m_HandleLoops)
+    {
+      m_HandleLoops = FindHandleLoops(m_Mesh, m_Connectivity);
+    }
+    return *m_HandleLoops;
   }
 
   double
@@ -268,7 +306,7 @@ private:
     {
       return this->PathInBand(costs, v);
     }
-    this->Avoid(m_IsSaddle, m_Options.saddleRings, costs);
+    this->Avoid(m_IsAvoided, m_Options.saddleRings, costs);
     const Eigen::VectorXd defects = FlatAngleDefects(m_Mesh.F, m_Connectivity, this->PlacesOfCorners(lifted));
     std::vector<char>     isSingular(m_Mesh.V.rows(), 0);
     for (Eigen::Index i = 0; i < defects.size(); ++i)
@@ -348,7 +386,9 @@ private:
   Eigen::VectorXd                      m_Lengths; ///< in space
   std::unique_ptr<HarmonicSolver>      m_Along;
   std::unique_ptr<HarmonicSolver>      m_Around;
-  std::vector<char>                    m_IsSaddle;
+  /** Vertices that the cut avoids: saddles of u, and loops that it would cross on its way through a handle. */
+  std::vector<char>                      m_IsAvoided;
+  std::optional<std::vector<HandleLoop>> m_HandleLoops;
   CutSurface                           m_Cut;
   Eigen::VectorXd                      m_V; ///< v at the vertices of the cut surface, period 1
   TubeMap                              m_Map;

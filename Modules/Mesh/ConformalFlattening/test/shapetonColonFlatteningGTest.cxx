@@ -83,7 +83,7 @@ TEST(ColonFlattening, RemovesHandlesOnRequest)
   EXPECT_EQ(5, with.handles.genus);
   EXPECT_GT(with.distortion.flips, 0);
   EXPECT_EQ(0, with.flipsAwayFromHandles);
-  options.removeHandles = true;
+  options.topology = shapeton::SurfaceTopology::Denoised;
   const shapeton::ColonFlattening without = shapeton::FlattenColon(Tube(5), "it", options);
   EXPECT_EQ(5, without.genusBefore);
   EXPECT_EQ(0, without.genusAfter);
@@ -187,7 +187,7 @@ TEST(ColonFlattening, IsAbortedByProgressWhateverTheMetric)
     const auto work = [&](const shapeton::Progress & progress) {
       shapeton::ColonFlatteningSettings options;
       options.metric = metric;
-      options.removeHandles = true;
+      options.topology = shapeton::SurfaceTopology::Denoised;
       options.progress = progress;
       FlattenColon(tube, "it", options);
     };
