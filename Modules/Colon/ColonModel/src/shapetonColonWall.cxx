@@ -170,9 +170,8 @@ private:
     m_Wall.report.simplifiedGenusBefore = m_Wall.report.repairedGenus;
     if (m_Options.topology != WallTopology::Repaired)
     {
-      OpenWall opened = OpenColonEnds(SmoothWall(ExtractWall(m_RepairedField), this->Smoothing(m_Options.normalLimit)),
-                                      m_Centerline,
-                                      m_Options.ends);
+      OpenWall opened = OpenColonEnds(
+        SmoothWall(ExtractWall(m_RepairedField), this->Smoothing(m_Options.normalLimit)), m_Centerline, m_Options.ends);
       m_Unrepaired = std::move(opened.mesh);
       m_Wall.report.simplifiedGenusBefore = opened.genus;
     }

@@ -24,12 +24,11 @@ struct HandleLoop
  * Dynamic generators of topologically embedded graphs, 2003), with a disc in each boundary. The shortest essential loop
  * through a vertex closes two branches of its tree of shortest paths (Erickson and Har-Peled, Optimally cutting a
  * surface into a disk, 2004). Loops from one tree of the whole surface are shortened by trees at their own vertices,
- * which reach half of their length. The result is a local minimum: the shortest essential loop through some vertices of
- * itself.
+ * which reach 3/4 of their length. The result is a local minimum: none of these trees closes a shorter one.
  *
  * \pre One oriented manifold component; otherwise throws InputError. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::vector<HandleLoop>
-FindHandleLoops(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity);
+                                   FindHandleLoops(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity);
 
 /** A surface whose handles were cut along loops. \ingroup ShapetonConformalFlattening */
 struct HandleCuts
@@ -37,8 +36,8 @@ struct HandleCuts
   /** The faces of the input in their order, then two discs for each loop. Arrays as in HandleRemoval; vertices of the
    * input keep their indices. */
   SurfaceMesh mesh;
-  /** One for each loop, in the order of the cuts; `radius` and `vertices` are those of the loop on the input, `flatPlace`
-   * is 0. */
+  /** One for each loop, in the order of the cuts; `radius` and `vertices` are those of the loop on the input,
+   * `flatPlace` is 0. */
   std::vector<SurfaceHandle> handles;
   int                        filledFaces{ 0 };
   /** Length of the longest loop (mm). */
@@ -48,8 +47,9 @@ struct HandleCuts
 };
 
 /** Removes handles by conventional topological denoising (dissertation 5.3.2): cuts each along a short loop and fills
- * both rims with discs (Liepa 2003, as RemoveHandles()). Repeats FindHandleLoops() until no loop is found. Boundaries and
- * the shape elsewhere are unchanged. Throws InputError as FindHandleLoops(). \ingroup ShapetonConformalFlattening */
+ * both rims with discs (Liepa 2003, as RemoveHandles()). Repeats FindHandleLoops() until no loop is found. Boundaries
+ * and the shape elsewhere are unchanged. Throws InputError as FindHandleLoops(). \ingroup ShapetonConformalFlattening
+ */
 ShapetonConformalFlattening_EXPORT HandleCuts
 CutHandles(SurfaceMesh mesh);
 } // namespace shapeton

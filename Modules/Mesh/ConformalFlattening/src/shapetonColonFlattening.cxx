@@ -326,8 +326,8 @@ private:
     const int expected = m_Options.topology == SurfaceTopology::Raw ? m_Result.genusAfter : m_Result.genusBefore;
     if (m_Result.handles.genus != expected)
     {
-      m_Result.warnings.push_back(std::string(surfaceName) + " has " + std::to_string(expected) +
-                                  " handles, but " + std::to_string(m_Result.handles.genus) + " were located: " +
+      m_Result.warnings.push_back(std::string(surfaceName) + " has " + std::to_string(expected) + " handles, but " +
+                                  std::to_string(m_Result.handles.genus) + " were located: " +
                                   (m_Options.method == TubeConjugate::Published
                                      ? "the published method also folds the map elsewhere"
                                      : "the others are at a boundary, or the map is folded in many places"));

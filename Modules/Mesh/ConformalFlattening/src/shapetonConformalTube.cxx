@@ -389,9 +389,9 @@ private:
   /** Vertices that the cut avoids: saddles of u, and loops that it would cross on its way through a handle. */
   std::vector<char>                      m_IsAvoided;
   std::optional<std::vector<HandleLoop>> m_HandleLoops;
-  CutSurface                           m_Cut;
-  Eigen::VectorXd                      m_V; ///< v at the vertices of the cut surface, period 1
-  TubeMap                              m_Map;
+  CutSurface                             m_Cut;
+  Eigen::VectorXd                        m_V; ///< v at the vertices of the cut surface, period 1
+  TubeMap                                m_Map;
 };
 
 TubeSolver::TubeSolver(const SurfaceMesh &         mesh,

@@ -22,9 +22,8 @@ struct FaceReplacement
 /** Cell array with 1 on the fillings of removed handles. */
 constexpr const char * filledName = "filled";
 
-/** Closes boundary loops with triangles as large as those around them (TriangulateHole(), SmoothFilling()). New faces and
- * vertices are appended, with arrays as in FaceReplacement.
- * \param connectivity of the surface with these loops.
+/** Closes boundary loops with triangles as large as those around them (TriangulateHole(), SmoothFilling()). New faces
+ * and vertices are appended, with arrays as in FaceReplacement. \param connectivity of the surface with these loops.
  * \param markName integer cell array that marks new faces; created if missing.
  * Throws InputError if the result is not one oriented manifold component. */
 std::vector<HoleFilling>

@@ -18,6 +18,9 @@ namespace
 {
 constexpr int mostShortenings = 50; // per loop
 constexpr int placesOnLoop = 4;     // vertices of a loop whose trees shorten it
+/** Radius of these trees, relative to the loop. Half reaches all shorter loops through the vertex; more also reaches
+ * loops next to it. */
+constexpr double reach = 0.75;
 /** Loops are shortened by at least this fraction of their length, so that rounding cannot continue it forever. */
 constexpr double leastGain = 1e-9;
 
@@ -137,13 +140,13 @@ private:
     m_Queue.emplace(distance, vertex);
   }
 
-  const EdgeGraph &                                                     m_Graph;
-  const Eigen::VectorXd &                                               m_Lengths;
-  std::vector<double>                                                   m_Distances;
-  std::vector<EdgeGraph::Step>                                          m_Parents;
-  std::vector<std::uint64_t>                                            m_Keys;
-  std::vector<char>                                                     m_IsBoundary;
-  std::vector<int>                                                      m_Reached;
+  const EdgeGraph &                                                   m_Graph;
+  const Eigen::VectorXd &                                             m_Lengths;
+  std::vector<double>                                                 m_Distances;
+  std::vector<EdgeGraph::Step>                                        m_Parents;
+  std::vector<std::uint64_t>                                          m_Keys;
+  std::vector<char>                                                   m_IsBoundary;
+  std::vector<int>                                                    m_Reached;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_Queue;
 };
 
@@ -219,14 +222,14 @@ private:
     return loops;
   }
 
-  /** Replaces a loop by the shortest essential loop through its vertices until it is the shortest itself. */
+  /** Replaces a loop by the shortest essential one near its vertices until there is no shorter one. */
   void
   Shorten(HandleLoop & loop)
   {
     for (int time = 0, place = 0; time < mostShortenings && place < placesOnLoop; ++time)
     {
       const std::size_t index = loop.vertices.size() * static_cast<std::size_t>(place) / placesOnLoop;
-      HandleLoop        shorter = this->ShortestThrough(loop.vertices[index], 0.5 * loop.length);
+      HandleLoop        shorter = this->ShortestNear(loop.vertices[index], reach * loop.length);
       ++place;
       if (!shorter.vertices.empty() && shorter.length < (1.0 - leastGain) * loop.length)
       {
@@ -236,20 +239,24 @@ private:
     }
   }
 
+  /** The shortest essential loop that the tree of this vertex closes, without its tail. */
   HandleLoop
-  ShortestThrough(int vertex, double radius)
+  ShortestNear(int vertex, double radius)
   {
     m_Tree.Grow(vertex, radius, m_Homology);
-    std::pair<double, int> best(std::numeric_limits<double>::infinity(), -1);
-    m_Tree.VisitLoops(m_Homology, [&](int edge, double length, std::uint64_t key) {
-      best = key != 0 ? std::min(best, { length, edge }) : best;
+    HandleLoop best;
+    m_Tree.VisitLoops(m_Homology, [&](int edge, double, std::uint64_t key) {
+      if (key != 0)
+      {
+        const auto & [a, b] = m_Connectivity.VerticesOfEdge(edge);
+        HandleLoop loop = m_Tree.LoopOf(a, b, edge);
+        if (best.vertices.empty() || loop.length < best.length)
+        {
+          best = std::move(loop);
+        }
+      }
     });
-    if (best.second == -1)
-    {
-      return {};
-    }
-    const auto & [a, b] = m_Connectivity.VerticesOfEdge(best.second);
-    return m_Tree.LoopOf(a, b, best.second);
+    return best;
   }
 
   std::vector<int>
@@ -334,7 +341,8 @@ std::vector<HandleLoop>
 FindHandleLoops(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
 {
   RequireOneManifold(connectivity, "the surface with handles");
-  return connectivity.Components().front().genus == 0 ? std::vector<HandleLoop>() : LoopSearch(mesh, connectivity).Run();
+  return connectivity.Components().front().genus == 0 ? std::vector<HandleLoop>()
+                                                      : LoopSearch(mesh, connectivity).Run();
 }
 
 HandleCuts

@@ -180,8 +180,7 @@ IndependentClasses::Add(std::vector<int> loops)
     if (std::binary_search(loops.begin(), loops.end(), other.front()))
     {
       std::vector<int> sum;
-      std::set_symmetric_difference(
-        loops.begin(), loops.end(), other.begin(), other.end(), std::back_inserter(sum));
+      std::set_symmetric_difference(loops.begin(), loops.end(), other.begin(), other.end(), std::back_inserter(sum));
       loops = std::move(sum);
     }
   }
