@@ -416,8 +416,8 @@ TEST(ColonWall, TopologyOfTheSimplifiedWall)
   const Eigen::AlignedBox3d   box = BoxOf(axis, 10);
   shapeton::ColonWallSettings options;
   options.faces = 4000;
-  const auto plain = shapeton::BuildColonWall(Occupancy(tube, box, {}, 2.0), Centerline(axis), options);
-  const auto occupancy = Occupancy(Union(tube, leak), box, {}, 2.0);
+  const auto plain = shapeton::BuildColonWall(Occupancy(tube, box, ObliqueGrid(false), 2.0), Centerline(axis), options);
+  const auto occupancy = Occupancy(Union(tube, leak), box, ObliqueGrid(false), 2.0);
   for (const auto topology :
        { shapeton::WallTopology::Repaired, shapeton::WallTopology::Denoised, shapeton::WallTopology::Raw })
   {
