@@ -87,6 +87,7 @@ public:
                      }
                    });
     m_Wall.repaired = std::move(repaired);
+    this->Denoise(*arcLengths);
     this->Inspect(m_Wall.simplified, m_Wall.report.simplifiedFaces, m_Wall.report.simplifiedQuality);
     this->AddPlaces(m_Wall.simplified, *arcLengths);
     AppendRemarks(m_Wall.report.warnings, remarksOnRaw);
@@ -252,17 +253,18 @@ private:
                        std::to_string(m_Wall.report.simplifiedGenusBefore));
     }
     m_Wall.report.simplifiedGenus = genus;
-    this->Denoise();
     this->Advance(Step::Simplified);
   }
 
   void
-  Denoise()
+  Denoise(const ArcLengthField & field)
   {
     if (m_Options.topology == WallTopology::Denoised)
     {
+      this->AddArcLength(m_Wall.simplified, field); // tells loops around handles from loops around the colon
       HandleCuts cuts = CutHandles(std::move(m_Wall.simplified));
       m_Wall.simplified = std::move(cuts.mesh);
+      m_Wall.simplified.pointArrays.pop_back();
       m_Wall.report.simplifiedGenus = cuts.genus;
       if (cuts.genus > 0)
       {
@@ -302,9 +304,8 @@ private:
     return m_Centerline.V.row(isRectum ? curve.front() : curve.back());
   }
 
-  /** Adds `arcLength`, and `notAssessable` if the centerline has that array. */
   void
-  AddPlaces(SurfaceMesh & mesh, const ArcLengthField & field) const
+  AddArcLength(SurfaceMesh & mesh, const ArcLengthField & field) const
   {
     SurfaceArray array{ "arcLength", SurfaceArray::ValueMatrix(mesh.NumberOfVertices(), 1), false };
     ParallelForBlocks(static_cast<std::size_t>(mesh.NumberOfVertices()), [&](std::size_t i) {
@@ -312,6 +313,13 @@ private:
       array.values(v, 0) = field.ArcLengthAt(mesh.V.row(v));
     });
     mesh.pointArrays.push_back(std::move(array));
+  }
+
+  /** Adds `arcLength`, and `notAssessable` if the centerline has that array. */
+  void
+  AddPlaces(SurfaceMesh & mesh, const ArcLengthField & field) const
+  {
+    this->AddArcLength(mesh, field);
     if (FindSurfaceArray(m_Centerline.pointArrays, "notAssessable") != nullptr)
     {
       mesh.cellArrays.push_back(this->HindrancesOfFaces(mesh));

@@ -24,9 +24,6 @@ constexpr double deviation = 1.0 / 12.0;
 constexpr double band = 0.15;
 /** Vertices with a larger angle defect (radians) belong to flipped or singular faces. */
 constexpr double leastDefect = 1e-6;
-/** Edges that advance farther along the centerline, relative to their length, are in handles or inside of sharp bends.
- * At 2 mm edges, handles of real colons advance by 40 times and more. */
-constexpr double mostAdvance = 10.0;
 
 /** Values at the vertices of the ends: 0 on the first loop, 1 on the second. */
 Eigen::MatrixXd
@@ -182,14 +179,10 @@ private:
         m_IsAvoided[vertex] = 1;
       }
     }
-    const SurfaceArray * const arcLength = FindSurfaceArray(m_Mesh.pointArrays, "arcLength");
-    for (int edge = 0; arcLength != nullptr && edge < m_Connectivity.NumberOfEdges(); ++edge)
+    for (const int edge : ShortcutEdges(m_Mesh, m_Connectivity, m_Lengths))
     {
       const auto & [a, b] = m_Connectivity.VerticesOfEdge(edge);
-      if (std::abs(arcLength->values(a, 0) - arcLength->values(b, 0)) > mostAdvance * m_Lengths[edge])
-      {
-        m_IsAvoided[a] = m_IsAvoided[b] = 1;
-      }
+      m_IsAvoided[a] = m_IsAvoided[b] = 1;
     }
   }
 

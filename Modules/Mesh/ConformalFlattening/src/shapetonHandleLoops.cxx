@@ -24,6 +24,8 @@ constexpr double reach = 0.75;
 /** Loops are shortened by at least this fraction of their length, so that rounding cannot continue it forever. */
 constexpr double leastGain = 1e-9;
 
+constexpr double costOfShortcut = 1000.0; // as TubeOptions::saddleCost
+
 /** Tree of shortest paths from a vertex, which avoids boundaries; reused for many vertices. */
 class PathTree
 {
@@ -161,7 +163,13 @@ public:
     , m_Lengths(EdgeLengths(connectivity, mesh.V))
     , m_Tree(connectivity, m_Graph, m_Lengths)
     , m_IsTaken(connectivity.NumberOfVertices(), 0)
-  {}
+  {
+    const std::vector<int> cut = this->CutOfTube(mesh);
+    if (!cut.empty())
+    {
+      m_Homology.SetCut(mesh.F, cut);
+    }
+  }
 
   std::vector<HandleLoop>
   Run()
@@ -185,6 +193,27 @@ public:
   }
 
 private:
+  /** The shortest path between the two boundaries that takes no shortcut through a handle; empty if unknown. */
+  std::vector<int>
+  CutOfTube(const SurfaceMesh & mesh) const
+  {
+    const auto &               boundaries = m_Connectivity.BoundaryLoops();
+    const SurfaceArray * const arcLength = FindSurfaceArray(mesh.pointArrays, "arcLength");
+    if (boundaries.size() != 2 || arcLength == nullptr)
+    {
+      return {};
+    }
+    TubeEnds ends;
+    ends.first = boundaries[0];
+    ends.second = boundaries[1];
+    Eigen::VectorXd costs = m_Lengths;
+    for (const int edge : ShortcutEdges(mesh, m_Connectivity, m_Lengths))
+    {
+      costs[edge] *= costOfShortcut;
+    }
+    return CheapestPath(m_Graph, ends, costs);
+  }
+
   /** The shortest loop of each class through one vertex, without its tail, shortest first. */
   std::vector<HandleLoop>
   LoopsOfClasses()
@@ -198,7 +227,7 @@ private:
     m_Tree.Grow(root, std::numeric_limits<double>::infinity(), m_Homology);
     std::unordered_map<std::uint64_t, std::pair<double, int>> bestOfClass;
     m_Tree.VisitLoops(m_Homology, [&](int edge, double length, std::uint64_t key) {
-      if (key != 0)
+      if (LoopHomology::IsOfHandle(key))
       {
         const std::pair<double, int> here(length, edge);
         const auto [best, isNew] = bestOfClass.emplace(key, here);
@@ -246,7 +275,7 @@ private:
     m_Tree.Grow(vertex, radius, m_Homology);
     HandleLoop best;
     m_Tree.VisitLoops(m_Homology, [&](int edge, double, std::uint64_t key) {
-      if (key != 0)
+      if (LoopHomology::IsOfHandle(key))
       {
         const auto & [a, b] = m_Connectivity.VerticesOfEdge(edge);
         HandleLoop loop = m_Tree.LoopOf(a, b, edge);
@@ -286,7 +315,7 @@ private:
   }
 
   const SurfaceConnectivity & m_Connectivity;
-  const LoopHomology          m_Homology;
+  LoopHomology                m_Homology;
   const EdgeGraph             m_Graph;
   const Eigen::VectorXd       m_Lengths;
   PathTree                    m_Tree;

@@ -1,6 +1,7 @@
 #include "shapetonLoopHomology.h"
 
 #include "shapetonPhilox.h"
+#include "shapetonSurfaceCut.h"
 
 #include <algorithm>
 #include <iterator>
@@ -140,7 +141,30 @@ LoopHomology::Cross(int edge, int loop)
   m_Crossings.push_back({ edge, loop });
   const auto          words = Philox4x32(0, PhiloxWords<std::uint32_t>{ static_cast<std::uint32_t>(loop), 0, 0, 0 });
   const std::uint64_t high = words.a;
-  m_Keys[edge] ^= high << 32 | words.b;
+  m_Keys[edge] ^= (high << 32 | words.b) & ~std::uint64_t{ 1 };
+}
+
+/** An edge crosses the path if it leaves one of its vertices to the left: both faces have their corner there. */
+void
+LoopHomology::SetCut(const FaceMatrix & F, const std::vector<int> & path)
+{
+  std::vector<char> isLeft(3 * static_cast<std::size_t>(F.rows()), 0);
+  for (const int corner : LeftCorners(F, m_Connectivity, path))
+  {
+    isLeft[corner] = 1;
+  }
+  for (int edge = 0; edge < m_Connectivity.NumberOfEdges(); ++edge)
+  {
+    for (const int vertex : m_Connectivity.VerticesOfEdge(edge))
+    {
+      const IndexRange faces = m_Connectivity.FacesOfEdge(edge);
+      const bool       leaves = std::all_of(faces.begin(), faces.end(), [&](int face) {
+        const int k = F(face, 0) == vertex ? 0 : F(face, 1) == vertex ? 1 : 2;
+        return isLeft[3 * static_cast<std::size_t>(face) + k] != 0;
+      });
+      m_Keys[edge] ^= leaves ? 1 : 0;
+    }
+  }
 }
 
 std::vector<int>

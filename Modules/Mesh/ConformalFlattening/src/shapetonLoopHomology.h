@@ -19,12 +19,24 @@ class LoopHomology
 public:
   explicit LoopHomology(const SurfaceConnectivity & connectivity);
 
-  /** Random bits for the class of an edge, to be combined by exclusive or along a path. The result is 0 if the class of
-   * a closed path is 0, and otherwise nonzero with probability 1 - 2^-64. */
+  /** Marks a path of vertices from boundary to boundary that loops around handles cross an even number of times. */
+  void
+  SetCut(const FaceMatrix & F, const std::vector<int> & path);
+
+  /** Bits of an edge, to be combined by exclusive or along a path: the lowest one is the parity of its crossings of the
+   * cut, the others are random bits for its class. */
   std::uint64_t
   KeyOfEdge(int edge) const
   {
     return m_Keys[edge];
+  }
+
+  /** Whether a closed path with this key has a class other than 0, with probability 1 - 2^-63, and crosses the cut an
+   * even number of times. */
+  static bool
+  IsOfHandle(std::uint64_t key)
+  {
+    return (key >> 1) != 0 && (key & 1) == 0;
   }
 
   /** Numbers of the dual loops that a closed path crosses an odd number of times, ascending. */

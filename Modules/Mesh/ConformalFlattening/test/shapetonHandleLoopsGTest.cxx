@@ -60,7 +60,8 @@ struct BentTube
 
   BentTube()
   {
-    const shapeton::SurfaceMesh straight = Cylinder(40, 80, 20.0, 2.0 * leg + Pi * bend);
+    shapeton::SurfaceMesh straight = Cylinder(40, 80, 20.0, 2.0 * leg + Pi * bend);
+    straight.V.leftCols(2) *= -1.0; // the first vertex is away from the other leg
     mesh = straight;
     along = straight.V.col(2);
     for (Eigen::Index v = 0; v < mesh.V.rows(); ++v)
@@ -255,8 +256,27 @@ TEST(HandleLoops, TheCutOfATubeTakesNoShortcut)
   {
     EXPECT_LT(std::abs(tube.along[map.cutPath[i]] - tube.along[map.cutPath[i + 1]]), 10.0);
   }
-  // The loop is around the handle, not around the tube.
+  // The loop is around the handle, not around the tube; if the tube is narrower, arcLength tells which one to cut.
   const shapeton::HandleCuts cuts = shapeton::CutHandles(tube.mesh);
   EXPECT_EQ(0, cuts.genus);
   EXPECT_LT(cuts.longestLoop, 15.0);
+  shapeton::SurfaceMesh narrow = tube.mesh;
+  const double          neck = 7.0 / 80.0 * tube.along.maxCoeff(); // at the seventh ring, beyond the handle
+  for (Eigen::Index v = 0; v < narrow.V.rows(); ++v)
+  {
+    if (tube.along[v] < BentTube::leg)
+    {
+      const Eigen::RowVector3d axis(-BentTube::bend, 0.0, tube.along[v]);
+      narrow.V.row(v) += 0.99 * std::exp(-std::pow((tube.along[v] - neck) / 2.5, 2)) * (axis - narrow.V.row(v));
+    }
+  }
+  const shapeton::SurfaceConnectivity again(narrow);
+  const auto around = shapeton::FindHandleLoops(narrow, again);
+  ASSERT_EQ(1U, around.size());
+  EXPECT_NEAR(neck, tube.along[around[0].vertices[0]], 0.1); // around the tube
+  narrow.pointArrays.push_back({ "arcLength", tube.along, false });
+  const auto ofHandle = shapeton::FindHandleLoops(narrow, again);
+  ASSERT_EQ(1U, ofHandle.size());
+  EXPECT_EQ(3U, ofHandle[0].vertices.size());
+  EXPECT_GT(ofHandle[0].length, around[0].length);
 }
