@@ -17,7 +17,7 @@ main(int argc, char * argv[])
   }
   const shapeton::Surface           tube = shapeton::ReadSurface(argv[1]);
   shapeton::ColonFlatteningSettings options; // automatic diffusion time
-  options.removeHandles = true;
+  options.topology = shapeton::SurfaceTopology::Denoised;
   const shapeton::ColonFlattening flattening = shapeton::FlattenColon(tube.mesh, argv[1], options);
   shapeton::WriteSurface(flattening.map.flat, argv[2]); // in space, with the point array uv (mm)
 

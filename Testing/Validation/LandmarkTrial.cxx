@@ -1,7 +1,6 @@
 #include "LandmarkTrial.h"
 
 #include "shapetonColonFlattening.h"
-#include "shapetonColonModel.h"
 #include "shapetonColonPhantomImageSource.h"
 #include "shapetonCsvTable.h"
 #include "shapetonSurfaceReader.h"
@@ -43,22 +42,6 @@ MakePhantom(const LandmarkCase & one)
   return source;
 }
 
-ColonModel
-MakeModel(const LandmarkCase & one)
-{
-  const auto         source = MakePhantom(one);
-  ColonModelSettings options;
-  if (!one.isFromCt)
-  {
-    return BuildColonModelOfLumen(source->GetLumenOutput(), options);
-  }
-  options.position = one.parameters.position;
-  const auto cast = itk::CastImageFilter<Source::ImageType, itk::Image<float, 3>>::New();
-  cast->SetInput(source->GetOutput());
-  cast->Update();
-  return BuildColonModel(cast->GetOutput(), options);
-}
-
 /** File name without extension; empty if exams are not cached. */
 std::string
 CachedName(const LandmarkCase & one)
@@ -90,7 +73,7 @@ AroundLumen(const TImage * image, const LumenMask * lumen)
 void
 MakeFlat(const LandmarkCase & one, ColonExam & exam)
 {
-  ColonModel model = MakeModel(one);
+  ColonModel model = MakeTrialModel(one);
   exam.failure = model.failure;
   if (exam.failure.empty())
   {
@@ -166,6 +149,21 @@ ValidationCase(const std::string & preset,
   one.spacing = spacing;
   one.isFromCt = isFromCt;
   return one;
+}
+
+ColonModel
+MakeTrialModel(const LandmarkCase & one, ColonModelSettings settings)
+{
+  const auto source = MakePhantom(one);
+  if (!one.isFromCt)
+  {
+    return BuildColonModelOfLumen(source->GetLumenOutput(), settings);
+  }
+  settings.position = one.parameters.position;
+  const auto cast = itk::CastImageFilter<Source::ImageType, itk::Image<float, 3>>::New();
+  cast->SetInput(source->GetOutput());
+  cast->Update();
+  return BuildColonModel(cast->GetOutput(), settings);
 }
 
 LandmarkExam

@@ -2,6 +2,7 @@
 #define LandmarkTrial_h
 
 #include "shapetonColonAnatomy.h"
+#include "shapetonColonModel.h"
 
 #include "itkImage.h"
 
@@ -49,6 +50,10 @@ ValidationCase(const std::string & preset,
                const std::string & position,
                double              spacing,
                bool                isFromCt);
+
+/** Computes phantom and model. The position of the patient is that of the case. */
+shapeton::ColonModel
+MakeTrialModel(const LandmarkCase & one, shapeton::ColonModelSettings settings = {});
 
 /** Computes phantom, model and flat map. If SHAPETON_LANDMARK_CACHE is set, exams are cached in this folder. For
  * development only, because cached exams are not invalidated when the programs change. */

@@ -155,6 +155,8 @@ ValidateFlatColonWithHandles(const ValidationSettings & settings, ValidationRepo
 void
 ValidateQualityOfMetric(const ValidationSettings & settings, ValidationReport & report);
 void
+ValidateTopologyOfWalls(const ValidationSettings & settings, ValidationReport & report);
+void
 ValidateColonSurfaces(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateColonLandmarks(const ValidationSettings & settings, ValidationReport & report);

@@ -100,9 +100,9 @@ class ProgressTest(TestCase):
             self.check(flattening.conformal_map, tube, domain=domain)
         for metric in ("heatDiffusion", "euclidean", "truncatedHeatDiffusion"):
             self.check(flattening.flatten_tube, tube, metric=metric)
-        for remove_handles in (False, True):
+        for topology in ("raw", "denoised", "published"):
             handled = surfaces.read_surface(DATA / "../Applications/ColonFlattening/Testing/Tube.off")
-            self.check(flattening.flatten_tube, handled, remove_handles=remove_handles, metric="euclidean")
+            self.check(flattening.flatten_tube, handled, topology=topology, metric="euclidean")
 
     def test_colon(self):
         self.check(colon.colon_phantom, size=(60, 60, 56), spacing=(6.0, 6.0, 6.0))

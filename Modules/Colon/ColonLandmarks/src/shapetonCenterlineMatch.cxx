@@ -2,6 +2,8 @@
 
 #include "shapetonCenterlineShape.h"
 #include "shapetonExceptions.h"
+#include "shapetonFlatSurface.h"
+#include "shapetonSurfaceConnectivity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,13 +94,36 @@ Assign(const FlatColonGrid & grid, const FlatColonAxis & axis, const CurveSet & 
   return match;
 }
 
-/** Throws the error for a bad assignment. */
+/** Whether the wall has handles before it was cut open. */
+bool
+HasHandles(const SurfaceMesh & flat)
+{
+  const std::vector<int> source = FlatSourcePoints(flat, "the flat surface");
+  const FaceMatrix       F = flat.F.unaryExpr([&](int i) { return source[i]; });
+  return SurfaceConnectivity(F, flat.NumberOfVertices()).Components().front().genus.value_or(0) > 0;
+}
+
+std::string
+Percent(double share)
+{
+  return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
+}
+
+/** Throws the error for a bad assignment. A column of a map with handles may contain wall of touching loops, so its
+ * center may be outside the colon; then the middle of most columns decides. */
 void
-ExplainMismatch(const FlatColonGrid & grid,
+ExplainMismatch(const FlatColon &     flat,
+                const FlatColonGrid & grid,
                 const FlatColonAxis & axis,
                 const MatchQuality &  quality,
                 CenterlineMatch &     match)
 {
+  if (quality.medianDistance <= leastRadius && HasHandles(flat.Surface()))
+  {
+    match.warnings.push_back("large handles compress or fold the flat map along " + Percent(quality.shareOutside) +
+                             " of its length: landmarks there are unreliable; use a wall with repaired topology");
+    return;
+  }
   if (QualityOf(axis, Assign(grid, axis, Reversed(match))).shareOutside <= greatestShareOutside)
   {
     throw InputError("the centerline runs from the cecum to the rectum of the flat surface. Reverse its points, or "
@@ -114,9 +139,8 @@ ExplainMismatch(const FlatColonGrid & grid,
   constexpr double wholeLine = 0.6; // a shorter line may be a correct part
   if (lengthOfLine > wholeLine * lengthOfAxis || near > leastRadius)
   {
-    throw InputError("the centerline is outside the flat surface along " +
-                     std::to_string(static_cast<int>(std::lround(100.0 * quality.shareOutside))) +
-                     " % of its length (median distance from the middle: " +
+    throw InputError("the centerline is outside the flat surface along " + Percent(quality.shareOutside) +
+                     " of its length (median distance from the middle: " +
                      std::to_string(static_cast<int>(std::lround(quality.medianDistance))) +
                      " mm): they belong to different colons or positions. Give the centerline created with this "
                      "surface.");
@@ -137,7 +161,7 @@ MatchCenterline(const FlatColon & flat, const CurveSet & centerline)
   const MatchQuality    quality = QualityOf(axis, match);
   if (quality.shareOutside > greatestShareOutside)
   {
-    ExplainMismatch(grid, axis, quality, match);
+    ExplainMismatch(flat, grid, axis, quality, match);
   }
   return match;
 }

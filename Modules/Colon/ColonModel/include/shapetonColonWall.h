@@ -118,9 +118,12 @@ struct ColonWallReport
   LumenTopologyReport topology;
   int                 rawGenus{ 0 };
   int                 repairedGenus{ 0 };
-  int                 rawFaces{ 0 };
-  int                 repairedFaces{ 0 };
-  int                 simplifiedFaces{ 0 };
+  /** Genus of the simplified surface before and after its handles were cut; equal unless the topology is Denoised. */
+  int simplifiedGenusBefore{ 0 };
+  int simplifiedGenus{ 0 };
+  int rawFaces{ 0 };
+  int repairedFaces{ 0 };
+  int simplifiedFaces{ 0 };
   /** Radii of the removed discs, mm. */
   double rectumRadius{ 0.0 };
   double cecumRadius{ 0.0 };
@@ -144,7 +147,8 @@ struct ColonWall
   SurfaceMesh raw;
   /** Without handles, smoothed within the limits. */
   SurfaceMesh repaired;
-  /** The repaired surface with fewer faces. */
+  /** The wall to flatten, with fewer faces: the repaired surface, or for other topologies (ColonWallOptions) a surface
+   * of the same occupancy and smoothing without that repair. */
   SurfaceMesh     simplified;
   ColonWallReport report;
 };

@@ -5,6 +5,7 @@
 #include "shapetonConformalTube.h"
 #include "shapetonCutDisc.h"
 #include "shapetonDiffusionTime.h"
+#include "shapetonHandleLoops.h"
 #include "shapetonParallelFor.h"
 #include "shapetonRemoveBridges.h"
 #include "shapetonSurfaceConnectivity.h"
@@ -69,6 +70,7 @@ public:
                      this->Inspect(m_Wall.raw, m_Wall.report.rawFaces, m_Wall.report.rawQuality);
                    });
     this->MakeRepaired();
+    this->MakeUnrepaired();
     this->ReleaseOccupancy();
     ParallelInvoke([this] { this->Simplify(); }, // single-threaded
                    [&, this] {
@@ -85,6 +87,7 @@ public:
                      }
                    });
     m_Wall.repaired = std::move(repaired);
+    this->Denoise(*arcLengths);
     this->Inspect(m_Wall.simplified, m_Wall.report.simplifiedFaces, m_Wall.report.simplifiedQuality);
     this->AddPlaces(m_Wall.simplified, *arcLengths);
     AppendRemarks(m_Wall.report.warnings, remarksOnRaw);
@@ -161,6 +164,20 @@ private:
     this->Advance(Step::Opened);
   }
 
+  /** The surface to simplify for topologies other than Repaired. */
+  void
+  MakeUnrepaired()
+  {
+    m_Wall.report.simplifiedGenusBefore = m_Wall.report.repairedGenus;
+    if (m_Options.topology != WallTopology::Repaired)
+    {
+      OpenWall opened = OpenColonEnds(
+        SmoothWall(ExtractWall(m_RepairedField), this->Smoothing(m_Options.normalLimit)), m_Centerline, m_Options.ends);
+      m_Unrepaired = std::move(opened.mesh);
+      m_Wall.report.simplifiedGenusBefore = opened.genus;
+    }
+  }
+
   /** Opens the raw surface, unless handles next to an end prevent a disc. */
   Remarks
   OpenRaw()
@@ -230,12 +247,31 @@ private:
     const SurfaceConnectivity connectivity(m_Wall.simplified);
     const int                 genus =
       SetLoops(m_Wall.simplified, connectivity, this->EndOfCenterline(true), this->EndOfCenterline(false));
-    if (genus != m_Wall.report.repairedGenus)
+    if (genus != m_Wall.report.simplifiedGenusBefore)
     {
-      throw InputError("the simplified wall has genus " + std::to_string(genus) + ", the repaired one " +
-                       std::to_string(m_Wall.report.repairedGenus));
+      throw InputError("the simplified wall has genus " + std::to_string(genus) + ", the wall " +
+                       std::to_string(m_Wall.report.simplifiedGenusBefore));
     }
+    m_Wall.report.simplifiedGenus = genus;
     this->Advance(Step::Simplified);
+  }
+
+  void
+  Denoise(const ArcLengthField & field)
+  {
+    if (m_Options.topology == WallTopology::Denoised)
+    {
+      this->AddArcLength(m_Wall.simplified, field); // tells loops around handles from loops around the colon
+      HandleCuts cuts = CutHandles(std::move(m_Wall.simplified));
+      m_Wall.simplified = std::move(cuts.mesh);
+      m_Wall.simplified.pointArrays.pop_back();
+      m_Wall.report.simplifiedGenus = cuts.genus;
+      if (cuts.genus > 0)
+      {
+        m_RemarksOnRepaired.push_back(std::to_string(cuts.genus) +
+                                      " handles at the ends of the simplified wall could not be cut");
+      }
+    }
   }
 
   /** Progress scaled to a part of the total. */
@@ -245,7 +281,8 @@ private:
     SurfaceSimplificationSettings options;
     options.faces = faces;
     options.progress = m_Options.progress.Part("", begin, end);
-    m_Wall.simplified = SimplifySurface(m_Wall.repaired, options, &m_Simplification);
+    const bool isRepaired = m_Options.topology == WallTopology::Repaired;
+    m_Wall.simplified = SimplifySurface(isRepaired ? m_Wall.repaired : m_Unrepaired, options, &m_Simplification);
   }
 
   /** Computes the face count from area and narrowest radius of the simplified wall. */
@@ -267,9 +304,8 @@ private:
     return m_Centerline.V.row(isRectum ? curve.front() : curve.back());
   }
 
-  /** Adds `arcLength`, and `notAssessable` if the centerline has that array. */
   void
-  AddPlaces(SurfaceMesh & mesh, const ArcLengthField & field) const
+  AddArcLength(SurfaceMesh & mesh, const ArcLengthField & field) const
   {
     SurfaceArray array{ "arcLength", SurfaceArray::ValueMatrix(mesh.NumberOfVertices(), 1), false };
     ParallelForBlocks(static_cast<std::size_t>(mesh.NumberOfVertices()), [&](std::size_t i) {
@@ -277,6 +313,13 @@ private:
       array.values(v, 0) = field.ArcLengthAt(mesh.V.row(v));
     });
     mesh.pointArrays.push_back(std::move(array));
+  }
+
+  /** Adds `arcLength`, and `notAssessable` if the centerline has that array. */
+  void
+  AddPlaces(SurfaceMesh & mesh, const ArcLengthField & field) const
+  {
+    this->AddArcLength(mesh, field);
     if (FindSurfaceArray(m_Centerline.pointArrays, "notAssessable") != nullptr)
     {
       mesh.cellArrays.push_back(this->HindrancesOfFaces(mesh));
@@ -327,6 +370,7 @@ private:
   LumenMaskImage::Pointer      m_Mask;
   SurfaceSimplificationReport  m_Simplification; ///< of the last simplification
   ColonWall                    m_Wall;
+  SurfaceMesh                  m_Unrepaired; ///< see MakeUnrepaired()
   Remarks                      m_RemarksOnRepaired;
 };
 } // namespace

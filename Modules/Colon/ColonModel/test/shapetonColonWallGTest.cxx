@@ -408,6 +408,31 @@ TEST(ColonWall, TheChainCutsALeak)
   EXPECT_LT(15.0, shapeton::InspectSurface(wall.simplified).smallestAngle.percentile1);
 }
 
+TEST(ColonWall, TopologyOfTheSimplifiedWall)
+{
+  const Points                axis = UTurn(40, 21);
+  const Depth                 tube = Tube(axis, 10);
+  const Depth                 leak = Tube({ { 5, 0, 20 }, { 16, 0, 20 } }, 1.5);
+  const Eigen::AlignedBox3d   box = BoxOf(axis, 10);
+  shapeton::ColonWallSettings options;
+  options.faces = 4000;
+  const auto plain = shapeton::BuildColonWall(Occupancy(tube, box, ObliqueGrid(false), 2.0), Centerline(axis), options);
+  const auto occupancy = Occupancy(Union(tube, leak), box, ObliqueGrid(false), 2.0);
+  for (const auto topology :
+       { shapeton::WallTopology::Repaired, shapeton::WallTopology::Denoised, shapeton::WallTopology::Raw })
+  {
+    options.topology = topology;
+    const auto wall = shapeton::BuildColonWall(occupancy, Centerline(axis), options);
+    const int  genus = topology == shapeton::WallTopology::Raw ? 1 : 0;
+    EXPECT_EQ(topology == shapeton::WallTopology::Repaired ? 0 : 1, wall.report.simplifiedGenusBefore);
+    EXPECT_EQ(genus, wall.report.simplifiedGenus);
+    ExpectOpenEnds(wall.repaired, 0); // for any topology
+    ExpectOpenEnds(wall.simplified, genus);
+    EXPECT_NEAR(1.0, wall.report.simplifiedQuality.area / plain.report.simplifiedQuality.area, 0.02);
+    EXPECT_EQ(wall.simplified.NumberOfVertices(), wall.simplified.pointArrays.back().values.rows()); // arcLength
+  }
+}
+
 TEST(ColonWall, ArcLengthIsThatOfTheOwnLoop)
 {
   // A wide leg 1 mm from a narrow one; its wall is closer to the axis of the narrow leg.

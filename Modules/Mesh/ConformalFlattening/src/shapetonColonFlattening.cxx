@@ -1,5 +1,6 @@
 #include "shapetonColonFlattening.h"
 
+#include "shapetonHandleLoops.h"
 #include "shapetonHeatDiffusionMetric.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonExceptions.h"
@@ -33,20 +34,17 @@ public:
   {
     this->Prepare(std::move(mesh));
     m_Options.progress("Handles", 0.05);
-    if (m_Options.removeHandles && m_Result.genusBefore > 0)
-    {
-      this->RemoveInRounds();
-    }
+    this->RemoveHandlesIfAsked();
     this->Flatten();
     m_Options.progress("Distortion", 0.9);
     const HandleDetection left = DetectHandles(*m_Connectivity, m_Result.map.flat);
-    if (m_Options.removeHandles)
+    if (m_Options.topology == SurfaceTopology::Raw)
     {
-      this->PlaceOnMap();
+      m_Result.handles = left;
     }
     else
     {
-      m_Result.handles = left;
+      this->PlaceOnMap();
     }
     this->CompareGenus();
     this->Measure(left.handles);
@@ -219,6 +217,7 @@ private:
     {
       m_Connectivity = std::make_unique<SurfaceConnectivity>(m_Result.surface);
       m_Lengths = EdgeLengths(*m_Connectivity, m_Result.surface.V);
+      m_Result.genusAfter = m_Connectivity->Components().front().genus.value_or(0);
       this->ReportCaps();
     }
   }
@@ -236,6 +235,39 @@ private:
     text << surfaceName << ": " << m_Result.caps.size() << " blind pouches with " << 100.0 * area
          << " % of the wall were cut off and closed by caps, because their flat map would be folded";
     m_Result.warnings.push_back(text.str());
+  }
+
+  void
+  RemoveHandlesIfAsked()
+  {
+    if (m_Options.topology == SurfaceTopology::Raw || m_Result.genusBefore == 0)
+    {
+      return;
+    }
+    if (m_Options.topology == SurfaceTopology::Denoised)
+    {
+      this->CutAlongLoops();
+    }
+    else
+    {
+      this->RemoveInRounds();
+    }
+    if (m_Result.genusAfter > 0)
+    {
+      m_Result.warnings.push_back(std::string(surfaceName) + ": " + std::to_string(m_Result.genusAfter) +
+                                  " handles could not be removed");
+    }
+  }
+
+  void
+  CutAlongLoops()
+  {
+    HandleCuts cuts = CutHandles(std::move(m_Result.surface));
+    m_Result.surface = std::move(cuts.mesh);
+    m_Result.genusAfter = cuts.genus;
+    m_Result.handles.handles = std::move(cuts.handles);
+    m_Result.handles.genus = static_cast<int>(m_Result.handles.handles.size());
+    this->Connect();
   }
 
   void
@@ -260,11 +292,6 @@ private:
       all.handles.insert(all.handles.end(), found.handles.begin(), found.handles.end());
       all.falseAlarms += round == 0 ? found.falseAlarms : 0;
       all.genus += found.genus;
-    }
-    if (m_Result.genusAfter > 0)
-    {
-      m_Result.warnings.push_back(std::string(surfaceName) + ": " + std::to_string(m_Result.genusAfter) +
-                                  " handles could not be removed");
     }
   }
 
@@ -296,10 +323,11 @@ private:
         m_Result.warnings.push_back(text.str());
       }
     }
-    if (m_Result.handles.genus != m_Result.genusBefore)
+    const int expected = m_Options.topology == SurfaceTopology::Raw ? m_Result.genusAfter : m_Result.genusBefore;
+    if (m_Result.handles.genus != expected)
     {
-      m_Result.warnings.push_back(std::string(surfaceName) + " has " + std::to_string(m_Result.genusBefore) +
-                                  " handles, but " + std::to_string(m_Result.handles.genus) + " were located: " +
+      m_Result.warnings.push_back(std::string(surfaceName) + " has " + std::to_string(expected) + " handles, but " +
+                                  std::to_string(m_Result.handles.genus) + " were located: " +
                                   (m_Options.method == TubeConjugate::Published
                                      ? "the published method also folds the map elsewhere"
                                      : "the others are at a boundary, or the map is folded in many places"));

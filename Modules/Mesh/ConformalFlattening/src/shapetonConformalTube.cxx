@@ -2,6 +2,7 @@
 
 #include "shapetonBoundedWeights.h"
 #include "shapetonConjugateFunction.h"
+#include "shapetonHandleLoops.h"
 #include "shapetonHarmonicSolver.h"
 #include "shapetonParallelFor.h"
 #include "shapetonTubeCut.h"
@@ -54,7 +55,7 @@ public:
   Run(const Progress & progress)
   {
     m_Map = {};
-    m_IsSaddle.clear();
+    m_IsAvoided.clear();
     progress(0.0);
     this->Factorize(progress.Part("", 0.0, 0.5));
     m_Map.u = m_Along->Solve(EndValues(m_Ends)).col(0);
@@ -133,9 +134,10 @@ private:
     const std::vector<int> multiplicities = SaddleMultiplicities(m_Mesh.F, m_Connectivity, m_Map.u);
     for (const int multiplicity : multiplicities)
     {
-      m_IsSaddle.push_back(multiplicity > 0);
+      m_IsAvoided.push_back(multiplicity > 0);
       m_Map.saddles += std::max(0, multiplicity);
     }
+    this->AvoidHandles();
     const bool isFinal = m_Options.conjugate == TubeConjugate::Published || !m_Options.cutCurve.empty();
     if (m_Map.saddles == 0 && !isFinal)
     {
@@ -161,9 +163,38 @@ private:
     }
     if (m_Map.saddles > 0)
     {
-      this->Avoid(m_IsSaddle, m_Options.saddleRings, costs);
+      this->Avoid(m_IsAvoided, m_Options.saddleRings, costs);
     }
     return CheapestPath(m_Graph, m_Ends, costs);
+  }
+
+  /** A cut through a handle crosses its loop, and jumps along the centerline if the handle is a shortcut. */
+  void
+  AvoidHandles()
+  {
+    for (const HandleLoop & loop : this->HandleLoops())
+    {
+      for (const int vertex : loop.vertices)
+      {
+        m_IsAvoided[vertex] = 1;
+      }
+    }
+    for (const int edge : ShortcutEdges(m_Mesh, m_Connectivity, m_Lengths))
+    {
+      const auto & [a, b] = m_Connectivity.VerticesOfEdge(edge);
+      m_IsAvoided[a] = m_IsAvoided[b] = 1;
+    }
+  }
+
+  /** Computed once: all maps are of the same surface. */
+  const std::vector<HandleLoop> &
+  HandleLoops()
+  {
+    if (!m_HandleLoops)
+    {
+      m_HandleLoops = FindHandleLoops(m_Mesh, m_Connectivity);
+    }
+    return *m_HandleLoops;
   }
 
   double
@@ -268,7 +299,7 @@ private:
     {
       return this->PathInBand(costs, v);
     }
-    this->Avoid(m_IsSaddle, m_Options.saddleRings, costs);
+    this->Avoid(m_IsAvoided, m_Options.saddleRings, costs);
     const Eigen::VectorXd defects = FlatAngleDefects(m_Mesh.F, m_Connectivity, this->PlacesOfCorners(lifted));
     std::vector<char>     isSingular(m_Mesh.V.rows(), 0);
     for (Eigen::Index i = 0; i < defects.size(); ++i)
@@ -348,10 +379,12 @@ private:
   Eigen::VectorXd                      m_Lengths; ///< in space
   std::unique_ptr<HarmonicSolver>      m_Along;
   std::unique_ptr<HarmonicSolver>      m_Around;
-  std::vector<char>                    m_IsSaddle;
-  CutSurface                           m_Cut;
-  Eigen::VectorXd                      m_V; ///< v at the vertices of the cut surface, period 1
-  TubeMap                              m_Map;
+  /** Vertices that the cut avoids: saddles of u, and loops that it would cross on its way through a handle. */
+  std::vector<char>                      m_IsAvoided;
+  std::optional<std::vector<HandleLoop>> m_HandleLoops;
+  CutSurface                             m_Cut;
+  Eigen::VectorXd                        m_V; ///< v at the vertices of the cut surface, period 1
+  TubeMap                                m_Map;
 };
 
 TubeSolver::TubeSolver(const SurfaceMesh &         mesh,

@@ -187,6 +187,49 @@ OpenPinches(const FaceMatrix & F, const SurfaceConnectivity & connectivity, std:
   }
 }
 
+std::vector<HoleFilling>
+FillHoles(SurfaceMesh &                         mesh,
+          const SurfaceConnectivity &           connectivity,
+          const std::vector<std::vector<int>> & loops,
+          const std::string &                   markName)
+{
+  if (!FindSurfaceArray(mesh.cellArrays, markName))
+  {
+    mesh.cellArrays.push_back({ markName, SurfaceArray::ValueMatrix::Zero(mesh.NumberOfFaces(), 1), true });
+  }
+  std::vector<HoleFilling> fillings;
+  int                      nextVertex = mesh.NumberOfVertices();
+  for (const std::vector<int> & loop : loops)
+  {
+    fillings.push_back(TriangulateHole(loop, mesh.V, connectivity, nextVertex));
+    nextVertex += fillings.back().numberOfVertices;
+  }
+  AppendFaces(mesh, fillings, NumberOfFilledFaces(fillings), markName);
+  AppendRimMeans(mesh.V, fillings, false);
+  for (SurfaceArray & array : mesh.pointArrays)
+  {
+    AppendRimMeans(array.values, fillings, array.areIntegers);
+  }
+  const SurfaceConnectivity closed(mesh);
+  RequireOneManifold(closed, "the surface with its holes filled");
+  for (const HoleFilling & filling : fillings)
+  {
+    SmoothFilling(filling, closed, mesh.V);
+  }
+  return fillings;
+}
+
+int
+NumberOfFilledFaces(const std::vector<HoleFilling> & fillings)
+{
+  int number = 0;
+  for (const HoleFilling & filling : fillings)
+  {
+    number += static_cast<int>(filling.faces.size());
+  }
+  return number;
+}
+
 FaceReplacement
 ReplaceFaces(const SurfaceMesh &         mesh,
              const SurfaceConnectivity & connectivity,
@@ -195,33 +238,9 @@ ReplaceFaces(const SurfaceMesh &         mesh,
 {
   const std::vector<int> kept = KeptFaces(mesh, isDeleted);
   FaceReplacement        result{ FacesOfSurface(mesh, kept), VerticesOfFaces(mesh, kept), {} };
-  SurfaceMesh &          rest = result.mesh;
-  if (!FindSurfaceArray(rest.cellArrays, markName))
-  {
-    rest.cellArrays.push_back({ markName, SurfaceArray::ValueMatrix::Zero(rest.NumberOfFaces(), 1), true });
-  }
-  RenumberLoopArrays(mesh, rest);
-  const SurfaceConnectivity connectivityOfRest(rest);
-  int                       nextVertex = rest.NumberOfVertices();
-  int                       added = 0;
-  for (const std::vector<int> & loop : NewLoops(mesh, connectivity, rest, connectivityOfRest))
-  {
-    result.fillings.push_back(TriangulateHole(loop, rest.V, connectivityOfRest, nextVertex));
-    nextVertex += result.fillings.back().numberOfVertices;
-    added += static_cast<int>(result.fillings.back().faces.size());
-  }
-  AppendFaces(rest, result.fillings, added, markName);
-  AppendRimMeans(rest.V, result.fillings, false);
-  for (SurfaceArray & array : rest.pointArrays)
-  {
-    AppendRimMeans(array.values, result.fillings, array.areIntegers);
-  }
-  const SurfaceConnectivity closed(rest);
-  RequireOneManifold(closed, "the surface with its holes filled");
-  for (const HoleFilling & filling : result.fillings)
-  {
-    SmoothFilling(filling, closed, rest.V);
-  }
+  RenumberLoopArrays(mesh, result.mesh);
+  const SurfaceConnectivity rest(result.mesh);
+  result.fillings = FillHoles(result.mesh, rest, NewLoops(mesh, connectivity, result.mesh, rest), markName);
   return result;
 }
 } // namespace shapeton

@@ -19,12 +19,28 @@ struct FaceReplacement
   std::vector<HoleFilling> fillings;
 };
 
+/** Cell array with 1 on the fillings of removed handles. */
+constexpr const char * filledName = "filled";
+
+/** Closes boundary loops with triangles as large as those around them (TriangulateHole(), SmoothFilling()). New faces
+ * and vertices are appended, with arrays as in FaceReplacement. \param connectivity of the surface with these loops.
+ * \param markName integer cell array that marks new faces; created if missing.
+ * Throws InputError if the result is not one oriented manifold component. */
+std::vector<HoleFilling>
+FillHoles(SurfaceMesh &                         mesh,
+          const SurfaceConnectivity &           connectivity,
+          const std::vector<std::vector<int>> & loops,
+          const std::string &                   markName);
+
+int
+NumberOfFilledFaces(const std::vector<HoleFilling> & fillings);
+
 /** Deletes further faces until each interior vertex has a single fan. */
 void
 OpenPinches(const FaceMatrix & F, const SurfaceConnectivity & connectivity, std::vector<char> & isDeleted);
 
-/** Deletes faces, and everything this disconnects from the largest part, and fills the holes with triangles as large as
- * those around them (TriangulateHole(), SmoothFilling()). Boundaries are unchanged.
+/** Deletes faces, and everything this disconnects from the largest part, and fills the holes
+ * (FillHoles()). Boundaries are unchanged.
  * \param isDeleted for each face; after OpenPinches().
  * \param markName integer cell array that marks new faces; created if missing.
  * \pre The surface is one oriented manifold component. Throws InputError if the result is not. */

@@ -9,8 +9,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr const char * filledName = "filled";
-
 /** Faces to delete: faces of handle vertices, except for vertices next to a boundary. */
 std::vector<char>
 FacesOfHandles(const SurfaceConnectivity & connectivity, const std::vector<SurfaceHandle> & handles)
@@ -57,10 +55,7 @@ RemoveHandles(const SurfaceMesh &                mesh,
   HandleRemoval   removal;
   removal.mesh = std::move(replacement.mesh);
   removal.filledHoles = static_cast<int>(replacement.fillings.size());
-  for (const HoleFilling & filling : replacement.fillings)
-  {
-    removal.filledFaces += static_cast<int>(filling.faces.size());
-  }
+  removal.filledFaces = NumberOfFilledFaces(replacement.fillings);
   removal.removedFaces = mesh.NumberOfFaces() + removal.filledFaces - removal.mesh.NumberOfFaces();
   removal.genus = SurfaceConnectivity(removal.mesh).Components().front().genus.value_or(0);
   return removal;

@@ -107,6 +107,7 @@ public:
       OpenPinches(m_Mesh.F, m_Connectivity, m_IsPouch);
     }
     this->LeaveEnds();
+    this->LeaveHandles();
     return std::move(m_IsPouch);
   }
 
@@ -158,6 +159,41 @@ private:
     for (std::size_t face = 0; face < part.size(); ++face)
     {
       m_IsPouch[face] = m_IsPouch[face] && !touchesEnd[part[face]];
+    }
+  }
+
+  /** Unmarks pouches that are not discs: those with handles, and those that handles connect to the rest. */
+  void
+  LeaveHandles()
+  {
+    const std::vector<int> part = PartsOfFaces(m_Connectivity, m_IsPouch);
+    std::vector<int>       euler(part.size(), 0);
+    for (std::size_t face = 0; face < part.size(); ++face)
+    {
+      ++euler[part[face]];
+    }
+    for (int edge = 0; edge < m_Connectivity.NumberOfEdges(); ++edge)
+    {
+      this->AddToParts(part, m_Connectivity.FacesOfEdge(edge), -1, euler);
+    }
+    for (int vertex = 0; vertex < m_Connectivity.NumberOfVertices(); ++vertex)
+    {
+      this->AddToParts(part, m_Connectivity.FacesOfVertex(vertex), 1, euler);
+    }
+    for (std::size_t face = 0; face < part.size(); ++face)
+    {
+      m_IsPouch[face] = m_IsPouch[face] && euler[part[face]] == 1;
+    }
+  }
+
+  /** Adds a number once to the marked part among these faces; after OpenPinches() there is at most one. */
+  void
+  AddToParts(const std::vector<int> & part, const IndexRange & faces, int number, std::vector<int> & euler) const
+  {
+    const auto * const marked = std::find_if(faces.begin(), faces.end(), [this](int face) { return m_IsPouch[face]; });
+    if (marked != faces.end())
+    {
+      euler[part[*marked]] += number;
     }
   }
 

@@ -15,8 +15,11 @@ namespace shapeton
 {
 namespace
 {
-constexpr int          mostCuts = 5; // maximum number of removals
-constexpr int          ringsAroundHandle = 3;
+constexpr int mostCuts = 5; // maximum number of removals
+constexpr int ringsAroundHandle = 3;
+/** With handles, the number of maps without fewer flips before another remedy is tried. Flips come and go there, as the
+ * folds of handles change with the weights. */
+constexpr int          mostInVain = 2;
 constexpr const char * wallPointName = "wallPointId";
 
 using FaceMarks = std::vector<char>;
@@ -72,15 +75,10 @@ public:
       this->CutOffPouches();
       isDone = this->MapUntilUnfolded(0);
     }
-    if (!isDone && m_IsTube)
+    isDone = isDone || this->MapUntilUnfolded(1);
+    if (!isDone)
     {
-      this->MapUntilUnfolded(1);
-    }
-    else if (!isDone)
-    {
-      // Undetected handles fold the map for any weights; the metric weights are best.
-      TubeSolver solver(m_Tube.surface, *m_Connectivity, m_Tube.edgeLengths, m_Tube.ends, m_Options);
-      this->Map(solver);
+      m_Tube.map = std::move(m_Best); // undetected handles fold the map for any weights
     }
     return std::move(m_Tube);
   }
@@ -94,6 +92,7 @@ private:
     m_Steps.Step("Metric");
     m_Tube.edgeLengths = m_Metric(m_Tube.surface, *m_Connectivity, m_Steps.NextStep("Metric"));
     m_IsTube = m_Connectivity->Components().front().genus == 0;
+    m_FewestFlips = std::numeric_limits<std::ptrdiff_t>::max();
   }
 
   /** Maps with weights clamped at flipped faces, starting with this level everywhere. Returns false if that does not
@@ -103,7 +102,8 @@ private:
   {
     TubeSolver       solver(m_Tube.surface, *m_Connectivity, m_Tube.edgeLengths, m_Tube.ends, m_Options);
     std::vector<int> levels(m_Tube.surface.NumberOfVertices(), level);
-    std::ptrdiff_t   before = std::numeric_limits<std::ptrdiff_t>::max();
+    std::ptrdiff_t   fewest = std::numeric_limits<std::ptrdiff_t>::max();
+    int              solvesInVain = 0;
     for (int solve = 1; solve <= m_MostSolves; ++solve)
     {
       if (level > 0 || solve > 1)
@@ -116,12 +116,18 @@ private:
       {
         return true;
       }
-      const bool isStuck = !m_IsTube && flips >= before;
+      if (flips < m_FewestFlips)
+      {
+        m_FewestFlips = flips;
+        m_Best = m_Tube.map;
+      }
+      solvesInVain = flips < fewest ? 0 : solvesInVain + 1;
+      fewest = std::min(fewest, flips);
+      const bool isStuck = !m_IsTube && solvesInVain >= mostInVain;
       if (isStuck || (solve == 1 && level == 0 && NumberOf(this->InvisiblePouches()) > 0))
       {
         return false;
       }
-      before = flips;
       RaiseWeightLevels(m_Tube.surface.F, EdgeGraph(*m_Connectivity), m_IsFlipped, RingsOfSolve(solve), levels);
     }
     return false;
@@ -144,12 +150,11 @@ private:
     }
   }
 
-  /** Invisible pouches; none if there are handles. */
   FaceMarks
   InvisiblePouches() const
   {
     const SurfaceMesh & flat = m_Tube.map.flat;
-    return m_IsTube ? this->PouchesOf(InvisibleFaces(m_Tube.surface, *m_Connectivity, flat)) : FaceMarks();
+    return this->PouchesOf(InvisibleFaces(m_Tube.surface, *m_Connectivity, flat));
   }
 
   FaceMarks
@@ -163,7 +168,7 @@ private:
   FindPouches()
   {
     m_IsPouch = this->InvisiblePouches();
-    if (m_IsTube && NumberOf(m_IsPouch) == 0)
+    if (NumberOf(m_IsPouch) == 0)
     {
       m_IsPouch = this->PouchesOf(m_IsFlipped);
     }
@@ -214,6 +219,8 @@ private:
   bool                                 m_IsTube{ true }; ///< no handles
   FaceMarks                            m_IsFlipped;
   FaceMarks                            m_IsPouch;
+  TubeMap                              m_Best; ///< of this surface, with the fewest avoidable flips
+  std::ptrdiff_t                       m_FewestFlips{ 0 };
 };
 } // namespace
 

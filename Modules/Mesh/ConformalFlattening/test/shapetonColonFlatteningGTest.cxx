@@ -83,23 +83,29 @@ TEST(ColonFlattening, RemovesHandlesOnRequest)
   EXPECT_EQ(5, with.handles.genus);
   EXPECT_GT(with.distortion.flips, 0);
   EXPECT_EQ(0, with.flipsAwayFromHandles);
-  options.removeHandles = true;
-  const shapeton::ColonFlattening without = shapeton::FlattenColon(Tube(5), "it", options);
-  EXPECT_EQ(5, without.genusBefore);
-  EXPECT_EQ(0, without.genusAfter);
-  EXPECT_EQ(5U, without.handles.handles.size());
-  EXPECT_EQ(0, without.distortion.flips);
-  EXPECT_EQ(40.0, without.time);
-  const shapeton::Json json = shapeton::ColonFlatteningToJson(without);
-  EXPECT_EQ(5U, json["handles"].size());
-  EXPECT_EQ(0, json["genusAfter"]);
-  EXPECT_TRUE(json["eigenpairs"].is_null());
-  EXPECT_NEAR(without.map.modulusU, json["modulusU"].get<double>(), 1e-9);
-  // On the final map the handle is at the nearest vertex.
-  for (const shapeton::SurfaceHandle & handle : without.handles.handles)
+  const shapeton::ColonFlattening plain = shapeton::FlattenColon(Tube(), "it", options);
+  for (const auto topology : { shapeton::SurfaceTopology::Denoised, shapeton::SurfaceTopology::Published })
   {
-    EXPECT_GT(handle.flatPlace.x(), 0.0);
-    EXPECT_LT(handle.flatPlace.x(), without.map.length);
+    options.topology = topology;
+    const shapeton::ColonFlattening without = shapeton::FlattenColon(Tube(5), "it", options);
+    EXPECT_EQ(5, without.genusBefore);
+    EXPECT_EQ(0, without.genusAfter);
+    EXPECT_EQ(5U, without.handles.handles.size());
+    EXPECT_EQ(0, without.distortion.flips);
+    EXPECT_EQ(40.0, without.time);
+    EXPECT_NEAR(1.0, without.map.modulusU / plain.map.modulusU, 0.005);
+    EXPECT_NEAR(1.0, without.map.modulusV / plain.map.modulusV, 0.005);
+    const shapeton::Json json = shapeton::ColonFlatteningToJson(without);
+    EXPECT_EQ(5U, json["handles"].size());
+    EXPECT_EQ(0, json["genusAfter"]);
+    EXPECT_TRUE(json["eigenpairs"].is_null());
+    EXPECT_NEAR(without.map.modulusU, json["modulusU"].get<double>(), 1e-9);
+    // On the final map the handle is at the nearest vertex.
+    for (const shapeton::SurfaceHandle & handle : without.handles.handles)
+    {
+      EXPECT_GT(handle.flatPlace.x(), 0.0);
+      EXPECT_LT(handle.flatPlace.x(), without.map.length);
+    }
   }
 }
 
@@ -187,7 +193,7 @@ TEST(ColonFlattening, IsAbortedByProgressWhateverTheMetric)
     const auto work = [&](const shapeton::Progress & progress) {
       shapeton::ColonFlatteningSettings options;
       options.metric = metric;
-      options.removeHandles = true;
+      options.topology = shapeton::SurfaceTopology::Published;
       options.progress = progress;
       FlattenColon(tube, "it", options);
     };

@@ -145,7 +145,7 @@ ExpectNoFoldsWithoutHandles(int faces, int handles, const std::vector<std::uint6
     {
       shapeton::ColonFlatteningSettings options;
       options.metric = metric;
-      options.removeHandles = true;
+      options.topology = shapeton::SurfaceTopology::Denoised;
       const shapeton::ColonFlattening flat = shapeton::FlattenColon(MakeColonTube(tube).mesh, "the tube", options);
       EXPECT_EQ(0, flat.distortion.flips) << "seed " << seed << ", left " << flat.genusAfter;
       EXPECT_EQ(0, flat.genusAfter);
@@ -330,7 +330,7 @@ TEST(TubeUnfolding, MeshesOfOthers)
     {
       shapeton::ColonFlatteningSettings options;
       options.metric = metric;
-      options.removeHandles = true;
+      options.topology = shapeton::SurfaceTopology::Denoised;
       const shapeton::ColonFlattening flat = shapeton::FlattenColon(surface.mesh, "the tube", options);
       EXPECT_EQ(0, FlipsOf(flat.map.flat));
       EXPECT_LT(flat.cutOffAreaFraction, 0.02);

@@ -130,7 +130,7 @@ Segmentation(const OptionPasser & passer)
     .Output("report", "report")
     .Option("keepPartial", "true") // for the reason of a failure in the report
     .Expect({ "lumen.nrrd", "centerline.vtp", "wall.vtp", "wall-repaired.vtp", "wall-simplified.vtp", "quality.json" });
-  passer.Pass(stage, { "inputIsLumen", "faces", "resampleGaps", "deshear", "dropDuplicates" });
+  passer.Pass(stage, { "inputIsLumen", "topology", "faces", "resampleGaps", "deshear", "dropDuplicates" });
   passer.PassOwn(stage, "position");
   passer.PassOwn(stage, "seriesUID");
   passer.PassOwnInput(stage, "lumen");
@@ -167,7 +167,7 @@ Flattening(const OptionPasser & passer, const StagedRun & run)
   {
     passer.PassDevice(stage);
   }
-  passer.Pass(stage, { "metric", "time", "removeHandles", "pixelSize" });
+  passer.Pass(stage, { "metric", "time", "pixelSize" });
   return stage;
 }
 
