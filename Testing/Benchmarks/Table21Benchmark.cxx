@@ -1,5 +1,7 @@
-// Table 2.1 of the dissertation with a column for Shapeton. Rows without available data use a phantom of equal size.
+// Table 2.1 of the dissertation with columns for Shapeton, and conventional diffusion of small volumes. Rows without
+// available data use a phantom of equal size.
 #include "BenchmarkVolume.h"
+#include "ConventionalHeat.h"
 
 #include "shapetonCumulativeHeatDiffusion.h"
 #include "itkMultiThreaderBase.h"
@@ -8,6 +10,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 
 namespace
@@ -24,48 +27,121 @@ struct Row
 };
 
 const std::array<Row, 7> rows = { {
-  { "Foot", { { 256, 256, 256 } }, 100000, 7.0, "80,531", 4.8, "" },
+  { "Foot", { { 256, 256, 256 } }, 100000, 7.0, "80,531", 4.8, "scivis/foot.nii.gz" },
   { "Engine", { { 256, 256, 128 } }, 52000, 10.1, "11,744", 1.4, "volumes/engine.nii.gz" },
-  { "Aneurysm", { { 256, 256, 256 } }, 100000, 7.5, "85,564", 5.1, "" },
-  { "Abdominal stent", { { 512, 512, 174 } }, 100000, 8.0, "2,098,201", 46.1, "" },
-  { "MRI head", { { 256, 256, 256 } }, 400000, 6.0, "352,322", 21.3, "" },
+  { "Aneurysm", { { 256, 256, 256 } }, 100000, 7.5, "85,564", 5.1, "scivis/aneurism.nii.gz" },
+  { "Abdominal stent", { { 512, 512, 174 } }, 100000, 8.0, "2,098,201", 46.1, "scivis/stent.nii.gz" },
+  { "MRI head", { { 256, 256, 256 } }, 400000, 6.0, "352,322", 21.3, "scivis/mri_ventricles.nii.gz" },
   { "Visible Female hand", { { 176, 187, 190 } }, 1000000, 10.0, "112,559", 18.2, "" },
   { "Bonsai", { { 256, 256, 256 } }, 1000000, 8.5, "845,572", 50.4, "volumes/bonsai.nii.gz" },
 } };
 
-/** Volume of a row; `real` is true if it is the published one. */
-std::vector<float>
-Load(const Row & row, bool & real)
+struct LoadedVolume
+{
+  std::array<std::size_t, 3> size{};
+  std::vector<float>         values;
+  bool                       isReal{ false };
+};
+
+/** Volume of a row; its size may be smaller than the published one. */
+LoadedVolume
+Load(const Row & row)
 {
   const char * const folder = std::getenv("SHAPETON_TEST_DATA_DIR");
   const std::string  path = folder && *row.file ? std::string(folder) + '/' + row.file : "";
-  real = !path.empty() && std::filesystem::exists(path);
-  if (!real)
+  if (path.empty() || !std::filesystem::exists(path))
   {
-    return MakeBenchmarkVolume(row.size);
+    return { row.size, MakeBenchmarkVolume(row.size), false };
   }
   const shapeton::Volume volume = shapeton::ReadVolume(path);
   const auto             size = volume.image->GetBufferedRegion().GetSize();
-  if (!std::equal(size.begin(), size.end(), row.size.begin()))
-  {
-    std::fprintf(stderr, "%s does not have the published size\n", path.c_str());
-    std::exit(1);
-  }
-  const float * const first = volume.image->GetBufferPointer();
-  return std::vector<float>(first, first + volume.image->GetBufferedRegion().GetNumberOfPixels());
+  const float * const    first = volume.image->GetBufferPointer();
+  return { { { size[0], size[1], size[2] } },
+           { first, first + volume.image->GetBufferedRegion().GetNumberOfPixels() },
+           true };
 }
 
+/** Seconds of processor time since the start, summed over all threads. */
 double
-Seconds(const Row & row, const std::vector<float> & volume, shapeton::Device device)
+ProcessorSeconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/** Elapsed seconds on a monotonic clock. */
+double
+ElapsedSeconds()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/** Seconds of cumulative diffusion: of processor time on the CPU, elapsed on a GPU. */
+double
+Seconds(const Row & row, const LoadedVolume & volume, shapeton::Device device)
 {
   shapeton::CumulativeHeatDiffusionSettings settings;
   settings.p = row.p;
   settings.timeSteps = row.steps;
-  const auto start = std::chrono::steady_clock::now();
   settings.device = device;
-  std::vector<float> heat(volume.size());
-  shapeton::DiffuseCumulativeHeat(volume.data(), row.size, settings, heat.data());
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const auto         clock = device == shapeton::Device::Cpu ? ProcessorSeconds : ElapsedSeconds;
+  const double       start = clock();
+  std::vector<float> heat(volume.values.size());
+  shapeton::DiffuseCumulativeHeat(volume.values.data(), volume.size, settings, heat.data());
+  return clock() - start;
+}
+
+void
+PrintRow(const Row & row, bool hasGpu)
+{
+  const LoadedVolume volume = Load(row);
+  const double       seconds = Seconds(row, volume, shapeton::Device::Cpu);
+  constexpr double   millisecondsPerSecond = 1000.0;
+  const double       milliseconds = millisecondsPerSecond * seconds / static_cast<double>(row.steps);
+  std::printf("| %s%s | %zu x %zu x %zu | %zu x %zu x %zu | %llu | %g | %s | %g | %.3f | %.1f | %.0f | ",
+              row.name,
+              volume.isReal ? "" : "*",
+              row.size[0],
+              row.size[1],
+              row.size[2],
+              volume.size[0],
+              volume.size[1],
+              volume.size[2],
+              static_cast<unsigned long long>(row.steps),
+              row.p,
+              row.conventionalSeconds,
+              row.publishedMilliseconds,
+              milliseconds,
+              seconds,
+              row.publishedMilliseconds / milliseconds);
+  hasGpu ? std::printf("%.2f |\n", Seconds(row, volume, shapeton::Device::Cuda)) : std::printf("- |\n");
+  std::fflush(stdout);
+}
+
+/** Conventional diffusion starts once per voxel, so its time per voxel grows with their number. */
+void
+PrintConventional()
+{
+  constexpr std::uint64_t steps = 100;
+  std::printf("\n| voxels | steps | conventional, processor seconds | cumulative | ratio |\n|---|---|---|---|---|\n");
+  for (const std::size_t side : { 16, 32, 48 })
+  {
+    const LoadedVolume volume{ { { side, side, side } }, MakeBenchmarkVolume({ { side, side, side } }), false };
+    const shapeton::VolumeGradientOperator volumeGradient(
+      volume.values.data(), volume.size, WholeWindow(volume.values));
+    const double start = ProcessorSeconds();
+    ConventionalHeat(volumeGradient, steps);
+    const double conventional = ProcessorSeconds() - start;
+    Row          row = rows[0];
+    row.steps = steps;
+    const double cumulative = Seconds(row, volume, shapeton::Device::Cpu);
+    std::printf("| %zu^3 | %llu | %.2f | %.4f | %.0f |\n",
+                side,
+                static_cast<unsigned long long>(steps),
+                conventional,
+                cumulative,
+                conventional / cumulative);
+    std::fflush(stdout);
+  }
 }
 } // namespace
 
@@ -76,31 +152,15 @@ main()
   std::printf("\nTable 2.1, %u threads, GPU: %s; * phantom of equal size, data set not available\n\n",
               itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads(),
               gpu.Describe().c_str());
-  std::printf("| data set | resolution | steps | p | conventional, s per step (published) | cumulative, ms per step "
-              "(published) | ours, ms per step | ours, all steps, s | times faster | on the GPU, all "
-              "steps, s |\n"
-              "|---|---|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+    "| data set | resolution (published) | ours | steps | p | conventional, s per step (published) | cumulative, "
+    "ms per step (published) | ours, ms of processor time per step | ours, all steps, s of processor time | "
+    "times less | on the GPU, all steps, s |\n"
+    "|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const Row & row : rows)
   {
-    bool         real = false;
-    const auto   volume = Load(row, real);
-    const double seconds = Seconds(row, volume, shapeton::Device::Cpu);
-    const double milliseconds = 1000.0 * seconds / row.steps;
-    std::printf("| %s%s | %zu x %zu x %zu | %llu | %g | %s | %g | %.3f | %.1f | %.0f | ",
-                row.name,
-                real ? "" : "*",
-                row.size[0],
-                row.size[1],
-                row.size[2],
-                static_cast<unsigned long long>(row.steps),
-                row.p,
-                row.conventionalSeconds,
-                row.publishedMilliseconds,
-                milliseconds,
-                seconds,
-                row.publishedMilliseconds / milliseconds);
-    gpu.gpu ? std::printf("%.2f |\n", Seconds(row, volume, shapeton::Device::Cuda)) : std::printf("- |\n");
-    std::fflush(stdout);
+    PrintRow(row, gpu.gpu);
   }
+  PrintConventional();
   return 0;
 }
