@@ -29,10 +29,26 @@ CheckUsage(const CommandLine & commandLine)
                              "--epsilon has no effect without --untilSteady, --preview or --report");
 }
 
-void
-Configure(const CommandLine & commandLine, FilterType * filter)
+constexpr double shareOfChoice = 0.1; // of the time of a run
+
+shapeton::ShapetonPreset
+PresetOf(const CommandLine & commandLine)
 {
-  shapeton::ReadOptionsOf(commandLine, filter);
+  const auto words = shapeton::OptionInfo("preset").Words({ "objects", "published", "surface" });
+  return static_cast<shapeton::ShapetonPreset>(words.PositionOf(commandLine.GetString("preset")));
+}
+
+/** Reads the options that are given; the others are those of the preset. */
+void
+Configure(CommandLine & commandLine, const std::string & modality, FilterType * filter)
+{
+  shapeton::ParticleDiffusionOptions options = filter->GetOptions();
+  const std::vector<std::string>     given = shapeton::ReadGivenOptions(commandLine, options);
+  filter->SetOptions(options);
+  filter->ChooseParameters(PresetOf(commandLine),
+                           given,
+                           modality,
+                           commandLine.PartOfProgress(0.0, shareOfChoice).Part("Choosing parameters", 0.0, 1.0));
   if (commandLine.IsGiven("featureSize"))
   {
     filter->AutomaticDistanceOn();
@@ -67,11 +83,11 @@ void
 Diffuse(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
-  auto filter = FilterType::New();
-  Configure(commandLine, filter);
+  auto                                filter = FilterType::New();
   const shapeton::ParticleResultFiles files(commandLine);
   const shapeton::Volume              volume = shapeton::ReadVolume(commandLine, "inputVolume", true);
   filter->SetInput(volume.image);
+  Configure(commandLine, volume.modality, filter);
   if (commandLine.IsGiven("mask"))
   {
     filter->SetMaskImage(shapeton::ReadMask(commandLine, "mask", volume.image));
@@ -85,13 +101,15 @@ Diffuse(CommandLine & commandLine)
     filter->SetHistogramSteps(HistogramSteps(filter->GetTimeSteps()));
   }
   shapeton::ParticleMonitor monitor(commandLine, filter);
-  commandLine.Watch(filter, "Diffusing shapetons", 0.0, 0.95);
+  commandLine.Watch(filter, "Diffusing shapetons", shareOfChoice, 0.95 - shareOfChoice);
   Update(commandLine, filter);
   commandLine.AddRunFact("device", filter->GetDeviceUse().Describe());
-  if (filter->GetAutomaticDistance())
+  for (const auto & [name, value] : shapeton::ShapetonValues(filter))
   {
-    commandLine.AddProvenance("chosen.distance", shapeton::CsvTable::Number(filter->GetDistance()));
-    commandLine.AddProvenance("chosen.shapetons", std::to_string(filter->GetShapetons()));
+    if (!commandLine.IsGiven(name))
+    {
+      commandLine.AddProvenance("chosen." + name, value);
+    }
   }
   for (const auto & remark : shapeton::ParticleRemarks(filter))
   {

@@ -9,9 +9,9 @@ figure 3.4 'four shapes by shapetons'
 shapes=()
 for shape in figure3.4 figure3.5; do
   run ShapePhantom $shape.nrrd --shape $shape --size 96,96,96
-  run ShapetonDiffusion $shape.nrrd $shape-published.nrrd --directionSampling sectorArea --report $shape-published
+  run ShapetonDiffusion $shape.nrrd $shape-published.nrrd --preset published --report $shape-published
   run ShapetonDiffusion $shape.nrrd $shape-controlled.nrrd --shapetons 50000 --timeSteps 1000 --distance 0.01 \
-    --pathRule traversal --directionSampling uniform --placement initialHeat --report $shape-controlled
+    --p 7 --preset objects --report $shape-controlled
   shapes+=("$(rendering $shape-published/rendering.png)=$shape published" "$(rendering $shape-controlled/rendering.png)=$shape controlled")
 done
 panels 2 400 "${shapes[@]}"
@@ -24,7 +24,7 @@ figure 3.6 'number of shapetons'
 run ShapePhantom cube128.nrrd --shape figure2.4 --size 128,128,128
 many=()
 for shapetons in 4000 8000 15000 30000; do
-  run ShapetonDiffusion cube128.nrrd many-$shapetons.nrrd --shapetons $shapetons --timeSteps 1600 --directionSampling sectorArea \
+  run ShapetonDiffusion cube128.nrrd many-$shapetons.nrrd --shapetons $shapetons --timeSteps 1600 --preset published \
     --preview many-$shapetons.png --previewEvery 1000
   many+=("$(visits "many-$shapetons.png")=$shapetons")
 done
@@ -38,7 +38,7 @@ run ShapePhantom vessels.nrrd --shape vessels --size 128,128,128 --labels vessel
 steps=()
 for distance in 0.001 0.005 0.01 0.05; do
   run ShapetonDiffusion vessels.nrrd vessels-$distance.nrrd --timeSteps 400 --distance $distance --p 7.5 \
-    --directionSampling sectorArea --mask vessels-labels.nrrd --preview vessels-$distance.png --previewEvery 1000
+    --preset published --mask vessels-labels.nrrd --preview vessels-$distance.png --previewEvery 1000
   steps+=("$(visits "vessels-$distance.png")=distance $distance")
 done
 panels 2 400 "${steps[@]}"
@@ -50,7 +50,7 @@ needs volumes/engine.nii.gz
 pipes=()
 for p in 4 9 15 20; do
   run ShapetonDiffusion engine.nii.gz engine-shapetons-$p.nrrd --p $p --timeSteps 1300 --distance 0.05 \
-    --directionSampling sectorArea --preview engine-shapetons-$p.png --previewEvery 1000
+    --preset published --preview engine-shapetons-$p.png --previewEvery 1000
   pipes+=("$(visits "engine-shapetons-$p.png")=p = $p")
 done
 panels 2 400 "${pipes[@]}"
@@ -61,8 +61,8 @@ figure 3.11 'hydrogen and head'
 needs volumes/ch2.nii.gz
 run ShapePhantom hydrogen.nrrd --shape hydrogen --size 96,96,96
 run ShapetonDiffusion hydrogen.nrrd hydrogen-visits.nrrd --shapetons 50000 --timeSteps 1000 --distance 0.01 \
-  --pathRule traversal --directionSampling uniform --placement initialHeat --report hydrogen
-run ShapetonDiffusion ch2.nii.gz head-visits.nrrd --p 6 --timeSteps 4160 --directionSampling sectorArea --report head-shapetons
+  --p 7 --preset objects --report hydrogen
+run ShapetonDiffusion ch2.nii.gz head-visits.nrrd --p 6 --timeSteps 4160 --preset published --report head-shapetons
 panels 2 400 "$(rendering hydrogen/rendering.png)=(a) hydrogen, controlled walk" "$(rendering head-shapetons/rendering.png)=(d) head, as published"
 differs '(a) 50,000 shapetons, 1,000 steps. **Agrees:** the lobes have one class, different from nucleus and orbit. (d) p' \
   '= 6, 4,160 steps. **Differs:** the head and the surrounding air are one class.'

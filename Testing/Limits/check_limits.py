@@ -37,7 +37,7 @@ def fast_commands(work):
         ["DicomSeriesToImage", work / "colon", "OUT/image.nrrd"],
         ["DicomSeriesToImage", work / "colon", "OUT/image.nii.gz"],
         ["CumulativeHeatDiffusion", shapes, "OUT/heat.nrrd", "--timeSteps", "30", "--report", "OUT/report"],
-        ["ShapetonDiffusion", shapes, "OUT/density.nrrd", "--shapetons", "2000", "--timeSteps", "50", "--report", "OUT/report"],
+        ["ShapetonDiffusion", shapes, "OUT/density.nrrd", "--preset", "published", "--shapetons", "2000", "--timeSteps", "50", "--report", "OUT/report"],
         ["SensorNetworkSimulator", "OUT/steps", "--nodes", "150", "--steps", "2"],
         ["GraphEmbedding", work / "network/step-0000.graphml", "OUT/certificate.json", "--svg", "OUT/graph.svg", "--report", "OUT/report"],
         ["SurfaceSpectrum", data / "Torus.off", "OUT/spectrum.csv", "--eigenpairs", "20", "--heatKernelSignature", "OUT/hks.vtp"],

@@ -1,5 +1,5 @@
 # Checks that all files except the run record are byte-identical for 1, 2, 3 and 8 threads, and for a run in two parts.
-set(options --shapetons 20000 --timeSteps 300 --distance 0.03 --seed 5 --quiet)
+set(options --preset published --directionSampling solidAngle --shapetons 20000 --timeSteps 300 --distance 0.03 --seed 5 --quiet)
 set(results --labels labels.nrrd --classTable classes.csv --checkpoint end.state)
 
 function(run folder)

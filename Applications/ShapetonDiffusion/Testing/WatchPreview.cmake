@@ -3,7 +3,7 @@
 file(REMOVE_RECURSE ${OUT})
 file(MAKE_DIRECTORY ${OUT})
 file(WRITE ${OUT}/density.nrrd "the old result")
-execute_process(COMMAND timeout -s TERM 4 ${TOOL} ${INPUT} ${OUT}/density.nrrd --timeSteps 1000000000 --shapetons 1000
+execute_process(COMMAND timeout -s TERM 4 ${TOOL} ${INPUT} ${OUT}/density.nrrd --preset published --timeSteps 1000000000 --shapetons 1000
   --preview ${OUT}/now.png --previewEvery 0.2 --quiet RESULT_VARIABLE status ERROR_QUIET)
 if(status EQUAL 0)
   message(FATAL_ERROR "the run ended before it could be killed")

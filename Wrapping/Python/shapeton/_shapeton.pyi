@@ -1648,6 +1648,11 @@ class ShapetonResult:
         ...
 
     @property
+    def p(self) -> float:
+        """The p used."""
+        ...
+
+    @property
     def reason_of_distance(self) -> str:
         """Reason for the distance, if chosen by feature_size; otherwise empty."""
         ...
@@ -1655,6 +1660,11 @@ class ShapetonResult:
     @property
     def shapetons(self) -> int:
         """Number of shapetons."""
+        ...
+
+    @property
+    def smoothing(self) -> float:
+        """Standard deviation of the smoothing, mm."""
         ...
 
     @property

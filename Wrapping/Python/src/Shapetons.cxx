@@ -24,12 +24,17 @@ struct Shapetons
   double           distance;
   std::uint32_t    shapetons;
   std::string      reason;
+  double           p;
+  double           smoothing;
 };
 
 Shapetons
 Diffuse(const ImageType::Pointer &                                image,
         const std::optional<FilterType::MaskImageType::Pointer> & mask,
         const Given<ParticleDiffusionOptions> &                   given,
+        const std::vector<std::string> &                          names,
+        const std::string &                                       preset,
+        const std::string &                                       modality,
         bool                                                      automaticDistance,
         bool                                                      automaticShapetons,
         const std::vector<std::uint64_t> &                        histogramSteps,
@@ -42,12 +47,18 @@ Diffuse(const ImageType::Pointer &                                image,
     filter->SetMaskImage(*mask);
   }
   filter->SetOptions(given.options);
+  const auto words = OptionInfo("preset").Words({ "objects", "published", "surface" });
+  filter->ChooseParameters(static_cast<ShapetonPreset>(words.PositionOf(preset)),
+                           names,
+                           modality,
+                           progress.Part("Choosing parameters", 0.0, 0.0));
   filter->SetAutomaticDistance(automaticDistance);
   filter->SetAutomaticNumberOfShapetons(automaticShapetons);
   filter->SetHistogramSteps(histogramSteps);
   UpdateWithProgress(filter.GetPointer(), "Diffusing shapetons", progress);
   return { filter->GetOutput(),   filter->GetMeasures(),  filter->GetHistogram(),
-           filter->GetDistance(), filter->GetShapetons(), filter->GetAutomaticShapetons().distanceReason };
+           filter->GetDistance(), filter->GetShapetons(), filter->GetAutomaticShapetons().distanceReason,
+           filter->GetP(),        filter->GetSmoothing() };
 }
 
 template <typename TMember>
@@ -77,6 +88,8 @@ AddResult(py::module_ & module)
     .def_property_readonly(
       "trapped", Measure(&ParticleMeasures::trappedShapetons), "Shapetons in voxels disconnected from all neighbors.")
     .def_readonly("shapetons", &Shapetons::shapetons, "Number of shapetons.")
+    .def_readonly("p", &Shapetons::p, "The p used.")
+    .def_readonly("smoothing", &Shapetons::smoothing, "Standard deviation of the smoothing, mm.")
     .def_readonly("distance", &Shapetons::distance, "Step length, in units of the longest side.")
     .def_readonly(
       "reason_of_distance", &Shapetons::reason, "Reason for the distance, if chosen by feature_size; otherwise empty.")

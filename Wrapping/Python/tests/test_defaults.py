@@ -62,7 +62,14 @@ MEANINGS = {
     ("CumulativeHeatDiffusion", "smoothing"): {"auto": None},
     ("CumulativeHeatDiffusion", "timeSteps"): {"auto": None},
     ("ShapetonDiffusion", "featureSize"): {0: None},
-    ("ShapetonDiffusion", "shapetons"): {65000: None},  # or the number for feature_size
+    ("ShapetonDiffusion", "directionSampling"): {"preset": None},
+    ("ShapetonDiffusion", "distance"): {"auto": None},
+    ("ShapetonDiffusion", "p"): {"auto": None},
+    ("ShapetonDiffusion", "pathRule"): {"preset": None},
+    ("ShapetonDiffusion", "placement"): {"preset": None},
+    ("ShapetonDiffusion", "shapetons"): {"auto": None},
+    ("ShapetonDiffusion", "smoothing"): {"auto": None},
+    ("ShapetonDiffusion", "timeSteps"): {"auto": None},
 }
 
 #: Options without a parameter: replaced by a separate function or a value of another parameter, or about

@@ -7,6 +7,7 @@
 #include "shapetonITKCompatibility.h"
 #include "shapetonParticleDiffusion.h"
 #include "shapetonParticleParameters.h"
+#include "shapetonParticlePreset.h"
 #include "shapetonVolumeDiffusionImageFilter.h"
 
 #include "itkImage.h"
@@ -89,6 +90,21 @@ public:
     return itkDynamicCastInDebugMode<const MaskImageType *>(this->ProcessObject::GetInput(1));
   }
 
+  /** Sets the options that are not among the names of `given` by ChooseShapetonParameters(), which reads the input;
+   * returns the reasons. */
+  const HeatParameterChoice &
+  ChooseParameters(ShapetonPreset                   preset,
+                   const std::vector<std::string> & given = {},
+                   const std::string &              modality = {},
+                   const Progress &                 progress = {});
+
+  /** The last result of ChooseParameters(). */
+  const HeatParameterChoice &
+  GetParameterChoice() const
+  {
+    return m_ParameterChoice;
+  }
+
   /** Whether ChooseShapetons() derives the parameter from FeatureSize when the filter runs; Distance and Shapetons then
    * hold the chosen values. Default off. */
   itkSetMacro(AutomaticDistance, bool);
@@ -161,9 +177,12 @@ protected:
 
 private:
   void
-  ChooseParameters();
+  ChooseForFeature();
   ParticleDiffusionSettings
   MakeSettings(const float * intensities);
+  /** The intensities, or a smoothed copy of them in `smoothed`. */
+  const float *
+  Smooth(const float * intensities, std::vector<float> & smoothed) const;
   void
   PlaceShapetons();
   void
@@ -172,6 +191,7 @@ private:
   bool                           m_AutomaticDistance{ false };
   bool                           m_AutomaticNumberOfShapetons{ false };
   AutomaticShapetons             m_AutomaticShapetons;
+  HeatParameterChoice            m_ParameterChoice;
   DeviceUse                      m_DeviceUse;
   StepsType                      m_HistogramSteps;
   bool                           m_WantState{ false };

@@ -3,6 +3,7 @@
 
 #include "shapetonParticleDiffusionImageFilter.h"
 #include "shapetonFilterProgress.h"
+#include "shapetonSmoothVoxels.h"
 #include "shapetonVisitDensity.h"
 
 #include <algorithm>
@@ -61,7 +62,7 @@ ParticleDiffusionImageFilter<TInputImage>::VerifyPreconditions() const
 
 template <typename TInputImage>
 void
-ParticleDiffusionImageFilter<TInputImage>::ChooseParameters()
+ParticleDiffusionImageFilter<TInputImage>::ChooseForFeature()
 {
   if (!m_AutomaticDistance && !m_AutomaticNumberOfShapetons)
   {
@@ -100,6 +101,48 @@ ParticleDiffusionImageFilter<TInputImage>::MakeSettings(const float * intensitie
 }
 
 template <typename TInputImage>
+const float *
+ParticleDiffusionImageFilter<TInputImage>::Smooth(const float * intensities, std::vector<float> & smoothed) const
+{
+  if (!(this->GetSmoothing() > 0.0))
+  {
+    return intensities;
+  }
+  const auto            size = this->GetVolumeSize();
+  std::array<double, 3> sigmas{};
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    sigmas[axis] = this->GetSmoothing() / this->GetInput()->GetSpacing()[axis];
+  }
+  smoothed.assign(intensities, intensities + size[0] * size[1] * size[2]);
+  SmoothVoxels(
+    { static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) }, sigmas, smoothed.data());
+  return smoothed.data();
+}
+
+template <typename TInputImage>
+const HeatParameterChoice &
+ParticleDiffusionImageFilter<TInputImage>::ChooseParameters(ShapetonPreset                   preset,
+                                                            const std::vector<std::string> & given,
+                                                            const std::string &              modality,
+                                                            const Progress &                 progress)
+{
+  this->VerifyPreconditions();
+  auto * const input = const_cast<TInputImage *>(this->GetInput());
+  input->UpdateOutputInformation();
+  input->SetRequestedRegionToLargestPossibleRegion();
+  input->Update();
+  std::array<double, 3> spacing{};
+  std::copy_n(input->GetSpacing().Begin(), 3, spacing.begin());
+  std::vector<float>       converted;
+  ParticleDiffusionOptions options = this->GetOptions();
+  m_ParameterChoice = ChooseShapetonParameters(
+    this->GetIntensities(converted), this->GetVolumeSize(), spacing, preset, given, modality, options, progress);
+  this->SetOptions(options);
+  return m_ParameterChoice;
+}
+
+template <typename TInputImage>
 void
 ParticleDiffusionImageFilter<TInputImage>::PlaceShapetons()
 {
@@ -108,12 +151,14 @@ ParticleDiffusionImageFilter<TInputImage>::PlaceShapetons()
   {
     itkExceptionMacro("the mask differs from the input in size or first index");
   }
-  this->ChooseParameters();
+  this->ChooseForFeature();
   std::vector<float>  converted;
+  std::vector<float>  smoothed;
   const float * const intensities = this->GetIntensities(converted);
-  m_Diffusion = std::make_unique<ParticleDiffusion>(intensities,
+  const auto          settings = this->MakeSettings(intensities);
+  m_Diffusion = std::make_unique<ParticleDiffusion>(this->Smooth(intensities, smoothed),
                                                     this->GetVolumeSize(),
-                                                    this->MakeSettings(intensities),
+                                                    settings,
                                                     mask ? mask->GetBufferPointer() : nullptr,
                                                     this->GetOutput()->GetBufferPointer(),
                                                     [this] { ReportProgress(*this, this->GetProgress()); });

@@ -84,6 +84,22 @@ ReadOptions(const CommandLine & commandLine, TOptions & options)
   });
 }
 
+/** Sets the options that are given and returns their names. Throws ParameterError. \ingroup ShapetonCommandLine */
+template <typename TOptions>
+std::vector<std::string>
+ReadGivenOptions(const CommandLine & commandLine, TOptions & options)
+{
+  std::vector<std::string> given;
+  TOptions::VisitOptions(options, [&](const OptionInfo & info, auto & option) {
+    if (commandLine.Declares(info.GetName()) && commandLine.IsGiven(info.GetName()))
+    {
+      ReadOption(commandLine, info, option);
+      given.emplace_back(info.GetName());
+    }
+  });
+  return given;
+}
+
 /** Sets the options of a FilterWithOptions that the tool declares. \ingroup ShapetonCommandLine */
 template <typename TFilter>
 void

@@ -25,6 +25,10 @@ ShapetonHeatTools_EXPORT std::vector<std::string>
 ShapetonHeatTools_EXPORT HeatReportContent::Facts
                          ParticleFacts(const ParticleDiffusionImageFilter<itk::Image<float, 3>> * filter);
 
+/** The options that depend on the preset, by their names, as the last run used them. \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT HeatReportContent::Facts
+                         ShapetonValues(const ParticleDiffusionImageFilter<itk::Image<float, 3>> * filter);
+
 /** \class ParticleResultFiles
  * \brief The output files of the shapeton diffusion tool, declared by the parameters of its XML.
  *

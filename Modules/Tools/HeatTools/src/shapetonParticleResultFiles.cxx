@@ -89,6 +89,7 @@ ParticleFacts(const FilterType * filter)
   Facts                    facts = { { "Intensity window",
                                        CsvTable::Number(filter->GetWindowLower()) + " to " + CsvTable::Number(filter->GetWindowUpper()) },
                                      { "p", CsvTable::Rounded(filter->GetP(), 6) },
+                                     { "Smoothing, mm", CsvTable::Rounded(filter->GetSmoothing(), 6) },
                                      { "Shapetons", GroupedDigits(filter->GetShapetons()) },
                                      { "Distance",
                                        CsvTable::Rounded(filter->GetDistance(), 6) + " of the longest side, " +
@@ -107,6 +108,8 @@ ParticleFacts(const FilterType * filter)
                                        CsvTable::Rounded(filter->GetEpsilon().value_or(measures.automaticEpsilon), 4) +
                                          (!filter->GetEpsilon() ? ": the voxels reached then have 100 visits on average" : "") },
                                      { "Shapetons trapped", Percent(ShareTrapped(filter)) } };
+  const Facts              reasons = ChoiceFacts(filter->GetParameterChoice());
+  facts.insert(facts.end(), reasons.begin(), reasons.end());
   if (filter->GetAutomaticDistance())
   {
     facts.emplace_back("Reason for the distance", filter->GetAutomaticShapetons().distanceReason);
@@ -116,6 +119,21 @@ ParticleFacts(const FilterType * filter)
     facts.emplace_back("Reason for the number of shapetons", filter->GetAutomaticShapetons().shapetonsReason);
   }
   return facts;
+}
+
+HeatReportContent::Facts
+ShapetonValues(const FilterType * filter)
+{
+  return { { "intensityWindow",
+             CsvTable::Number(filter->GetWindowLower()) + "," + CsvTable::Number(filter->GetWindowUpper()) },
+           { "p", CsvTable::Number(filter->GetP()) },
+           { "smoothing", CsvTable::Number(filter->GetSmoothing()) },
+           { "timeSteps", std::to_string(filter->GetTimeSteps()) },
+           { "shapetons", std::to_string(filter->GetShapetons()) },
+           { "distance", CsvTable::Number(filter->GetDistance()) },
+           { "directionSampling", NameOf(filter->GetDirectionSampling()) },
+           { "pathRule", NameOf(filter->GetPathRule()) },
+           { "placement", NameOf(filter->GetPlacement()) } };
 }
 
 ParticleResultFiles::ParticleResultFiles(CommandLine & commandLine)
