@@ -31,28 +31,6 @@ CheckUsage(const CommandLine & commandLine)
                              "--snapshotSteps requires --snapshotFolder or --report, to store the heat");
 }
 
-/** The parameters on the command line; the others are chosen. */
-shapeton::GivenHeatParameters
-GivenParameters(const CommandLine & commandLine, const FilterType * filter)
-{
-  const auto                    isGiven = [&](const char * name) { return commandLine.GetString(name) != "auto"; };
-  shapeton::GivenHeatParameters given;
-  given.intensityWindow = filter->GetIntensityWindow();
-  if (isGiven("p"))
-  {
-    given.p = filter->GetP();
-  }
-  if (isGiven("smoothing"))
-  {
-    given.smoothing = filter->GetSmoothing();
-  }
-  if (isGiven("timeSteps"))
-  {
-    given.timeSteps = filter->GetTimeSteps();
-  }
-  return given;
-}
-
 /** Sets the parameters that are not given, unless the preset is the published one; returns the reasons. */
 shapeton::HeatReportContent::Facts
 ChooseParameters(CommandLine & commandLine, const std::string & modality, FilterType * filter)
@@ -61,8 +39,10 @@ ChooseParameters(CommandLine & commandLine, const std::string & modality, Filter
   {
     return {};
   }
+  auto       options = filter->GetOptions();
+  const auto names = shapeton::ReadGivenOptions(commandLine, options);
   const auto choice =
-    filter->ChooseParameters(GivenParameters(commandLine, filter),
+    filter->ChooseParameters(shapeton::GivenAmong(names, options),
                              modality,
                              commandLine.PartOfProgress(0.0, shareOfChoice).Part("Choosing parameters", 0.0, 1.0));
   for (const auto & [name, value] : shapeton::ChosenValues(choice))

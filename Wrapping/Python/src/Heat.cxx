@@ -28,28 +28,6 @@ struct Heat
   HeatParameterChoice           choice; // empty reasons with the published preset
 };
 
-/** The parameters with these names of options. */
-GivenHeatParameters
-GivenAmong(const std::vector<std::string> & names, const CumulativeHeatDiffusionOptions & options)
-{
-  const auto has = [&](const char * name) { return std::find(names.begin(), names.end(), name) != names.end(); };
-  GivenHeatParameters given;
-  given.intensityWindow = options.intensityWindow;
-  if (has("p"))
-  {
-    given.p = options.p;
-  }
-  if (has("smoothing"))
-  {
-    given.smoothing = options.smoothing;
-  }
-  if (has("timeSteps"))
-  {
-    given.timeSteps = options.timeSteps;
-  }
-  return given;
-}
-
 /** Passes heat to a Python function while the filter runs. */
 FilterType::SnapshotConsumer
 ConsumerOf(const py::object & function)

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace shapeton
 {
@@ -18,6 +19,10 @@ struct GivenHeatParameters
   std::optional<double>                smoothing;
   std::optional<std::uint64_t>         timeSteps;
 };
+
+/** The window, and those parameters of the options whose names are among `names`. \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT GivenHeatParameters
+GivenAmong(const std::vector<std::string> & names, const CumulativeHeatDiffusionOptions & options);
 
 /** Parameters chosen from the data, and why.
  * \ingroup ShapetonHeat */

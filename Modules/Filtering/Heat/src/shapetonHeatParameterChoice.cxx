@@ -459,6 +459,27 @@ ChooseSmoothing(const float *               intensities,
 }
 } // namespace
 
+GivenHeatParameters
+GivenAmong(const std::vector<std::string> & names, const CumulativeHeatDiffusionOptions & options)
+{
+  const auto has = [&](const char * name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  GivenHeatParameters given;
+  given.intensityWindow = options.intensityWindow;
+  if (has("p"))
+  {
+    given.p = options.p;
+  }
+  if (has("smoothing"))
+  {
+    given.smoothing = options.smoothing;
+  }
+  if (has("timeSteps"))
+  {
+    given.timeSteps = options.timeSteps;
+  }
+  return given;
+}
+
 HeatParameterChoice
 ChooseHeatParameters(const float *                           intensities,
                      const std::array<std::size_t, 3> &      size,

@@ -26,9 +26,9 @@ struct HandleLoop
  * surface into a disk, 2004). Loops from one tree of the whole surface are shortened by trees at their own vertices,
  * which reach 3/4 of their length. The result is a local minimum: none of these trees closes a shorter one.
  *
- * On a tube with the point array `arcLength`, loops around the tube are left out: those that cross an odd number of times
- * the shortest path from end to end without jumps of arcLength. Otherwise, where a tube is narrower than a contact of
- * two of its parts, the shortest loop is around the tube.
+ * On a tube with the point array `arcLength`, loops around the tube are left out: those that cross an odd number of
+ * times the shortest path from end to end without jumps of arcLength. Otherwise, where a tube is narrower than a
+ * contact of two of its parts, the shortest loop is around the tube.
  *
  * \pre One oriented manifold component; otherwise throws InputError. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::vector<HandleLoop>

@@ -61,9 +61,9 @@ Dilate(const EdgeGraph & graph, std::vector<char> & isMarked, int rings);
 std::vector<int>
 SaddleMultiplicities(const FaceMatrix & F, const SurfaceConnectivity & connectivity, const Eigen::VectorXd & u);
 
-/** Edges whose ends are farther apart along the centerline (point array arcLength) than 10 times their length: in handles
- * that are shortcuts, and inside of sharp bends. Handles of real colons with edges of 2 mm reach 40 times and more. Empty
- * without the array. \param lengths of the edges in space. */
+/** Edges whose ends are farther apart along the centerline (point array arcLength) than 10 times their length: in
+ * handles that are shortcuts, and inside of sharp bends. Handles of real colons with edges of 2 mm reach 40 times and
+ * more. Empty without the array. \param lengths of the edges in space. */
 std::vector<int>
 ShortcutEdges(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const Eigen::VectorXd & lengths);
 

@@ -271,7 +271,7 @@ TEST(HandleLoops, TheCutOfATubeTakesNoShortcut)
     }
   }
   const shapeton::SurfaceConnectivity again(narrow);
-  const auto around = shapeton::FindHandleLoops(narrow, again);
+  const auto                          around = shapeton::FindHandleLoops(narrow, again);
   ASSERT_EQ(1U, around.size());
   EXPECT_NEAR(neck, tube.along[around[0].vertices[0]], 0.1); // around the tube
   narrow.pointArrays.push_back({ "arcLength", tube.along, false });

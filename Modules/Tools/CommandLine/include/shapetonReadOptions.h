@@ -84,14 +84,16 @@ ReadOptions(const CommandLine & commandLine, TOptions & options)
   });
 }
 
-/** Sets the options that are given and returns their names. Throws ParameterError. \ingroup ShapetonCommandLine */
+/** Sets the options that are given and returns their names; "auto" and "preset", which 3D Slicer passes, stand for
+ * none. Throws ParameterError. \ingroup ShapetonCommandLine */
 template <typename TOptions>
 std::vector<std::string>
 ReadGivenOptions(const CommandLine & commandLine, TOptions & options)
 {
   std::vector<std::string> given;
   TOptions::VisitOptions(options, [&](const OptionInfo & info, auto & option) {
-    if (commandLine.Declares(info.GetName()) && commandLine.IsGiven(info.GetName()))
+    const std::string text = commandLine.Declares(info.GetName()) ? commandLine.GetString(info.GetName()) : "auto";
+    if (text != "auto" && text != "preset" && commandLine.IsGiven(info.GetName()))
     {
       ReadOption(commandLine, info, option);
       given.emplace_back(info.GetName());
