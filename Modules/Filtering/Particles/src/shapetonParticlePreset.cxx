@@ -141,7 +141,10 @@ ChooseShapetonParameters(const float *                      intensities,
     EquivalentHeatTimeSteps(1.0, options.distance * LongestSide(size, spacing) / smallest, settings.timeStepLength);
   choice = ChooseHeatParameters(intensities, size, settings, GivenOfHeat(given, options, perStep), modality, progress);
   ParticleDiffusionOptions chosen = options;
-  chosen.intensityWindow = choice.intensityWindow;
+  if (choice.intensityWindow[0] < choice.intensityWindow[1]) // not a constant volume
+  {
+    chosen.intensityWindow = choice.intensityWindow;
+  }
   chosen.p = choice.p;
   chosen.smoothing = choice.smoothing;
   const double visits = VisitsOf(size);
