@@ -7,7 +7,8 @@ import { after, before, test } from 'node:test';
 import { launch } from '../../../Testing/Browser/browser.mjs';
 
 const { TOOL, INPUT, WORK, SHOTS } = process.env;
-const OPTIONS = ['--shapetons', '20000', '--distance', '0.03', '--preview', `${WORK}/now.html`, '--previewEvery', '0.3', '--quiet'];
+const OPTIONS = ['--preset', 'published', '--shapetons', '20000',
+  '--distance', '0.03', '--preview', `${WORK}/now.html`, '--previewEvery', '0.3', '--quiet'];
 let page, run;
 
 before(async () => {

@@ -19,6 +19,7 @@ constexpr double mostShapetons = 1e7;
 constexpr double voxelsPerShapeton = 10.0;
 /** Visits accumulate from the first step, so their mean time is half of the duration. */
 constexpr double durationPerTime = 2.0;
+constexpr double mostHeatSteps = 1e6;  // of a trial; more are not quick, and show nothing else
 constexpr double leastSteps = 100.0;   // fewer show the initial heat
 constexpr double objectStep = 2.0;     // voxels; three times as fast as 1, at 1.4 times the cost per step
 constexpr double surfaceStep = 1.0;    // voxels
@@ -91,7 +92,7 @@ GivenOfHeat(const Names & given, const ParticleDiffusionOptions & options, doubl
   if (IsAmong(given, "timeSteps"))
   {
     const double steps = static_cast<double>(options.timeSteps) * heatStepsPerStep / durationPerTime;
-    parameters.timeSteps = static_cast<std::uint64_t>(std::max(1.0, std::round(steps)));
+    parameters.timeSteps = static_cast<std::uint64_t>(std::clamp(std::round(steps), 1.0, mostHeatSteps));
   }
   return parameters;
 }
