@@ -42,7 +42,10 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::ChooseParameters(const GivenHea
   std::copy_n(this->GetInput()->GetSpacing().Begin(), 3, settings.spacing.begin());
   const HeatParameterChoice choice =
     ChooseHeatParameters(this->GetIntensities(converted), this->GetVolumeSize(), settings, given, modality, progress);
-  this->SetIntensityWindow(choice.intensityWindow);
+  if (choice.intensityWindow[0] < choice.intensityWindow[1]) // not of a constant volume
+  {
+    this->SetIntensityWindow(choice.intensityWindow);
+  }
   this->SetP(choice.p);
   this->SetSmoothing(choice.smoothing);
   this->SetTimeSteps(choice.timeSteps);

@@ -3,6 +3,7 @@
 #include "shapetonExceptions.h"
 
 #include <charconv>
+#include <cmath>
 
 namespace shapeton
 {
@@ -36,7 +37,11 @@ ReadNumber(const CommandLine & commandLine, const OptionInfo & info)
 std::optional<std::int64_t>
 ReadInteger(const CommandLine & commandLine, const OptionInfo & info)
 {
-  return ReadNumberOrAuto<std::int64_t>(commandLine, info);
+  const auto number = ReadNumber(commandLine, info); // 1e5 is an integer, too
+  RequireParameter(!number || *number == std::trunc(*number),
+                   "the parameter \"" + std::string(info.GetName()) + "\": \"" +
+                     commandLine.GetString(info.GetName()) + "\" is not an integer or auto");
+  return number;
 }
 
 void

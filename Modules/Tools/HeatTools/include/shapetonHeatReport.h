@@ -132,8 +132,8 @@ MakeReportContent(const CumulativeHeatDiffusionResult & result,
                   const itk::Image<float, 3> *          heat);
 
 /** Warnings on a run: a constant volume, fewer than three coherent classes, heat that did not reach the requested
- * steady state, snapshots up to `lastSnapshotStep` skipped because the steady state came first. \ingroup
- * ShapetonHeatTools */
+ * steady state, snapshots up to `lastSnapshotStep` skipped because the steady state came first.
+ * \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT std::vector<std::string>
 RunRemarks(const CumulativeHeatDiffusionResult & result, bool untilSteady, std::uint64_t lastSnapshotStep);
 } // namespace shapeton
