@@ -1002,6 +1002,11 @@ class HeatClass:
         ...
 
     @property
+    def coherence(self) -> float:
+        """Near 1 for a region bounded by edges, near 0 for speckle."""
+        ...
+
+    @property
     def components(self) -> int:
         """Converged closed components in the class."""
         ...
@@ -1090,6 +1095,11 @@ class HeatHistogram:
 class HeatResult:
     """Result of `diffuse_heat`."""
     @property
+    def classes(self) -> List[HeatClass]:
+        """With coherence; empty unless components are requested."""
+        ...
+
+    @property
     def cold(self) -> bool:
         """Whether the volume has no edges; the heat is then 0 everywhere."""
         ...
@@ -1120,8 +1130,13 @@ class HeatResult:
         ...
 
     @property
-    def reason_of_p(self) -> str:
-        """Reason for an automatic p; otherwise empty."""
+    def reasons(self) -> Dict[str, str]:
+        """Reasons for the parameters chosen from the data; empty for given ones."""
+        ...
+
+    @property
+    def smoothing(self) -> float:
+        """Standard deviation of the smoothing, mm."""
         ...
 
     @property

@@ -84,11 +84,12 @@ import os
 from shapeton import flattening, surfaces
 tube = surfaces.read_surface(os.path.join(DATA, "../Applications/ColonFlattening/Testing/Tube.off"))
 spectrum, metric = surfaces.spectrum(tube, 10), surfaces.heat_diffusion_metric(tube)
+flow = flattening.flow_surface(tube)
 conformal = flattening.conformal_map(tube, domain="annulus")
 flat = flattening.flatten_tube(tube, metric="euclidean", topology="denoised")
 handle = flat.handles[0]
 """,
-        "Mesh SurfaceSpectrum HeatDiffusionMetric ConformalMap ColonFlattening SurfaceHandle",
+        "Mesh SurfaceRicciFlow SurfaceSpectrum HeatDiffusionMetric ConformalMap ColonFlattening SurfaceHandle",
     ),
     "colon": (
         """

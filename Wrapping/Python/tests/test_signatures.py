@@ -114,8 +114,8 @@ class ArgumentTest(TestCase):
 
     def test_a_wrong_type_is_named(self):
         for words, call, wrong in (
-            ('"time_steps" must be a whole number, not float 5.0', shapeton.diffuse_heat, {"time_steps": 5.0}),
-            ('"time_steps" must be a whole number, not bool True', shapeton.diffuse_heat, {"time_steps": True}),
+            ('"time_steps" must be a whole number or None, not float 5.0', shapeton.diffuse_heat, {"time_steps": 5.0}),
+            ('"time_steps" must be a whole number or None, not bool True', shapeton.diffuse_heat, {"time_steps": True}),
             ('"p" must be a number or None, not str \'7\'', shapeton.diffuse_heat, {"p": "7"}),
             ('"solver" must be a str, not None', shapeton.diffuse_heat, {"solver": None}),
             ('"until_steady" must be True or False, not int 1', shapeton.diffuse_heat, {"until_steady": 1}),
