@@ -39,8 +39,8 @@ ReadInteger(const CommandLine & commandLine, const OptionInfo & info)
 {
   const auto number = ReadNumber(commandLine, info); // 1e5 is an integer, too
   RequireParameter(!number || *number == std::trunc(*number),
-                   "the parameter \"" + std::string(info.GetName()) + "\": \"" +
-                     commandLine.GetString(info.GetName()) + "\" is not an integer or auto");
+                   "the parameter \"" + std::string(info.GetName()) + "\": \"" + commandLine.GetString(info.GetName()) +
+                     "\" is not an integer or auto");
   return number;
 }
 
