@@ -164,11 +164,12 @@ private:
     if (m_Map.saddles > 0)
     {
       this->Avoid(m_IsAvoided, m_Options.saddleRings, costs);
+      AvoidShortcuts(m_Mesh, m_Connectivity, m_Lengths, costs);
     }
     return CheapestPath(m_Graph, m_Ends, costs);
   }
 
-  /** A cut through a handle crosses its loop, and jumps along the centerline if the handle is a shortcut. */
+  /** A cut through a handle crosses its loop. */
   void
   AvoidHandles()
   {
@@ -178,11 +179,6 @@ private:
       {
         m_IsAvoided[vertex] = 1;
       }
-    }
-    for (const int edge : ShortcutEdges(m_Mesh, m_Connectivity, m_Lengths))
-    {
-      const auto & [a, b] = m_Connectivity.VerticesOfEdge(edge);
-      m_IsAvoided[a] = m_IsAvoided[b] = 1;
     }
   }
 
@@ -307,6 +303,7 @@ private:
       isSingular[i] = std::abs(defects[i]) > leastDefect;
     }
     this->Avoid(isSingular, 2, costs);
+    AvoidShortcuts(m_Mesh, m_Connectivity, m_Lengths, costs);
     return CheapestPath(m_Graph, m_Ends, costs);
   }
 

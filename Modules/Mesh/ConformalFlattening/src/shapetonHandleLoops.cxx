@@ -24,8 +24,6 @@ constexpr double reach = 0.75;
 /** Loops are shortened by at least this fraction of their length, so that rounding cannot continue it forever. */
 constexpr double leastGain = 1e-9;
 
-constexpr double costOfShortcut = 1000.0; // as TubeOptions::saddleCost
-
 /** Tree of shortest paths from a vertex, which avoids boundaries; reused for many vertices. */
 class PathTree
 {
@@ -197,9 +195,8 @@ private:
   std::vector<int>
   CutOfTube(const SurfaceMesh & mesh) const
   {
-    const auto &               boundaries = m_Connectivity.BoundaryLoops();
-    const SurfaceArray * const arcLength = FindSurfaceArray(mesh.pointArrays, "arcLength");
-    if (boundaries.size() != 2 || arcLength == nullptr)
+    const auto & boundaries = m_Connectivity.BoundaryLoops();
+    if (boundaries.size() != 2 || FindSurfaceArray(mesh.pointArrays, "arcLength") == nullptr)
     {
       return {};
     }
@@ -207,10 +204,7 @@ private:
     ends.first = boundaries[0];
     ends.second = boundaries[1];
     Eigen::VectorXd costs = m_Lengths;
-    for (const int edge : ShortcutEdges(mesh, m_Connectivity, m_Lengths))
-    {
-      costs[edge] *= costOfShortcut;
-    }
+    AvoidShortcuts(mesh, m_Connectivity, m_Lengths, costs);
     return CheapestPath(m_Graph, ends, costs);
   }
 

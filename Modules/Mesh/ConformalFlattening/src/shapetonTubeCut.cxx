@@ -207,21 +207,23 @@ SaddleMultiplicities(const FaceMatrix & F, const SurfaceConnectivity & connectiv
   return changes;
 }
 
-std::vector<int>
-ShortcutEdges(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const Eigen::VectorXd & lengths)
+void
+AvoidShortcuts(const SurfaceMesh &         mesh,
+               const SurfaceConnectivity & connectivity,
+               const Eigen::VectorXd &     lengths,
+               Eigen::VectorXd &           costs)
 {
   constexpr double           mostAdvance = 10.0;
+  constexpr double           costOfShortcut = 1e6;
   const SurfaceArray * const arcLength = FindSurfaceArray(mesh.pointArrays, "arcLength");
-  std::vector<int>           edges;
   for (int edge = 0; arcLength != nullptr && edge < connectivity.NumberOfEdges(); ++edge)
   {
     const auto & [a, b] = connectivity.VerticesOfEdge(edge);
     if (std::abs(arcLength->values(a, 0) - arcLength->values(b, 0)) > mostAdvance * lengths[edge])
     {
-      edges.push_back(edge);
+      costs[edge] *= costOfShortcut;
     }
   }
-  return edges;
 }
 
 Eigen::VectorXd

@@ -61,11 +61,15 @@ Dilate(const EdgeGraph & graph, std::vector<char> & isMarked, int rings);
 std::vector<int>
 SaddleMultiplicities(const FaceMatrix & F, const SurfaceConnectivity & connectivity, const Eigen::VectorXd & u);
 
-/** Edges whose ends are farther apart along the centerline (point array arcLength) than 10 times their length: in
- * handles that are shortcuts, and inside of sharp bends. Handles of real colons with edges of 2 mm reach 40 times and
- * more. Empty without the array. \param lengths of the edges in space. */
-std::vector<int>
-ShortcutEdges(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const Eigen::VectorXd & lengths);
+/** Raises the costs of edges in handles that are shortcuts, a million times, such that any detour is cheaper: edges
+ * whose ends are farther apart along the centerline (point array arcLength) than 10 times their length. Handles of real
+ * colons with edges of 2 mm reach 40 times and more; edges inside of sharp bends may be affected, too. Does nothing
+ * without the array. \param lengths of the edges in space. */
+void
+AvoidShortcuts(const SurfaceMesh &         mesh,
+               const SurfaceConnectivity & connectivity,
+               const Eigen::VectorXd &     lengths,
+               Eigen::VectorXd &           costs);
 
 /** Distances from a curve in space, measured along edges from the vertices next to it. Throws InputError if most of the
  * curve is more than 10 mm from the surface. */
