@@ -286,13 +286,18 @@ ValidateTopologyOfWalls(const ValidationSettings & settings, ValidationReport & 
     "The wall with each `--topology` of `VirtualColonoscopy`: `repaired` in the lumen (default), `denoised` by loops "
     "on "
     "the simplified surface (dissertation 5.3.2), `raw` with its handles, as chapter 5 flattens it. Real colons and "
-    "a synthetic patient (CT of 1.4 mm voxels), whose loops touch in 8 places. All maps use the default metric. Flips "
-    "away: farther than 3 "
-    "rings from a handle; bound 0. Above 2 / 3: share of the faces with a larger dilatation in space, or flipped. "
-    "Disagreement: share of the length on which the two methods for taeniae differ by more than 10 mm. Processor time: "
-    "from CT or mask to the map, all threads. Folds are not split along taeniae.");
+    "synthetic patients (CT of 1.4 mm voxels) whose loops touch in 8 places. Loops, cut and the check of the "
+    "centerline "
+    "were changed after failures on the real colons and on seed 100: these rows are development data. Only other seeds "
+    "are unseen. All maps use the default metric. Flips away: farther than 3 rings from a handle; bound 0. Above 2 / "
+    "3: "
+    "share of the faces with a larger dilatation in space, or flipped. Disagreement: share of the length on which the "
+    "two "
+    "methods for taeniae differ by more than 10 mm. Processor time: from CT or mask to the map, all threads; for "
+    "phantoms "
+    "it includes making the CT. Folds are not split along taeniae.");
   std::vector<Colon> colons;
-  for (const unsigned int seed : settings.Seeds(1))
+  for (const unsigned int seed : settings.Seeds(settings.quick ? 1 : 2))
   {
     colons.push_back(Phantom(seed, settings.quick ? 2.0 : 1.4));
   }
