@@ -10,6 +10,8 @@ dataset scivis/aneurism.nii.gz 'aneurysm' 'Open SciVis Datasets; courtesy of vol
 dataset scivis/hydrogen_atom.nii.gz 'hydrogen atom' 'Open SciVis Datasets; courtesy of volvis.org and SFB 382 of the DFG'
 dataset scivis/mri_ventricles.nii.gz 'MR ventricles' 'Open SciVis Datasets; courtesy of volvis.org and Dirk Bartz, VCM, University of Tuebingen'
 dataset scivis/stent.nii.gz 'stent' 'Open SciVis Datasets; courtesy of volvis.org and Michael Meissner, Viatronix Inc., USA'
+dataset ct/no-colon/chest.nii.gz 'CT chest' 'LIDC-IDRI-0001 at half resolution, The Cancer Imaging Archive, CC BY 3.0'
+dataset ct/totalsegmentator/example_ct.nii.gz 'CT abdomen' 'example of the tests of TotalSegmentator, Apache License 2.0'
 dataset ctc/walter-reed/prone.nii.gz 'Walter Reed colon' 'Colon Prone, Open SciVis Datasets, at half resolution; courtesy of volvis.org and Walter Reed Army Medical Center, USA'
 dataset ctc/gut-cell-atlas/00020-lumen.nrrd 'patient 00020' 'GCA-Models, Edinburgh Gut Cell Atlas, CC BY 4.0'
 dataset meshes/SBU_F_Intestine_Large.glb 'SBU colon' 'colon of the HuBMAP CCF reference organs, Stony Brook University, CC BY 4.0'
