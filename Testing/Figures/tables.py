@@ -1,11 +1,15 @@
 #!/usr/bin/python3
 """usage: tables.py OUT.md matches NAME=FOLDER...
        tables.py OUT.md times NAME=PREFIX...
+       tables.py OUT.md numbers SHAPETONS=PREFIX...
+       tables.py OUT.md volumes NAME=SIZE=PREFIX...
 
 Writes a table of the dissertation with the published values and ours. Called by make-figures.
 
   matches  Table 4.1; FOLDER was written by ColonRegistration
   times    Table 5.1; PREFIX.json are the statistics of ColonFlattening, PREFIX.vtp.run.json the durations
+  numbers  Table 3.1; PREFIX.nrrd.run.json are the durations of ShapetonDiffusion
+  volumes  Table 3.2; PREFIX-heat.nrrd.run.json and PREFIX-shapetons.nrrd.run.json are the durations of both diffusions
 """
 import json
 import sys
@@ -31,6 +35,26 @@ PUBLISHED_TIMES = (
     ("241 (Supine)", 55900, 121.5, 11.4),
     ("241 (Prone)", 53100, 110.8, 11.3),
 )
+
+# Shapetons: steps, and milliseconds per step.
+PUBLISHED_NUMBERS = {
+    "4000": (7100, 0.057),
+    "8000": (4400, 0.087),
+    "15000": (2800, 0.129),
+    "30000": (1600, 0.215),
+    "65000": (1500, 0.236),
+    "150000": (1200, 0.310),
+}
+
+# Volume: resolution, p, steps of both, seconds of both; seconds of heat on an H200, for a phantom of that size (Table 2.1).
+PUBLISHED_VOLUMES = {
+    "foot": ("256^3", "7", 100000, 2800, 480, 1.90, 0.56),
+    "engine": ("256 x 256 x 128", "10", 52000, 1100, 73, 0.81, 0.25),
+    "aneurysm": ("256^3", "7.5", 100000, 3100, 510, 2.10, 0.54),
+    "MR head": ("256^3", "6", 400000, 4160, 8400, 2.82, 0.78),
+    "CT abdomen": ("512 x 512 x 174", "8", 100000, 2600, 4600, 2.13, "not measured"),
+    "CT chest": ("384 x 384 x 240", "6", 100000, 1600, 3200, 3.10, "not measured"),
+}
 
 
 def read(path):
@@ -73,10 +97,38 @@ def times(arguments):
                f"{stages['Flattening'] + stages.get('Cutting off pouches', 0):.2g}")
 
 
+def seconds_of(result, stage):
+    """Seconds of a stage of the tool that wrote a volume."""
+    return read(result + ".run.json")["stages"][stage]
+
+
+def numbers(arguments):
+    """Table 3.1."""
+    yield ("shapetons", "steps", "ms per step, *published*", "ms per step, ours", "s, *published*", "s, ours")
+    for argument in arguments:
+        shapetons, prefix = argument.split("=", 1)
+        steps, published = PUBLISHED_NUMBERS[shapetons]
+        seconds = seconds_of(prefix + ".nrrd", "Diffusing shapetons")
+        yield (f"{int(shapetons):,}", f"{steps:,}", published, f"{1000 * seconds / steps:.2g}", f"{steps * published / 1000:.2f}",
+               f"{seconds:.2g}")
+
+
+def volumes(arguments):
+    """Table 3.2."""
+    yield ("volume, *published* size", "our size", "p", "CHD steps", "CHD, s, *published*", "CHD, s, ours", "CHD, s, H200, phantom",
+           "shapeton steps", "shapetons, s, *published*", "shapetons, s, ours")
+    for argument in arguments:
+        name, size, prefix = argument.split("=", 2)
+        resolution, p, heatSteps, steps, heatSeconds, shapetonSeconds, device = PUBLISHED_VOLUMES[name]
+        yield (f"{name}, {resolution}", size, p, f"{heatSteps:,}", f"{heatSeconds:,}",
+               f"{seconds_of(prefix + '-heat.nrrd', 'Diffusing heat'):.2g}", device, f"{steps:,}", shapetonSeconds,
+               f"{seconds_of(prefix + '-shapetons.nrrd', 'Diffusing shapetons'):.2g}")
+
+
 def main():
     if len(sys.argv) < 4:
         sys.exit(__doc__)
-    head, *rows = {"matches": matches, "times": times}[sys.argv[2]](sys.argv[3:])
+    head, *rows = {"matches": matches, "times": times, "numbers": numbers, "volumes": volumes}[sys.argv[2]](sys.argv[3:])
     with open(sys.argv[1], "w", encoding="utf-8") as file:
         for row in (head, ["---"] * len(head), *rows):
             file.write("| " + " | ".join(map(str, row)) + " |\n")
