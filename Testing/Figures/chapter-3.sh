@@ -14,8 +14,8 @@ run ShapetonDiffusion figure3.4.nrrd figure3.4-controlled.nrrd --shapetons 50000
   --p 7 --preset objects --report figure3.4-controlled
 panels 2 400 "$(rendering figure3.4-published/rendering.png)=published walk" "$(rendering figure3.4-controlled/rendering.png)=controlled walk"
 differs 'Ours: published walk with 65,000 shapetons and 2,500 steps; controlled walk with 50,000 and 1,000. **Differs:** the' \
-  'published walk finds one class. The controlled walk distinguishes objects by surface over volume: the cube from the sphere, but not' \
-  'from the large cuboid.'
+  'published walk finds one class. The controlled walk distinguishes objects by surface over volume: cube and large cuboid have one class,' \
+  'sphere and small cuboid the other; published are one class for both cuboids, a similar one for the cube, another for the sphere.'
 
 figure 3.5 'deformed shapes by shapetons'
 run ShapePhantom figure3.5.nrrd --shape figure3.5 --size 96,96,96

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """usage: threshold.py VOLUME.nii.gz MASK.nii LOWEST HIGHEST [X0,X1,Y0,Y1,Z0,Z1]
 
-Writes the voxels from LOWEST to HIGHEST as a mask, where a box of voxels is given only those within it. Called by make-figures.
+Writes the voxels of intensities from LOWEST to HIGHEST as a mask; with a box of voxels, only those within it. Called by make-figures.
 """
 import gzip
 import struct
