@@ -86,20 +86,26 @@ Pairs(double n)
 } // namespace
 
 TrialVolume
-MakeTrialPhantom(const std::string & preset, const itk::Size<3> & size)
+MakeTrialScene(const std::string & name, const ShapeScene & scene, const itk::Size<3> & size)
 {
   auto source = ShapePhantomImageSource::New();
-  source->SetScene(ShapeScene::Load(preset));
+  source->SetScene(scene);
   source->SetSize(size);
   source->CenterOutput();
   auto cast = itk::CastImageFilter<itk::Image<short, 3>, itk::Image<float, 3>>::New();
   cast->SetInput(source->GetOutput());
   cast->Update();
-  TrialVolume volume{ preset, cast->GetOutput(), source->GetLabelOutput(), 0.0, 1.0 };
+  TrialVolume volume{ name, cast->GetOutput(), source->GetLabelOutput(), 0.0, 1.0 };
   const auto  end = volume.image->GetBufferPointer() + volume.GetNumberOfVoxels();
   volume.lower = *std::min_element(volume.image->GetBufferPointer(), end);
   volume.upper = *std::max_element(volume.image->GetBufferPointer(), end);
   return volume;
+}
+
+TrialVolume
+MakeTrialPhantom(const std::string & preset, const itk::Size<3> & size)
+{
+  return MakeTrialScene(preset, ShapeScene::Load(preset), size);
 }
 
 Trial

@@ -3,6 +3,7 @@
 
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonParticleDiffusionImageFilter.h"
+#include "shapetonShapeScene.h"
 
 #include <ctime>
 #include <map>
@@ -31,7 +32,11 @@ struct TrialVolume
   }
 };
 
-/** Generates a preset of ShapePhantom; the window ranges from the background to the greatest intensity. */
+/** Generates a scene; the window ranges from the background to the greatest intensity. */
+TrialVolume
+MakeTrialScene(const std::string & name, const shapeton::ShapeScene & scene, const itk::Size<3> & size);
+
+/** Generates a preset of ShapePhantom. */
 TrialVolume
 MakeTrialPhantom(const std::string & preset, const itk::Size<3> & size);
 

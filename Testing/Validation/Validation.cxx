@@ -63,6 +63,7 @@ const std::vector<Part> parts = {
     true,
     false },
   { "shapetons", "shapeton-comparison", "CHD or shapetons?", ValidateComparisonOfShapetons, false },
+  { "shapetons", "shapeton-objects", "Objects by shapetons", ValidateObjectsByShapetons, false },
   { "shapetons", "shapeton-walk", "Scale and time of shapetons", ValidateWalkOfShapetons, false },
   { "flattening", "flattening-metric", "Accuracy of the heat diffusion metric", ValidateAccuracyOfMetric, false },
   { "flattening", "flattening-accuracy", "Accuracy of flat colons", ValidateAccuracyOfFlattening, false },

@@ -133,6 +133,8 @@ ValidateOrgansOfAbdomen(const ValidationSettings & settings, ValidationReport & 
 void
 ValidateComparisonOfShapetons(const ValidationSettings & settings, ValidationReport & report);
 void
+ValidateObjectsByShapetons(const ValidationSettings & settings, ValidationReport & report);
+void
 ValidateWalkOfShapetons(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateSearchOfShapes(const ValidationSettings & settings, ValidationReport & report);

@@ -1,0 +1,304 @@
+// Do shapetons separate objects? Walks and presets on phantoms with known labels, at seeds that chose no default.
+#include "BoundTable.h"
+#include "InterpolatedWalk.h"
+#include "ShapetonComparison.h"
+
+#include "shapetonVisitDensity.h"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+
+using namespace shapeton;
+
+namespace
+{
+constexpr double       steepness = 7.0;
+constexpr unsigned int sideOfPhantoms = 48;
+constexpr double       wantedVisits = 200.0; // per voxel; those of the presets that are not published
+
+/** Scenes of shapes that no default was chosen on. Lengths as in the presets of ShapePhantom. */
+const std::vector<std::pair<std::string, const char *>> heldOutScenes = {
+  { "ring, rod, disk", R"({ "units": "relative", "background": 0, "objects": [
+    { "name": "ring", "kind": "torus", "ringRadius": 0.16, "tubeRadius": 0.06, "center": [-0.18, 0, 0],
+      "intensity": 1000, "label": 1 },
+    { "name": "rod", "kind": "capsule", "radius": 0.05, "length": 0.4, "center": [0.14, -0.2, 0],
+      "intensity": 1000, "label": 2 },
+    { "name": "disk", "kind": "cylinder", "radius": 0.16, "length": 0.14, "center": [0.22, 0.16, 0],
+      "intensity": 1000, "label": 3 } ] })" },
+  { "ellipsoids", R"({ "units": "relative", "background": 0, "objects": [
+    { "name": "cigar", "kind": "ellipsoid", "radii": [0.07, 0.07, 0.26], "center": [-0.3, 0, 0],
+      "intensity": 1000, "label": 1 },
+    { "name": "egg", "kind": "ellipsoid", "radii": [0.14, 0.14, 0.2], "center": [-0.04, 0, 0],
+      "intensity": 1000, "label": 2 },
+    { "name": "pancake", "kind": "ellipsoid", "radii": [0.07, 0.26, 0.26], "center": [0.25, 0, 0],
+      "intensity": 1000, "label": 3 } ] })" }
+};
+
+struct Phantom
+{
+  std::string name; ///< of the column
+  TrialVolume volume;
+};
+
+std::vector<Phantom>
+TunedPhantoms(const itk::Size<3> & size)
+{
+  std::vector<Phantom> phantoms;
+  for (const auto & [name, preset] : std::vector<std::pair<std::string, std::string>>{ { "2.7a", "figure2.7a" },
+                                                                                       { "2.7b", "figure2.7b" },
+                                                                                       { "3.4", "figure3.4" },
+                                                                                       { "3.5", "figure3.5" },
+                                                                                       { "hydrogen", "hydrogen" },
+                                                                                       { "vessels", "vessels" } })
+  {
+    phantoms.push_back({ name, MakeTrialPhantom(preset, size) });
+  }
+  return phantoms;
+}
+
+std::vector<Phantom>
+HeldOutPhantoms(const itk::Size<3> & size)
+{
+  std::vector<Phantom> phantoms;
+  for (const auto & [name, scene] : heldOutScenes)
+  {
+    phantoms.push_back(
+      { name, MakeTrialScene(name, ShapeScene::FromJson(nlohmann::ordered_json::parse(scene), name), size) });
+  }
+  return phantoms;
+}
+
+enum class Variant
+{
+  None,
+  SolidAngle,
+  ShortSolidAngle, ///< with 200 visits per voxel, as the other presets have
+  FromObjects
+};
+
+/** ShapetonDiffusion with a preset and otherwise its defaults, except for the variant. */
+Trial
+RunPreset(const TrialVolume & volume, ShapetonPreset preset, Variant variant, std::uint64_t seed)
+{
+  auto filter = ParticleDiffusionImageFilter<itk::Image<float, 3>>::New();
+  filter->SetInput(volume.image);
+  filter->SetSeed(seed);
+  std::vector<std::string> given{ "seed" };
+  if (variant == Variant::SolidAngle || variant == Variant::ShortSolidAngle)
+  {
+    filter->SetDirectionSampling(DirectionSampling::SolidAngle);
+    given.push_back("directionSampling");
+  }
+  if (variant == Variant::ShortSolidAngle)
+  {
+    filter->SetTimeSteps(static_cast<std::uint64_t>(wantedVisits * static_cast<double>(volume.GetNumberOfVoxels()) /
+                                                    filter->GetShapetons()));
+    given.push_back("timeSteps");
+  }
+  if (variant == Variant::FromObjects)
+  {
+    filter->SetMaskImage(volume.labels);
+  }
+  const std::clock_t start = std::clock();
+  filter->ChooseParameters(preset, given);
+  filter->Update();
+  Trial trial;
+  trial.visits = filter->GetOutput();
+  trial.field = NormalizeVisits(trial.visits);
+  trial.seconds = ProcessorSeconds(std::clock() - start);
+  return trial;
+}
+
+Trial
+RunInterpolated(const TrialVolume & volume, ParticlePlacement placement, double stepInVoxels, std::uint64_t seed)
+{
+  WalkSettings settings;
+  settings.distance = stepInVoxels / sideOfPhantoms;
+  settings.shapetons = 20000;
+  settings.steps =
+    static_cast<std::uint64_t>(wantedVisits * static_cast<double>(volume.GetNumberOfVoxels()) / settings.shapetons);
+  return RunInterpolatedShapetons(volume, steepness, settings, placement, seed);
+}
+
+/** One row of the tables. */
+struct Method
+{
+  std::string                                              name;
+  std::function<Trial(const TrialVolume &, std::uint64_t)> run; ///< the second argument is the seed
+  bool                                                     isRandom{ true };
+};
+
+Method
+MethodOf(const std::string & name, ShapetonPreset preset, Variant variant = Variant::None)
+{
+  return { name,
+           [=](const TrialVolume & volume, std::uint64_t seed) { return RunPreset(volume, preset, variant, seed); } };
+}
+
+const std::string formerDefaults = "published by solid angle (the former defaults)";
+const std::string presentDefaults = "`objects` (the defaults)";
+
+std::vector<Method>
+Methods()
+{
+  return { MethodOf(formerDefaults, ShapetonPreset::Published, Variant::SolidAngle),
+           MethodOf("the same, 200 visits per voxel", ShapetonPreset::Published, Variant::ShortSolidAngle),
+           MethodOf("`published`", ShapetonPreset::Published),
+           MethodOf("`published` from the objects", ShapetonPreset::Published, Variant::FromObjects),
+           { "weights at the shapeton, started anywhere",
+             [](const TrialVolume & volume, std::uint64_t seed) {
+               return RunInterpolated(volume, ParticlePlacement::Uniform, 0.48, seed);
+             } },
+           { "weights at the shapeton, initial heat",
+             [](const TrialVolume & volume, std::uint64_t seed) {
+               return RunInterpolated(volume, ParticlePlacement::InitialHeat, 2.0, seed);
+             } },
+           MethodOf("`surface`", ShapetonPreset::Surface),
+           MethodOf(presentDefaults, ShapetonPreset::Objects),
+           { "CHD, p = 7, 100,000 steps",
+             [](const TrialVolume & volume, std::uint64_t) { return RunHeat(volume, steepness, 100000); },
+             false } };
+}
+
+/** Adjusted Rand indices of a method on a phantom at all seeds. */
+using Indices = std::vector<double>;
+
+double
+LeastOf(const Indices & indices)
+{
+  return *std::min_element(indices.begin(), indices.end());
+}
+
+double
+GreatestOf(const Indices & indices)
+{
+  return *std::max_element(indices.begin(), indices.end());
+}
+
+std::string
+MeanAndRange(const Indices & indices)
+{
+  const std::string least = Hundredths(LeastOf(indices)), greatest = Hundredths(GreatestOf(indices));
+  return Hundredths(MeanOf(indices)) + (least == greatest ? "" : " (" + least + " to " + greatest + ")");
+}
+
+/** Runs all methods on all phantoms. */
+class Evaluation
+{
+public:
+  Evaluation(const std::vector<Phantom> & phantoms, const std::vector<std::uint64_t> & seeds) : m_Phantoms(phantoms)
+  {
+    for (const Method & method : Methods())
+    {
+      this->Try(method, method.isRandom ? seeds : std::vector<std::uint64_t>{ seeds.front() });
+    }
+  }
+
+  void
+  Tabulate(const std::string & name, ValidationReport & report) const
+  {
+    std::vector<std::string> columns{ "walk" };
+    for (const Phantom & phantom : m_Phantoms)
+    {
+      columns.push_back(phantom.name);
+    }
+    columns.push_back("CPU seconds");
+    CsvTable table(columns);
+    for (const Method & method : Methods())
+    {
+      std::vector<std::string> cells{ method.name };
+      for (const Phantom & phantom : m_Phantoms)
+      {
+        cells.push_back(MeanAndRange(m_Indices.at({ method.name, phantom.name })));
+      }
+      cells.push_back(CsvTable::Rounded(m_Seconds.at(method.name), 2));
+      table.AddRow(std::move(cells));
+    }
+    report.AddTable(table);
+    report.AddRows(name, m_Rows);
+  }
+
+  /** Phantoms on which `present` of the indices of the defaults is greater than `former` of those of the former
+   * defaults. */
+  std::size_t
+  CountBetter(double (*present)(const Indices &), double (*former)(const Indices &)) const
+  {
+    return static_cast<std::size_t>(std::count_if(m_Phantoms.begin(), m_Phantoms.end(), [&](const Phantom & phantom) {
+      return present(m_Indices.at({ presentDefaults, phantom.name })) >
+             former(m_Indices.at({ formerDefaults, phantom.name }));
+    }));
+  }
+
+private:
+  void
+  Try(const Method & method, const std::vector<std::uint64_t> & seeds)
+  {
+    double seconds = 0.0;
+    for (const Phantom & phantom : m_Phantoms)
+    {
+      ValidationReport::Progress(method.name + ": " + phantom.name);
+      for (const std::uint64_t seed : seeds)
+      {
+        const Trial          trial = method.run(phantom.volume, seed);
+        const ClassAgreement agreement = CompareClasses(phantom.volume, trial);
+        m_Indices[{ method.name, phantom.name }].push_back(agreement.adjustedRand);
+        seconds += trial.seconds;
+        m_Rows.AddRow({ method.name,
+                        phantom.name,
+                        method.isRandom ? std::to_string(seed) : "",
+                        std::to_string(agreement.classes),
+                        CsvTable::Rounded(agreement.adjustedRand, 4) });
+      }
+    }
+    m_Seconds[method.name] = seconds / static_cast<double>(m_Phantoms.size() * seeds.size());
+  }
+
+  const std::vector<Phantom> &                           m_Phantoms;
+  std::map<std::pair<std::string, std::string>, Indices> m_Indices;
+  std::map<std::string, double>                          m_Seconds;
+  CsvTable m_Rows{ { "walk", "phantom", "seed", "classes", "adjusted Rand index" } };
+};
+
+void
+Evaluate(const std::string &                name,
+         const std::vector<Phantom> &       phantoms,
+         const std::vector<std::uint64_t> & seeds,
+         ValidationReport &                 report)
+{
+  const Evaluation evaluation(phantoms, seeds);
+  evaluation.Tabulate(name, report);
+  const std::string of = " of " + std::to_string(phantoms.size()) + " phantoms";
+  const std::size_t better = evaluation.CountBetter(MeanOf, MeanOf);
+  report.AddText("By the mean, the defaults are better than the former ones on " + std::to_string(better) + of +
+                 " (bound: all): " + report.Check(better == phantoms.size()) + ". At their worst seed, they are " +
+                 "better than the former ones at their best on " +
+                 std::to_string(evaluation.CountBetter(LeastOf, GreatestOf)) + of + ".");
+}
+} // namespace
+
+void
+ValidateObjectsByShapetons(const ValidationSettings & settings, ValidationReport & report)
+{
+  const std::vector<std::uint64_t> seeds =
+    settings.quick ? std::vector<std::uint64_t>{ 11 } : std::vector<std::uint64_t>{ 11, 12, 13 };
+  const auto size = itk::Size<3>::Filled(sideOfPhantoms);
+  report.AddText(
+    "Adjusted Rand index of classes and objects over the voxels of the objects: mean and range over seeds "
+    "11 to 13, which chose no default. Phantoms of 48^3 voxels. Presets are those of ShapetonDiffusion with "
+    "its defaults. CPU seconds are those of a volume, summed over all cores, and not those of a GPU. "
+    "'Weights at the shapeton' is the reading of 3.2 with weights from trilinear intensities at the "
+    "position of the shapeton, p = 7, 200 visits per voxel: started anywhere, with directions by solid "
+    "angle and steps of 0.48 voxels as in the former defaults; or started by initial heat, with uniform "
+    "directions and steps of two voxels taken with the weight between their ends. It is a part of the "
+    "validation only, and not optimized.");
+  report.AddText("## Phantoms that the defaults were chosen on");
+  if (settings.quick)
+  {
+    Evaluate("phantoms", { { "3.4", MakeTrialPhantom("figure3.4", size) } }, seeds, report);
+    return;
+  }
+  Evaluate("phantoms", TunedPhantoms(size), seeds, report);
+  report.AddText("## Other phantoms\n\nA ring, a rod and a disk; three ellipsoids. No setting was chosen on them.");
+  Evaluate("held-out", HeldOutPhantoms(size), seeds, report);
+}
