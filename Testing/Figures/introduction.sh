@@ -13,6 +13,5 @@ write '# Figures of the dissertation, made by our tools' '' \
   '| 2.5 | conventional and cumulative diffusion | [table](validation/heat.md#figure-25-cumulative-and-conventional-diffusion): patterns agree best (correlation 0.96) at 10 and 30, or 30 and 100 steps; no tool implements conventional diffusion |' \
   '| 2.11, 3.11 (b), 3.12 | hand of the Visible Female | the only volume of chapters 2, 3 and 7 that our data do not contain; her [feet](heat-diffusion.md#few-steps-local-shape) |' \
   '| Table 2.1 | times of heat diffusion | [table](benchmarks.md#table-21-of-the-dissertation-with-our-column) with real volumes except for head, stent and hand |' \
-  '| 3.10 | a polyp | not made, see [PolypCandidates](../Modules/Colon/PolypCandidates/README.md) |' \
   '| 6.5; 6.12 | stages; graphs of genus 2 and 3 | see 6.1 and 6.6; 6.11 |' \
   '| 6.10 | genus 1, 10,000 nodes, one minute | 10,000 nodes and 18,000 edges on a torus take 4 s; not drawn, its circles would be too small |'
