@@ -2,8 +2,6 @@
 #include "PolypPair.h"
 #include "PolypTrial.h"
 
-#include "shapetonPolypShapeDiffusion.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -29,8 +27,6 @@ struct Column
 };
 
 constexpr double defaultScore = 1.0 - defaultPolypSensitivity;
-/** Number of exams per column used with the published preset. */
-constexpr std::size_t publishedExams = 2;
 
 /** Relaxes the bounds for models from CT instead of the true lumen. */
 void
@@ -263,34 +259,6 @@ TableOfMissed(const std::vector<PolypExam> & exams)
   return table;
 }
 
-/** Results of the published preset at full sensitivity. */
-void
-TryPublished(const std::vector<PolypExam> & exams, BoundTable & table)
-{
-  if (exams.empty())
-  {
-    return;
-  }
-  double falses = 0.0;
-  for (const PolypExam & exam : exams)
-  {
-    falses += static_cast<double>(exam.falseScores.size()) / static_cast<double>(exams.size());
-  }
-  const std::string some = " (first " + std::to_string(exams.size()) + " exams)";
-  table.AddFact("published preset: polyps >= 10 mm" + some, ShareWithBound(CountFound(exams, large, 1e-9)));
-  table.AddFact("published preset: polyps of 6 to 9 mm" + some, ShareWithBound(CountFound(exams, medium, 1e-9)));
-  table.AddFact("published preset: flat polyps >= 10 mm" + some, ShareWithBound(CountFound(exams, flatLarge, 1e-9)));
-  table.AddFact("published preset: false candidates per exam" + some, Rounded(falses));
-}
-
-PolypExam
-TryPublishedExam(const LandmarkCase & one, const ColonExam & exam)
-{
-  PublishedPolypOptions options;
-  options.sensitivity = 1.0;
-  return ComparePolyps(one, *exam.anatomy, FindPublishedPolypCandidates(exam.wall, exam.lumen, nullptr, options));
-}
-
 /** Results of the exams of a column. */
 struct Results
 {
@@ -298,7 +266,6 @@ struct Results
   std::vector<PolypExam> delivered;
   /** Candidates of each single position, at any sensitivity. */
   std::vector<PolypExam> alone;
-  std::vector<PolypExam> published;
   int                    pairs{ 0 };
 };
 
@@ -320,10 +287,6 @@ TryPatient(const LandmarkCase * cases, const std::string & title, ValidationRepo
     }
     candidates[i] = FindJudgedCandidates(exams[i], defaultPolypSensitivity);
     results.alone.push_back(ComparePolyps(cases[i], *exams[i].anatomy, FindJudgedCandidates(exams[i], 0.999)));
-    if (results.published.size() < publishedExams)
-    {
-      results.published.push_back(TryPublishedExam(cases[i], exams[i]));
-    }
   }
   const bool areThere = exams[0].failure.empty() && exams[1].failure.empty();
   results.pairs += areThere && WeighPair(exams[0], exams[1], candidates[0], candidates[1]);
@@ -357,7 +320,6 @@ TryColumn(const Column & column, ValidationReport & report)
     table.AddFact(std::string("single positions: ") + name,
                   ShareWithBound(CountFound(results.alone, group, defaultScore)));
   }
-  TryPublished(results.published, table);
   table.Write("measures");
   WriteLargeNeeded(column.bounds.largeLower, CountFound(results.delivered, large, defaultScore), report);
   AddCurve(results.alone, report);

@@ -125,6 +125,7 @@ const std::vector<Part> parts = {
   { "colon-registration", "colon-pairs", "Confidence of pairs of positions", ValidateReliabilityOfPairs, false, false },
   { "colon-polyps", "colon-polyps", "Polyp candidates of synthetic colons", ValidateColonPolyps, false },
   { "colon-polyps", "colon-polyps-ct", "Polyp candidates from CT", ValidateColonPolypsFromCt, false, false },
+  { "colon-polyps", "colon-polyps-published", "Polyp candidates by shapetons", ValidatePublishedPolyps, false, false },
   { "published-results", "published-results", "Colon tools beside published results", ValidatePublishedResults, false },
   { "graph-embedding", "graph-embedding", "Embeddings of graphs", ValidateGraphEmbedding, false },
 };

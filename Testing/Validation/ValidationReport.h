@@ -177,6 +177,8 @@ ValidateColonPolyps(const ValidationSettings & settings, ValidationReport & repo
 void
 ValidateColonPolypsFromCt(const ValidationSettings & settings, ValidationReport & report);
 void
+ValidatePublishedPolyps(const ValidationSettings & settings, ValidationReport & report);
+void
 ValidateColonNoise(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateColonSurfacesFine(const ValidationSettings & settings, ValidationReport & report);

@@ -21,6 +21,15 @@ MeasureShapeDiffusion(const SurfaceMesh &           wall,
                       std::vector<PolypCandidate> & candidates,
                       const Progress &              progress = {});
 
+/** The part of the wall that FindPublishedPolypCandidates() searches. \ingroup ShapetonPolypCandidates */
+enum class VisitedWall
+{
+  /** Few visits, the color of the polyp in Figure 3.10: blue, by dissertation 3.4. */
+  Least,
+  /** Many visits, the other end of the color scale; not published. */
+  Most
+};
+
 /** Settings of dissertation 3.5.2. \ingroup ShapetonPolypCandidates */
 struct PublishedPolypOptions : PolypSensitivityOptions
 {
@@ -28,14 +37,15 @@ struct PublishedPolypOptions : PolypSensitivityOptions
   double        distance{ 0.005 };
   double        p{ 15.0 };
   std::uint64_t steps{ 4000 };
+  VisitedWall   visited{ VisitedWall::Least };
   /** May throw to abort. */
   Progress progress;
 };
 
 /** Finds candidates by shapeton diffusion (dissertation 3.5.2). Shapetons start in the tissue within 8 mm of the lumen
- * and perform random walks in the volume. Wall vertices are ranked by the smoothed density in the tissue below.
- * Candidates are parts of the top 4 % of the wall, 3 to 40 mm wide; the score is the mean rank, scaled from (0.96, 1)
- * to (0, 1), times the roundness.
+ * and perform random walks in the volume. Wall vertices are ranked by the smoothed density in the tissue below, the
+ * fewest visits highest (see VisitedWall). Candidates are parts of the top 4 % of the wall, 3 to 40 mm wide; the score
+ * is the mean rank, scaled from (0.96, 1) to (0, 1), times the roundness.
  *
  * The dissertation only displays the density with a manual transfer function; ranks and limits are original work.
  * \param ct cleansed CT in HU; if null, tissue is 1 and lumen is 0. Throws the exceptions of FindPolypCandidates(). The

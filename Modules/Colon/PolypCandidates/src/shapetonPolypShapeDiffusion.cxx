@@ -152,13 +152,9 @@ FindPublishedPolypCandidates(const SurfaceMesh &           wall,
   settings.volumeGradient.spacing = box.Spacing();
   settings.shapetons = options.shapetons;
   settings.distance = options.distance;
-  const Eigen::VectorXd ranks =
-    RanksByArea(DensityOnWall(wall,
-                              connectivity,
-                              shape,
-                              box,
-                              VisitsIn(box, settings, depth, options.steps, options.progress.Part("", 0.3, 0.9))),
-                shape.areas);
+  const std::vector<float> visits = VisitsIn(box, settings, depth, options.steps, options.progress.Part("", 0.3, 0.9));
+  const double             sign = options.visited == VisitedWall::Least ? -1.0 : 1.0;
+  const Eigen::VectorXd ranks = RanksByArea(sign * DensityOnWall(wall, connectivity, shape, box, visits), shape.areas);
   const std::vector<char> isLeftOut = FindNoWall(wall, connectivity);
   Eigen::VectorXd         level = ranks.array() - least;
   for (Eigen::Index i = 0; i < wall.V.rows(); ++i)

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 namespace
 {
@@ -297,6 +298,34 @@ TEST(PolypCandidates, SameBytesForAnyNumberOfThreads)
                             shapeton::TableOfPolypCandidates(others).GetRows());
     },
     { 3 });
+}
+
+TEST(PolypCandidates, EndsOfTheVisitsAreApart)
+{
+  const std::vector<Body>         bodies{ polyp, Ball(Base(16.0), 4.0) };
+  const shapeton::SurfaceMesh     wall = MakeWall(bodies);
+  const auto                      lumen = MakeLumen(bodies);
+  shapeton::PublishedPolypOptions options;
+  options.steps = 200;
+  options.sensitivity = 1.0;
+  EXPECT_EQ(options.visited, shapeton::VisitedWall::Least); // as in Figure 3.10
+  const auto least = shapeton::FindPublishedPolypCandidates(wall, lumen, nullptr, options);
+  options.visited = shapeton::VisitedWall::Most;
+  const auto most = shapeton::FindPublishedPolypCandidates(wall, lumen, nullptr, options);
+  ASSERT_FALSE(least.empty());
+  ASSERT_FALSE(most.empty());
+  std::set<int> visited;
+  for (const auto & candidate : most)
+  {
+    visited.insert(candidate.vertices.begin(), candidate.vertices.end());
+  }
+  for (const auto & candidate : least)
+  {
+    for (const int vertex : candidate.vertices)
+    {
+      EXPECT_EQ(visited.count(vertex), 0u);
+    }
+  }
 }
 
 TEST(PolypCandidates, PlacesAreReadFromTheTable)
