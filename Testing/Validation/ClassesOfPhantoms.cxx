@@ -80,7 +80,7 @@ ValidateClassesOfPhantoms(const ValidationSettings & settings, ValidationReport 
   report.AddText(
     "Phantoms of " + std::to_string(side) + "^3 voxels, contrast 1000 HU, Gaussian noise, seeds 100 to " +
     std::to_string(99 + seeds) +
-    ", automatic p, 100,000 steps. Purity: share of an object's voxels in its main class, mean over the objects, with "
+    ", chosen parameters. Purity: share of an object's voxels in its main class, mean over the objects, with "
     "the 95 % confidence interval over the seeds. Bound without blur: mean purity at least 0.9 and one class per "
     "object. Blurred edges leak by design (an edge over k voxels requires p above k / contrast), so they have no "
     "bound.");

@@ -25,7 +25,7 @@ const std::vector<Area> areas = {
   { "shapetons", "Validation of shapetons" },
   { "shape-search", "Validation of shape search" },
   { "seeded-heat", "Validation of labels from seeds" },
-  { "flattening", "Validation of flattening" },
+  { "flattening", "Validation of flattening", true },
   { "colon-surfaces", "Validation of colon surfaces and centerlines", true },
   { "colon-landmarks", "Validation of colon landmarks", true },
   { "colon-registration", "Validation of supine and prone registration", true },
