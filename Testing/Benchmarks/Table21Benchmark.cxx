@@ -123,7 +123,7 @@ PrintConventional()
 {
   constexpr std::uint64_t steps = 100;
   std::printf("\n| voxels | steps | conventional, processor seconds | cumulative | ratio |\n|---|---|---|---|---|\n");
-  for (const std::size_t side : { 16, 32, 48 })
+  for (const std::size_t side : { 16, 24, 32 })
   {
     const LoadedVolume volume{ { { side, side, side } }, MakeBenchmarkVolume({ { side, side, side } }), false };
     const shapeton::VolumeGradientOperator volumeGradient(
