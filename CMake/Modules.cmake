@@ -15,6 +15,7 @@ set(Shapeton_MODULES
   IO/DicomResults
   Filtering/Heat
   Filtering/Particles
+  Filtering/HeatObjects
   Filtering/ShapeSignature
   Phantom/Phantoms
   Graph/GraphModel

@@ -1,0 +1,14 @@
+set(DOCUMENTATION "Objects of a heat volume: connected regions that are stable over a range of heat.")
+
+itk_module(ShapetonHeatObjects
+  ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
+  DEPENDS
+    ShapetonCommon
+    ITKCommon
+  PRIVATE_DEPENDS
+    ShapetonHeat
+  TEST_DEPENDS
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)
