@@ -7,7 +7,7 @@ itk_module(ShapetonHeatObjects
     ShapetonCommon
     ITKCommon
   PRIVATE_DEPENDS
-    ShapetonHeat
+    ShapetonVolumeFiles
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

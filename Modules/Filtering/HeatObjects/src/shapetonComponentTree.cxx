@@ -58,7 +58,7 @@ SortVoxels(const float * values, const std::vector<Slab> & slabs)
   constexpr int                           shift = 16; // buckets by sign, exponent and 7 bits of the mantissa
   constexpr std::size_t                   numberOfBuckets = std::size_t{ 1 } << shift;
   std::vector<std::vector<std::uint32_t>> positions(slabs.size(), std::vector<std::uint32_t>(numberOfBuckets, 0));
-  const auto                              bucketOf = [values](std::size_t v) { return ~OrderedBits(values[v]) >> shift; };
+  const auto bucketOf = [values](std::size_t v) { return ~OrderedBits(values[v]) >> shift; };
   ParallelFor(slabs.size(), [&](std::size_t s) {
     for (std::size_t v = slabs[s].begin; v < slabs[s].end; ++v)
     {
@@ -111,7 +111,10 @@ SortVoxels(const float * values, const std::vector<Slab> & slabs)
 class ComponentTreeBuilder
 {
 public:
-  ComponentTreeBuilder(const VoxelGrid & grid, const std::vector<Slab> & slabs, const std::vector<Index> & rank, const std::vector<Index> & descending)
+  ComponentTreeBuilder(const VoxelGrid &          grid,
+                       const std::vector<Slab> &  slabs,
+                       const std::vector<Index> & rank,
+                       const std::vector<Index> & descending)
     : m_Grid(grid), m_Slabs(slabs), m_Rank(rank), m_Descending(descending), m_Joins(slabs.size())
   {
     for (std::size_t d = 0; d < directions; ++d)
@@ -454,19 +457,19 @@ private:
     return tree;
   }
 
-  const VoxelGrid &                         m_Grid;
-  const std::vector<Slab> &                 m_Slabs;
-  const std::vector<Index> &                m_Rank;
-  const std::vector<Index> &                m_Descending;
-  std::array<std::ptrdiff_t, directions>    m_Offsets{};
-  std::vector<Index>                        m_Up;
-  std::vector<std::vector<Index>>           m_Joins; // ranks, of each slab
-  std::vector<Index>                        m_ArcOfVoxel;
-  std::vector<Index>                        m_Start; // rank of the first voxel of each arc; parents after children
-  std::vector<Index>                        m_Parent;
-  std::vector<Index>                        m_Jump;
-  DisjointSets<Index>                       m_Sets;
-  std::vector<Index>                        m_ArcOfSet;
+  const VoxelGrid &                      m_Grid;
+  const std::vector<Slab> &              m_Slabs;
+  const std::vector<Index> &             m_Rank;
+  const std::vector<Index> &             m_Descending;
+  std::array<std::ptrdiff_t, directions> m_Offsets{};
+  std::vector<Index>                     m_Up;
+  std::vector<std::vector<Index>>        m_Joins; // ranks, of each slab
+  std::vector<Index>                     m_ArcOfVoxel;
+  std::vector<Index>                     m_Start; // rank of the first voxel of each arc; parents after children
+  std::vector<Index>                     m_Parent;
+  std::vector<Index>                     m_Jump;
+  DisjointSets<Index>                    m_Sets;
+  std::vector<Index>                     m_ArcOfSet;
 };
 
 ComponentTrees
@@ -486,7 +489,9 @@ BuildComponentTrees(const float * values, const VoxelGrid & grid)
     return ComponentTreeBuilder(grid, slabs, rank, order).Build();
   };
   ParallelInvoke([&] { trees.maxTree = build(descending); },
-                 [&] { trees.minTree = build({ descending.rbegin(), descending.rend() }); });
+                 [&] {
+                   trees.minTree = build({ descending.rbegin(), descending.rend() });
+                 });
   return trees;
 }
 } // namespace shapeton

@@ -1,0 +1,78 @@
+#ifndef shapetonHeatObjects_h
+#define shapetonHeatObjects_h
+
+#include "shapetonProgress.h"
+#include "ShapetonHeatObjectsExport.h"
+
+#include "itkImage.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace shapeton
+{
+/** A connected region that changes little over a range of heat.
+ * \ingroup ShapetonHeatObjects */
+struct HeatObject
+{
+  int           parent{ 0 };    ///< number of the smallest object, from 1, that contains this one; 0 for none
+  bool          isWarm{ true }; ///< voxels of at least `heat`; otherwise of at most `heat`
+  int           time{ 0 };      ///< the heat volume in which it was found, from 0
+  float         heat{ 0.0F };   ///< the threshold; in [0, 1] for heat, in visits for shapetons
+  std::uint32_t seed{ 0 };      ///< index of a voxel of the object: its warmest, or coldest, one
+  std::uint64_t voxels{ 0 };
+  double        volume{ 0.0 }; ///< mm^3
+  /** Mean value of its voxels in each heat volume. */
+  std::vector<double> heatCurve;
+  /** Logarithmic change of the volume when the threshold changes by 5 %; 0: none. */
+  double growth{ 0.0 };
+  /** Range of thresholds over which the volume stays within 20 %, as a natural logarithm. */
+  double range{ 0.0 };
+  /** Median over the faces of its border of the absolute log ratio of the heat on both sides. */
+  double contrast{ 0.0 };
+  /** 36 pi volume^2 / surface^3: 1 for a ball; the surface is two thirds of the area of the voxel faces. */
+  double compactness{ 0.0 };
+  /** Share of its border at the border of the volume. */
+  double cut{ 0.0 };
+  /** Calibrated probability that the object is a whole one, not a part of one and not several. */
+  double probability{ 0.0 };
+};
+
+/** Criteria for objects. \ingroup ShapetonHeatObjects */
+struct HeatObjectSettings
+{
+  std::uint64_t leastVoxels{ 64 };       ///< smaller regions are ignored; at least 8
+  double        mostShare{ 0.5 };        ///< regions with a larger share of the volume are surroundings; in (0, 1]
+  double        leastProbability{ 0.1 }; ///< objects with less are not listed; in [0, 1]
+};
+
+/** Objects with their voxels.
+ * \ingroup ShapetonHeatObjects */
+struct HeatObjectList
+{
+  using LabelImage = itk::Image<unsigned short, 3>;
+
+  std::vector<HeatObject> objects; ///< by descending volume, so each follows those that contain it
+  /** The number, from 1, of the smallest object at each voxel; 0 for none. */
+  LabelImage::Pointer labels;
+};
+
+/** Finds the stable nodes of the component trees (max-tree and min-tree) of one or several heat volumes of one grid: at
+ * several times, or with several windows.
+ *
+ * Along each path of a tree, from an extremum to the whole volume, a node is stable where the volume hardly changes
+ * with the threshold (maximally stable regions; Matas et al. 2002). Nodes found in both trees or at several times count
+ * once: the most probable one is kept. Throws InputError if the grids differ or a value is not a finite number.
+ * \ingroup ShapetonHeatObjects */
+ShapetonHeatObjects_EXPORT HeatObjectList
+FindHeatObjects(const std::vector<const itk::Image<float, 3> *> & heats,
+                const HeatObjectSettings &                        settings = {},
+                const Progress &                                  progress = {});
+
+/** The voxels of one object, from all objects inside of it and its own: 1 inside, 0 outside.
+ * \ingroup ShapetonHeatObjects */
+ShapetonHeatObjects_EXPORT itk::Image<unsigned char, 3>::Pointer
+MaskOfObject(const HeatObjectList & list, int object, const std::vector<const itk::Image<float, 3> *> & heats);
+} // namespace shapeton
+
+#endif

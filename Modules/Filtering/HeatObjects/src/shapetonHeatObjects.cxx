@@ -1,0 +1,345 @@
+#include "shapetonHeatObjects.h"
+
+#include "shapetonExceptions.h"
+#include "shapetonParallelFor.h"
+#include "shapetonPi.h"
+#include "shapetonStableRegions.h"
+#include "shapetonVolume.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace shapeton
+{
+namespace
+{
+using HeatImage = itk::Image<float, 3>;
+using Index = ComponentTree::Index;
+
+/** An object and its voxels. */
+struct Candidate
+{
+  HeatObject         object;
+  std::vector<Index> voxels;
+};
+
+/** Weights of the logistic model of the probability, fitted by FitHeatObjects (Testing/Validation) to random scenes. */
+double
+ProbabilityOf(const HeatObject & object)
+{
+  (void)object;
+  return 0.5;
+}
+
+/** The volumes in which objects are searched, on one grid. */
+struct Volumes
+{
+  std::vector<const float *> values;
+  VoxelGrid                  grid;
+  double                     voxelVolume{ 0.0 };            ///< mm^3
+  std::array<double, 3>      faceArea{ { 0.0, 0.0, 0.0 } }; ///< mm^2, of the faces across each axis
+};
+
+Volumes
+RequireOneGrid(const std::vector<const HeatImage *> & images)
+{
+  if (images.empty())
+  {
+    throw ParameterError("objects need at least one heat volume");
+  }
+  const auto & spacing = images[0]->GetSpacing();
+  const auto   size = images[0]->GetBufferedRegion().GetSize();
+  Volumes      volumes;
+  volumes.grid.SetSize({ { static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) } });
+  volumes.voxelVolume = spacing[0] * spacing[1] * spacing[2];
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    volumes.faceArea[axis] = volumes.voxelVolume / spacing[axis];
+  }
+  for (std::size_t i = 0; i < images.size(); ++i)
+  {
+    if (!HaveSameGrid(images[i], images[0]))
+    {
+      throw InputError("the grid of heat volume " + std::to_string(i + 1) + " differs from that of the first one");
+    }
+    volumes.values.push_back(images[i]->GetBufferPointer());
+  }
+  return volumes;
+}
+
+/** Measures the regions of one tree. */
+class RegionMeasures
+{
+public:
+  RegionMeasures(const ComponentTree & tree, const Volumes & volumes, int time, bool isWarm, float greatest)
+    : m_Voxels(tree.GetVoxels())
+    , m_Volumes(volumes)
+    , m_Time(time)
+    , m_IsWarm(isWarm)
+    , m_Greatest(greatest)
+    , m_Position(m_Voxels.size())
+  {
+    ParallelForBlocks(m_Voxels.size(), [this](std::size_t i) { m_Position[m_Voxels[i]] = static_cast<Index>(i); });
+  }
+
+  Candidate
+  Measure(const StableRegion & region) const
+  {
+    const float * const heat = m_Volumes.values[m_Time];
+    Candidate           candidate;
+    candidate.voxels.assign(m_Voxels.begin() + region.first, m_Voxels.begin() + region.end);
+    HeatObject & object = candidate.object;
+    object.isWarm = m_IsWarm;
+    object.time = m_Time;
+    object.heat = heat[candidate.voxels.back()];
+    object.seed = *std::min_element(candidate.voxels.begin(), candidate.voxels.end(), [&](Index a, Index b) {
+      return heat[a] != heat[b] ? (heat[a] > heat[b]) == m_IsWarm : a < b;
+    });
+    object.voxels = candidate.voxels.size();
+    object.volume = m_Volumes.voxelVolume * static_cast<double>(object.voxels);
+    object.growth = region.growth;
+    object.range = region.range;
+    for (const float * const values : m_Volumes.values)
+    {
+      const auto add = [values](double sum, Index voxel) { return sum + values[voxel]; };
+      const auto sum = std::accumulate(candidate.voxels.begin(), candidate.voxels.end(), 0.0, add);
+      object.heatCurve.push_back(sum / static_cast<double>(object.voxels));
+    }
+    this->MeasureBorder(region, object);
+    object.probability = ProbabilityOf(object);
+    return candidate;
+  }
+
+private:
+  void
+  MeasureBorder(const StableRegion & region, HeatObject & object) const
+  {
+    const float * const heat = m_Volumes.values[m_Time];
+    std::vector<double> ratios;
+    double              surface = 0.0;
+    double              cut = 0.0;
+    for (Index i = region.first; i < region.end; ++i)
+    {
+      const Index voxel = m_Voxels[i];
+      const auto  place = m_Volumes.grid.Voxel(voxel);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        for (const int step : { -1, 1 })
+        {
+          const int to = place[axis] + step;
+          if (to < 0 || to >= m_Volumes.grid.size[axis])
+          {
+            cut += m_Volumes.faceArea[axis];
+            continue;
+          }
+          const std::size_t neighbor = voxel + step * static_cast<std::ptrdiff_t>(m_Volumes.grid.stride[axis]);
+          if (m_Position[neighbor] < region.first || m_Position[neighbor] >= region.end)
+          {
+            surface += m_Volumes.faceArea[axis];
+            ratios.push_back(std::abs(LogHeat(heat[voxel], m_Greatest) - LogHeat(heat[neighbor], m_Greatest)));
+          }
+        }
+      }
+    }
+    if (!ratios.empty())
+    {
+      const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+      std::nth_element(ratios.begin(), middle, ratios.end());
+      object.contrast = *middle;
+    }
+    constexpr double perFaces = 2.0 / 3.0; // a ball has 1.5 times its surface as faces of voxels
+    const double     whole = perFaces * (surface + cut);
+    object.compactness = 36.0 * Pi * object.volume * object.volume / (whole * whole * whole);
+    object.cut = cut / (surface + cut);
+  }
+
+  const std::vector<Index> & m_Voxels;
+  const Volumes &            m_Volumes;
+  int                        m_Time;
+  bool                       m_IsWarm;
+  float                      m_Greatest;
+  std::vector<Index>         m_Position;
+};
+
+float
+Greatest(const HeatImage & image)
+{
+  const float * const first = image.GetBufferPointer();
+  const float         greatest = *std::max_element(first, first + image.GetBufferedRegion().GetNumberOfPixels());
+  if (!(greatest > 0.0F) || std::isinf(greatest))
+  {
+    throw InputError("a heat volume needs finite values above 0, not at most " + std::to_string(greatest));
+  }
+  return greatest;
+}
+
+void
+AddCandidates(const ComponentTree &      tree,
+              const Volumes &            volumes,
+              int                        time,
+              bool                       isWarm,
+              float                      greatest,
+              const HeatObjectSettings & settings,
+              std::vector<Candidate> &   candidates)
+{
+  const auto             regions = FindStableRegions(tree, volumes.values[time], greatest, settings);
+  const RegionMeasures   measures(tree, volumes, time, isWarm, greatest);
+  std::vector<Candidate> found(regions.size());
+  ParallelFor(regions.size(), [&](std::size_t i) { found[i] = measures.Measure(regions[i]); });
+  for (Candidate & candidate : found)
+  {
+    if (candidate.object.probability >= settings.leastProbability)
+    {
+      candidates.push_back(std::move(candidate));
+    }
+  }
+}
+
+/** The objects drawn so far, each over those that contain it. */
+class Nesting
+{
+public:
+  explicit Nesting(const HeatImage & image) : m_Labels(HeatObjectList::LabelImage::New())
+  {
+    m_Labels->CopyInformation(&image);
+    m_Labels->SetRegions(image.GetBufferedRegion());
+    m_Labels->Allocate(true);
+  }
+
+  /** The object with nearly all voxels of a candidate, or 0. */
+  int
+  Around(const Candidate & candidate) const
+  {
+    std::map<unsigned short, std::size_t> counts;
+    for (const Index voxel : candidate.voxels)
+    {
+      ++counts[m_Labels->GetBufferPointer()[voxel]];
+    }
+    const auto most = std::max_element(
+      counts.begin(), counts.end(), [](const auto & a, const auto & b) { return a.second < b.second; });
+    constexpr double nearlyAll = 0.9; // objects of different times or trees differ by voxels of their borders
+    const bool isAround = static_cast<double>(most->second) >= nearlyAll * static_cast<double>(candidate.voxels.size());
+    return isAround ? most->first : 0;
+  }
+
+  void
+  Draw(const Candidate & candidate, std::size_t number)
+  {
+    for (const Index voxel : candidate.voxels)
+    {
+      m_Labels->GetBufferPointer()[voxel] = static_cast<unsigned short>(number);
+    }
+  }
+
+  HeatObjectList::LabelImage *
+  GetLabels() const
+  {
+    return m_Labels;
+  }
+
+private:
+  HeatObjectList::LabelImage::Pointer m_Labels;
+};
+
+/** Keeps the more probable one of two candidates with nearly the same voxels; the result is by descending size. */
+std::vector<Candidate>
+WithoutTwins(std::vector<Candidate> candidates, const HeatImage & image)
+{
+  const auto isLarger = [](const Candidate & a, const Candidate & b) { return a.voxels.size() > b.voxels.size(); };
+  constexpr double       sameSize = 0.75;
+  constexpr std::size_t  most = std::numeric_limits<unsigned short>::max();
+  Nesting                nesting(image);
+  std::vector<Candidate> kept;
+  std::stable_sort(candidates.begin(), candidates.end(), isLarger);
+  for (Candidate & candidate : candidates)
+  {
+    const int  around = nesting.Around(candidate);
+    const bool isTwin = around > 0 && static_cast<double>(candidate.voxels.size()) >=
+                                        sameSize * static_cast<double>(kept[around - 1].voxels.size());
+    if (!isTwin && kept.size() < most)
+    {
+      nesting.Draw(candidate, kept.size() + 1);
+      kept.push_back(std::move(candidate));
+    }
+    else if (isTwin && candidate.object.probability > kept[around - 1].object.probability)
+    {
+      nesting.Draw(candidate, around);
+      kept[around - 1] = std::move(candidate);
+    }
+  }
+  std::stable_sort(kept.begin(), kept.end(), isLarger);
+  return kept;
+}
+
+HeatObjectList
+Nest(const std::vector<Candidate> & candidates, const HeatImage & image)
+{
+  HeatObjectList list;
+  Nesting        nesting(image);
+  for (const Candidate & candidate : candidates)
+  {
+    list.objects.push_back(candidate.object);
+    list.objects.back().parent = nesting.Around(candidate);
+    nesting.Draw(candidate, list.objects.size());
+  }
+  list.labels = nesting.GetLabels();
+  return list;
+}
+} // namespace
+
+HeatObjectList
+FindHeatObjects(const std::vector<const HeatImage *> & heats,
+                const HeatObjectSettings &             settings,
+                const Progress &                       progress)
+{
+  const Volumes          volumes = RequireOneGrid(heats);
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < heats.size(); ++i)
+  {
+    const auto           time = static_cast<int>(i);
+    const float          greatest = Greatest(*heats[i]);
+    const ComponentTrees trees = BuildComponentTrees(volumes.values[i], volumes.grid);
+    AddCandidates(trees.maxTree, volumes, time, true, greatest, settings, candidates);
+    AddCandidates(trees.minTree, volumes, time, false, greatest, settings, candidates);
+    progress("Finding objects", static_cast<double>(i + 1) / static_cast<double>(heats.size()));
+  }
+  return Nest(WithoutTwins(std::move(candidates), *heats[0]), *heats[0]);
+}
+
+itk::Image<unsigned char, 3>::Pointer
+MaskOfObject(const HeatObjectList & list, int object, const std::vector<const HeatImage *> & heats)
+{
+  if (object < 1 || object > static_cast<int>(list.objects.size()))
+  {
+    throw ParameterError("there is no object " + std::to_string(object) + " of " + std::to_string(list.objects.size()));
+  }
+  const HeatObject &  found = list.objects[object - 1];
+  const Volumes       volumes = RequireOneGrid(heats);
+  const float * const heat = volumes.values.at(found.time);
+  const auto          mask = itk::Image<unsigned char, 3>::New();
+  mask->CopyInformation(heats[0]);
+  mask->SetRegions(heats[0]->GetBufferedRegion());
+  mask->Allocate(true);
+  unsigned char * const    isIn = mask->GetBufferPointer();
+  std::vector<std::size_t> open{ found.seed };
+  isIn[found.seed] = 1;
+  while (!open.empty())
+  {
+    const std::size_t voxel = open.back();
+    open.pop_back();
+    ForEachNeighbor(volumes.grid, voxel, [&](std::size_t neighbor) {
+      const bool holds = found.isWarm ? heat[neighbor] >= found.heat : heat[neighbor] <= found.heat;
+      if (holds && isIn[neighbor] == 0)
+      {
+        isIn[neighbor] = 1;
+        open.push_back(neighbor);
+      }
+    });
+  }
+  return mask;
+}
+} // namespace shapeton

@@ -1,0 +1,29 @@
+#ifndef shapetonStableRegions_h
+#define shapetonStableRegions_h
+
+#include "shapetonComponentTree.h"
+#include "shapetonHeatObjects.h"
+
+namespace shapeton
+{
+/** A node of a component tree: the voxels [first, end) of its list. */
+struct StableRegion
+{
+  ComponentTree::Index first, end;
+  double               growth, range; ///< as in HeatObject
+};
+
+/** Logarithm of a heat or density; values below a millionth of `greatest` count as that. */
+double
+LogHeat(float value, float greatest);
+
+/** Stable nodes with at least settings.leastVoxels voxels and at most settings.mostShare of the volume; several of one
+ * path differ by a factor 1.3 or more in size. In the order of the tree. */
+std::vector<StableRegion>
+FindStableRegions(const ComponentTree &      tree,
+                  const float *              values,
+                  float                      greatest,
+                  const HeatObjectSettings & settings);
+} // namespace shapeton
+
+#endif
