@@ -1,13 +1,13 @@
 #include "shapetonHeatParameterChoice.h"
 
 #include "shapetonHeatClassification.h"
+#include "shapetonIntensityClasses.h"
 #include "shapetonNumberText.h"
-#include "shapetonParallelFor.h"
+#include "shapetonReducedVolume.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 
 namespace shapeton
 {
@@ -17,11 +17,7 @@ using Window = std::array<double, 2>;
 using Size = std::array<std::size_t, 3>;
 using Spacing = std::array<double, 3>;
 
-/** Largest copy on which parameters are tried, 128^3. Six trials on it cost about half as much as a run on 256^3. */
-constexpr std::size_t GreatestCopy = 128 * 128 * 128;
-/** Sides of the copy are not reduced below this many voxels. */
-constexpr std::size_t LeastSide = 16;
-constexpr Window      SoftTissue = { { -160.0, 240.0 } }; // HU, the usual window of the abdomen
+constexpr Window SoftTissue = { { -160.0, 240.0 } }; // HU, the usual window of the abdomen
 /** 1/p in units of the median difference between neighbors; beyond 2, edges leak in all of nine real volumes. */
 constexpr std::array<double, 2> Cuts = { { 1.0, 2.0 } };
 constexpr double                LeastP = 2.0;
@@ -35,154 +31,11 @@ constexpr double GreatestNoise = 0.25;
 /** A window of CT that shows fewer regions, hardly more than one, is not used. */
 constexpr double LeastRegions = 1.5;
 
-/** A volume without its geometry. */
-struct Copy
-{
-  Size               size{};
-  Spacing            spacing{};
-  std::vector<float> values;
-  double             factor{ 1.0 }; ///< of the smallest spacing
-};
-
-double
-Smallest(const Spacing & spacing)
-{
-  return std::min({ spacing[0], spacing[1], spacing[2] });
-}
-
-/** Voxels per block along each axis for voxels of `side` mm. */
-Size
-Blocks(const Size & size, const Spacing & spacing, double side)
-{
-  Size blocks{};
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    const auto wanted = static_cast<std::size_t>(std::max(1L, std::lround(side / spacing[axis])));
-    blocks[axis] = std::clamp<std::size_t>(wanted, 1, std::max<std::size_t>(1, size[axis] / LeastSide));
-  }
-  return blocks;
-}
-
-Copy
-Average(const float * values, const Size & size, const Spacing & spacing, const Size & blocks)
-{
-  Copy copy;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    copy.size[axis] = size[axis] / blocks[axis];
-    copy.spacing[axis] = spacing[axis] * static_cast<double>(blocks[axis]);
-  }
-  copy.factor = Smallest(copy.spacing) / Smallest(spacing);
-  copy.values.resize(copy.size[0] * copy.size[1] * copy.size[2]);
-  const auto voxels = static_cast<double>(blocks[0] * blocks[1] * blocks[2]);
-  ParallelFor(copy.size[2], [&](std::size_t z) {
-    std::vector<double> sums(copy.size[0]);
-    for (std::size_t y = 0; y < copy.size[1]; ++y)
-    {
-      std::fill(sums.begin(), sums.end(), 0.0);
-      for (std::size_t row = 0; row < blocks[1] * blocks[2]; ++row)
-      {
-        const std::size_t   inY = y * blocks[1] + row % blocks[1];
-        const std::size_t   inZ = z * blocks[2] + row / blocks[1];
-        const float * const line = values + (inZ * size[1] + inY) * size[0];
-        for (std::size_t x = 0; x < copy.size[0] * blocks[0]; ++x)
-        {
-          sums[x / blocks[0]] += line[x];
-        }
-      }
-      std::transform(sums.begin(),
-                     sums.end(),
-                     copy.values.begin() + static_cast<std::ptrdiff_t>((z * copy.size[1] + y) * copy.size[0]),
-                     [voxels](double sum) { return static_cast<float>(sum / voxels); });
-    }
-  });
-  return copy;
-}
-
-/** At least two voxels are averaged, which also removes noise. */
-Copy
-MakeCopy(const float * values, const Size & size, const Spacing & spacing)
-{
-  Size blocks{};
-  for (double side = 2.0;; side += 1.0)
-  {
-    const Size next = Blocks(size, spacing, side * Smallest(spacing));
-    const bool same = next == blocks;
-    blocks = next;
-    const std::size_t voxels = (size[0] / blocks[0]) * (size[1] / blocks[1]) * (size[2] / blocks[2]);
-    if (voxels <= GreatestCopy || (same && side > static_cast<double>(*std::max_element(size.begin(), size.end()))))
-    {
-      return Average(values, size, spacing, blocks);
-    }
-  }
-}
-
 Window
 Range(const std::vector<float> & values)
 {
   const auto ends = std::minmax_element(values.begin(), values.end());
   return { { *ends.first, *ends.second } };
-}
-
-/** Sorted sample of the values. */
-std::vector<float>
-Sample(const std::vector<float> & values)
-{
-  constexpr std::size_t wanted = 500'000;
-  const std::size_t     step = std::max<std::size_t>(1, values.size() / wanted);
-  std::vector<float>    sample;
-  for (std::size_t i = 0; i < values.size(); i += step)
-  {
-    sample.push_back(values[i]);
-  }
-  std::sort(sample.begin(), sample.end());
-  return sample;
-}
-
-/** Mean of the darkest, two thresholds, and mean of the brightest of the three classes of greatest variance between
- * them (Otsu 1979), of a sorted sample without its extremes. */
-std::array<double, 4>
-OtsuClasses(const std::vector<float> & sample)
-{
-  constexpr int       bins = 256;
-  constexpr double    extreme = 0.001;
-  const auto          cut = static_cast<std::size_t>(extreme * static_cast<double>(sample.size()));
-  const double        lower = sample[cut];
-  const double        upper = sample[sample.size() - 1 - cut];
-  std::vector<double> count(bins + 1, 0.0);
-  std::vector<double> sum(bins + 1, 0.0);
-  for (const float value : sample)
-  {
-    const double clamped = std::clamp<double>(value, lower, upper);
-    const double place = upper > lower ? (clamped - lower) / (upper - lower) : 0.0;
-    const int    bin = std::min(bins - 1, static_cast<int>(place * bins));
-    count[bin + 1] += 1.0;
-    sum[bin + 1] += clamped;
-  }
-  std::partial_sum(count.begin(), count.end(), count.begin());
-  std::partial_sum(sum.begin(), sum.end(), sum.begin());
-  const auto mean = [&](int first, int end) {
-    return (sum[end] - sum[first]) / std::max(1.0, count[end] - count[first]);
-  };
-  const auto between = [&](int first, int end) { return (sum[end] - sum[first]) * mean(first, end); };
-  double     most = -1.0;
-  int        one = 0;
-  int        two = 0;
-  for (int i = 1; i < bins; ++i)
-  {
-    for (int j = i + 1; j < bins; ++j)
-    {
-      const double variance = between(0, i) + between(i, j) + between(j, bins);
-      if (variance > most)
-      {
-        most = variance;
-        one = i;
-        two = j;
-      }
-    }
-  }
-  const double width = (upper - lower) / bins;
-  return { mean(0, one), lower + one * width, lower + two * width, mean(two, bins) };
 }
 
 /** Whether a sorted sample looks like HU: much air and much soft tissue. */
@@ -257,12 +110,12 @@ Median(std::vector<double> values)
 
 /** Median nonzero half gradient inside the window; 0 if there is none. */
 double
-MedianDifference(const Copy & copy, const Window & window)
+MedianDifference(const ReducedVolume & copy, const Window & window)
 {
   std::vector<double> differences;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    const double resolution = copy.spacing[axis] / Smallest(copy.spacing);
+    const double resolution = copy.spacing[axis] / SmallestSpacing(copy.spacing);
     VisitInside<2>(copy.values.data(), copy.size, window, axis, [&](const std::array<double, 2> & v) {
       if (v[0] != v[1])
       {
@@ -294,10 +147,10 @@ NoiseInside(const float * values, const Size & size, const Window & window)
 class Trials
 {
 public:
-  Trials(Copy copy, const CumulativeHeatDiffusionSettings & settings, const GivenHeatParameters & given)
-    : m_Copy(std::move(copy)), m_Settings(settings), m_Given(given)
+  Trials(ReducedVolume copy, const CumulativeHeatDiffusionSettings & settings, const GivenHeatParameters & given)
+    : m_ReducedVolume(std::move(copy)), m_Settings(settings), m_Given(given)
   {
-    m_Settings.spacing = m_Copy.spacing;
+    m_Settings.spacing = m_ReducedVolume.spacing;
     m_Settings.smoothing = 0.0;
     m_Settings.histogramSteps.clear();
     m_Settings.wantComponents = false;
@@ -305,16 +158,18 @@ public:
     m_Settings.snapshotSteps.assign(TrialSteps.begin(), TrialSteps.end());
     if (given.timeSteps)
     {
-      const double onCopy = static_cast<double>(*given.timeSteps) / (m_Copy.factor * m_Copy.factor);
-      m_Settings.snapshotSteps = { std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(onCopy))) };
+      const double onReducedVolume =
+        static_cast<double>(*given.timeSteps) / (m_ReducedVolume.factor * m_ReducedVolume.factor);
+      m_Settings.snapshotSteps = { std::max<std::uint64_t>(1,
+                                                           static_cast<std::uint64_t>(std::llround(onReducedVolume))) };
     }
     m_Settings.timeSteps = m_Settings.snapshotSteps.back();
   }
 
-  const Copy &
+  const ReducedVolume &
   GetCopy() const
   {
-    return m_Copy;
+    return m_ReducedVolume;
   }
 
   /** Tries the given p, or several, with a window. */
@@ -325,10 +180,10 @@ public:
     {
       return;
     }
-    const double median = MedianDifference(m_Copy, window);
+    const double median = MedianDifference(m_ReducedVolume, window);
     if (m_Given.p)
     {
-      this->Try({ window, *m_Given.p / m_Copy.factor, 0, median, 0.0 }, progress);
+      this->Try({ window, *m_Given.p / m_ReducedVolume.factor, 0, median, 0.0 }, progress);
       return;
     }
     for (std::size_t i = 0; i < Cuts.size(); ++i)
@@ -354,15 +209,15 @@ private:
     parameters.p = trial.p;
     parameters.lower = trial.window[0];
     parameters.upper = trial.window[1];
-    parameters.spacing = m_Copy.spacing;
+    parameters.spacing = m_ReducedVolume.spacing;
     parameters.conductance = m_Settings.conductance;
-    const VolumeGradientOperator volumeGradient(m_Copy.values.data(), m_Copy.size, parameters);
+    const VolumeGradientOperator volumeGradient(m_ReducedVolume.values.data(), m_ReducedVolume.size, parameters);
     m_Settings.p = trial.p;
     m_Settings.intensityWindow = trial.window;
-    std::vector<float> heat(m_Copy.values.size());
+    std::vector<float> heat(m_ReducedVolume.values.size());
     DiffuseCumulativeHeat(
-      m_Copy.values.data(),
-      m_Copy.size,
+      m_ReducedVolume.values.data(),
+      m_ReducedVolume.size,
       m_Settings,
       heat.data(),
       nullptr,
@@ -381,7 +236,7 @@ private:
       progress);
   }
 
-  Copy                            m_Copy;
+  ReducedVolume                   m_ReducedVolume;
   CumulativeHeatDiffusionSettings m_Settings;
   GivenHeatParameters             m_Given;
   Trial                           m_Best;
@@ -412,7 +267,7 @@ TryWindows(Trials & trials, const GivenHeatParameters & given, const std::string
     trials.TryWindow(given.intensityWindow.value_or(Range(trials.GetCopy().values)), progress);
     return given.intensityWindow ? "" : "the range of the volume, to which the given p refers";
   }
-  const auto sample = Sample(trials.GetCopy().values);
+  const auto sample = SampleIntensities(trials.GetCopy().values);
   const bool isCt = modality == "CT" || (modality.empty() && LooksLikeCt(sample));
   if (isCt)
   {
@@ -424,7 +279,7 @@ TryWindows(Trials & trials, const GivenHeatParameters & given, const std::string
              (modality.empty() ? "because the intensities look like HU" : "because the modality is CT");
     }
   }
-  auto ends = OtsuClasses(sample);
+  auto ends = FindIntensityClasses(sample);
   std::transform(ends.begin(), ends.end(), ends.begin(), [](double end) { return Rounded(end, 3); });
   const std::array<Window, 4> windows = {
     { { { ends[0], ends[3] } }, { { ends[1], ends[3] } }, { { ends[0], ends[2] } }, { { ends[1], ends[2] } } }
@@ -443,7 +298,7 @@ void
 ChooseSmoothing(const float *               intensities,
                 const Size &                size,
                 const GivenHeatParameters & given,
-                const Copy &                copy,
+                const ReducedVolume &       copy,
                 HeatParameterChoice &       choice)
 {
   if (given.smoothing || given.p)
@@ -453,7 +308,7 @@ ChooseSmoothing(const float *               intensities,
   }
   const double noise = NoiseInside(intensities, size, choice.intensityWindow) * std::sqrt(2.0);
   const bool   insulates = noise * choice.p > GreatestNoise;
-  choice.smoothing = insulates ? Rounded(Smoothing * Smallest(copy.spacing), 2) : 0.0;
+  choice.smoothing = insulates ? Rounded(Smoothing * SmallestSpacing(copy.spacing), 2) : 0.0;
   choice.smoothingReason = "noise between neighbors has a standard deviation of " + Text(noise, 2) +
                            " of the window, " + (insulates ? "more" : "not more") + " than a quarter of 1/p";
 }
@@ -498,11 +353,11 @@ ChooseHeatParameters(const float *                           intensities,
     return choice;
   }
   const Spacing spacing = settings.ignoreSpacing ? Spacing{ { 1.0, 1.0, 1.0 } } : settings.spacing;
-  Trials        trials(MakeCopy(intensities, size, spacing), settings, given);
+  Trials        trials(ReduceVolume(intensities, size, spacing), settings, given);
   choice.windowReason = TryWindows(trials, given, modality, progress);
-  const Copy &  copy = trials.GetCopy();
-  const Trial & best = trials.GetBest();
-  const double  factor = copy.factor;
+  const ReducedVolume & copy = trials.GetCopy();
+  const Trial &         best = trials.GetBest();
+  const double          factor = copy.factor;
   if (best.regions < 0.0)
   {
     choice.windowReason = "the volume is constant: the heat is 0 for any parameters";

@@ -1,0 +1,21 @@
+#ifndef shapetonIntensityClasses_h
+#define shapetonIntensityClasses_h
+
+#include "ShapetonHeatExport.h"
+
+#include <array>
+#include <vector>
+
+namespace shapeton
+{
+/** Sorted sample of about 500,000 values. \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT std::vector<float>
+                    SampleIntensities(const std::vector<float> & values);
+
+/** Mean of the darkest, two thresholds, and mean of the brightest of the three classes of greatest variance between
+ * them (Otsu 1979), of a sorted sample without its extremes. \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT std::array<double, 4>
+                    FindIntensityClasses(const std::vector<float> & sample);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,31 @@
+#ifndef shapetonReducedVolume_h
+#define shapetonReducedVolume_h
+
+#include "ShapetonHeatExport.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace shapeton
+{
+/** A copy of a volume in larger voxels, on which parameters are tried. \ingroup ShapetonHeat */
+struct ReducedVolume
+{
+  std::array<std::size_t, 3> size{};
+  std::array<double, 3>      spacing{}; ///< mm
+  std::vector<float>         values;
+  double                     factor{ 1.0 }; ///< its smallest spacing divided by that of the volume
+};
+
+/** Averages over blocks of at least two voxels, which also removes noise, to at most 128^3 voxels. Sides are not
+ * reduced below 16 voxels. \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT ReducedVolume
+ReduceVolume(const float * values, const std::array<std::size_t, 3> & size, const std::array<double, 3> & spacing);
+
+/** The smallest of three spacings. \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT double
+SmallestSpacing(const std::array<double, 3> & spacing);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,92 @@
+#include "shapetonReducedVolume.h"
+
+#include "shapetonParallelFor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+using Size = std::array<std::size_t, 3>;
+using Spacing = std::array<double, 3>;
+
+/** Largest copy, 128^3. Six diffusions on it cost about half as much as a run on 256^3. */
+constexpr std::size_t GreatestCopy = 128 * 128 * 128;
+/** Sides of the copy are not reduced below this many voxels. */
+constexpr std::size_t LeastSide = 16;
+
+/** Voxels per block along each axis for voxels of `side` mm. */
+Size
+Blocks(const Size & size, const Spacing & spacing, double side)
+{
+  Size blocks{};
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const auto wanted = static_cast<std::size_t>(std::max(1L, std::lround(side / spacing[axis])));
+    blocks[axis] = std::clamp<std::size_t>(wanted, 1, std::max<std::size_t>(1, size[axis] / LeastSide));
+  }
+  return blocks;
+}
+
+ReducedVolume
+Average(const float * values, const Size & size, const Spacing & spacing, const Size & blocks)
+{
+  ReducedVolume copy;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    copy.size[axis] = size[axis] / blocks[axis];
+    copy.spacing[axis] = spacing[axis] * static_cast<double>(blocks[axis]);
+  }
+  copy.factor = SmallestSpacing(copy.spacing) / SmallestSpacing(spacing);
+  copy.values.resize(copy.size[0] * copy.size[1] * copy.size[2]);
+  const auto voxels = static_cast<double>(blocks[0] * blocks[1] * blocks[2]);
+  ParallelFor(copy.size[2], [&](std::size_t z) {
+    std::vector<double> sums(copy.size[0]);
+    for (std::size_t y = 0; y < copy.size[1]; ++y)
+    {
+      std::fill(sums.begin(), sums.end(), 0.0);
+      for (std::size_t row = 0; row < blocks[1] * blocks[2]; ++row)
+      {
+        const std::size_t   inY = y * blocks[1] + row % blocks[1];
+        const std::size_t   inZ = z * blocks[2] + row / blocks[1];
+        const float * const line = values + (inZ * size[1] + inY) * size[0];
+        for (std::size_t x = 0; x < copy.size[0] * blocks[0]; ++x)
+        {
+          sums[x / blocks[0]] += line[x];
+        }
+      }
+      std::transform(sums.begin(),
+                     sums.end(),
+                     copy.values.begin() + static_cast<std::ptrdiff_t>((z * copy.size[1] + y) * copy.size[0]),
+                     [voxels](double sum) { return static_cast<float>(sum / voxels); });
+    }
+  });
+  return copy;
+}
+} // namespace
+
+double
+SmallestSpacing(const Spacing & spacing)
+{
+  return std::min({ spacing[0], spacing[1], spacing[2] });
+}
+
+ReducedVolume
+ReduceVolume(const float * values, const Size & size, const Spacing & spacing)
+{
+  Size blocks{};
+  for (double side = 2.0;; side += 1.0)
+  {
+    const Size next = Blocks(size, spacing, side * SmallestSpacing(spacing));
+    const bool same = next == blocks;
+    blocks = next;
+    const std::size_t voxels = (size[0] / blocks[0]) * (size[1] / blocks[1]) * (size[2] / blocks[2]);
+    if (voxels <= GreatestCopy || (same && side > static_cast<double>(*std::max_element(size.begin(), size.end()))))
+    {
+      return Average(values, size, spacing, blocks);
+    }
+  }
+}
+} // namespace shapeton
