@@ -7,6 +7,7 @@
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonHeatClassification.h"
 #include "shapetonHeatResultFiles.h"
+#include "shapetonObjectParameters.h"
 #include "shapetonExceptions.h"
 #include "shapetonToolDevice.h"
 #include "shapetonToolVolumes.h"
@@ -41,10 +42,11 @@ ChooseParameters(CommandLine & commandLine, const std::string & modality, Filter
   }
   auto       options = filter->GetOptions();
   const auto names = shapeton::ReadGivenOptions(commandLine, options);
-  const auto choice =
-    filter->ChooseParameters(shapeton::GivenAmong(names, options),
-                             modality,
-                             commandLine.PartOfProgress(0.0, shareOfChoice).Part("Choosing parameters", 0.0, 1.0));
+  const auto given = shapeton::GivenAmong(names, options);
+  const auto progress = commandLine.PartOfProgress(0.0, shareOfChoice).Part("Choosing parameters", 0.0, 1.0);
+  const auto choice = commandLine.GetString("preset") == "objects"
+                        ? filter->ChooseParametersBy(shapeton::ChooseObjectParameters, given, progress)
+                        : filter->ChooseParameters(given, modality, progress);
   for (const auto & [name, value] : shapeton::ChosenValues(choice))
   {
     commandLine.AddProvenance("chosen." + name, value);

@@ -5,6 +5,7 @@ itk_module(ShapetonHeatObjects
   EXCLUDE_FROM_DEFAULT
   DEPENDS
     ShapetonCommon
+    ShapetonHeat
     ITKCommon
   PRIVATE_DEPENDS
     ShapetonVolumeFiles

@@ -7,6 +7,7 @@ itk_module(ShapetonHeatTools
     ShapetonCommon
     ShapetonReport
     ShapetonHeat
+    ShapetonHeatObjects
     ShapetonParticles
     ShapetonSurfaceMesh
     ShapetonVolumeFiles

@@ -6,6 +6,7 @@
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonExceptions.h"
 #include "shapetonHeatClassification.h"
+#include "shapetonObjectParameters.h"
 
 #include <algorithm>
 #include <functional>
@@ -47,7 +48,7 @@ Heat
 Diffuse(const ImageType::Pointer &                    image,
         const Given<CumulativeHeatDiffusionOptions> & given,
         const std::vector<std::string> &              names,
-        const std::string &                           preset,
+        const std::string &                           presetName,
         const std::string &                           modality,
         const std::vector<std::uint64_t> &            histogramSteps,
         const std::vector<std::uint64_t> &            snapshotSteps,
@@ -64,10 +65,15 @@ Diffuse(const ImageType::Pointer &                    image,
   filter->SetInput(image);
   filter->SetOptions(settings);
   HeatParameterChoice choice;
-  if (OptionInfo("preset").Words({ "automatic", "published" }).PositionOf(preset) == 0)
+  const auto preset = OptionInfo("preset").Words({ "automatic", "objects", "published" }).PositionOf(presetName);
+  const auto part = progress.Part("Choosing parameters", 0.0, 0.0);
+  if (preset == 0)
   {
-    choice =
-      filter->ChooseParameters(GivenAmong(names, settings), modality, progress.Part("Choosing parameters", 0.0, 0.0));
+    choice = filter->ChooseParameters(GivenAmong(names, settings), modality, part);
+  }
+  else if (preset == 1)
+  {
+    choice = filter->ChooseParametersBy(ChooseObjectParameters, GivenAmong(names, settings), part);
   }
   filter->SetSnapshotSteps(snapshotSteps, ConsumerOf(snapshot));
   filter->SetWantInitialHeat(initialHeat);

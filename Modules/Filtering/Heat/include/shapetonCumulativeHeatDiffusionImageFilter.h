@@ -9,6 +9,8 @@
 
 #include "itkImage.h"
 
+#include <functional>
+
 namespace shapeton
 {
 /** \class CumulativeHeatDiffusionImageFilter
@@ -59,6 +61,19 @@ public:
   ChooseParameters(const GivenHeatParameters & given = {},
                    const std::string &         modality = {},
                    const Progress &            progress = {});
+
+  /** A function such as ChooseObjectParameters(). */
+  using ParameterChooser = std::function<HeatParameterChoice(const float *                           intensities,
+                                                             const std::array<std::size_t, 3> &      size,
+                                                             const CumulativeHeatDiffusionSettings & settings,
+                                                             const GivenHeatParameters &             given,
+                                                             const Progress &                        progress)>;
+
+  /** The same by another function. */
+  HeatParameterChoice
+  ChooseParametersBy(const ParameterChooser &    choose,
+                     const GivenHeatParameters & given,
+                     const Progress &            progress = {});
 
   /** Whether to find the components and their exact converged heat, see FindShapeComponents(), and the classes with
    * their coherence. Default off. */

@@ -32,6 +32,22 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::ChooseParameters(const GivenHea
                                                                   const std::string &         modality,
                                                                   const Progress &            progress)
 {
+  const auto choose = [&modality](const float *                           intensities,
+                                  const std::array<std::size_t, 3> &      size,
+                                  const CumulativeHeatDiffusionSettings & settings,
+                                  const GivenHeatParameters &             fixed,
+                                  const Progress &                        part) {
+    return ChooseHeatParameters(intensities, size, settings, fixed, modality, part);
+  };
+  return this->ChooseParametersBy(choose, given, progress);
+}
+
+template <typename TInputImage>
+HeatParameterChoice
+CumulativeHeatDiffusionImageFilter<TInputImage>::ChooseParametersBy(const ParameterChooser &    choose,
+                                                                    const GivenHeatParameters & given,
+                                                                    const Progress &            progress)
+{
   this->VerifyPreconditions();
   auto * const input = const_cast<TInputImage *>(this->GetInput());
   input->UpdateOutputInformation();
@@ -41,7 +57,7 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::ChooseParameters(const GivenHea
   CumulativeHeatDiffusionSettings settings = this->m_Options;
   std::copy_n(this->GetInput()->GetSpacing().Begin(), 3, settings.spacing.begin());
   const HeatParameterChoice choice =
-    ChooseHeatParameters(this->GetIntensities(converted), this->GetVolumeSize(), settings, given, modality, progress);
+    choose(this->GetIntensities(converted), this->GetVolumeSize(), settings, given, progress);
   if (choice.intensityWindow[0] < choice.intensityWindow[1]) // not of a constant volume
   {
     this->SetIntensityWindow(choice.intensityWindow);

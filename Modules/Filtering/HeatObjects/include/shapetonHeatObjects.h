@@ -1,6 +1,7 @@
 #ifndef shapetonHeatObjects_h
 #define shapetonHeatObjects_h
 
+#include "shapetonHeatObjectOptions.h"
 #include "shapetonProgress.h"
 #include "ShapetonHeatObjectsExport.h"
 
@@ -15,13 +16,14 @@ namespace shapeton
  * \ingroup ShapetonHeatObjects */
 struct HeatObject
 {
-  int           parent{ 0 };    ///< number of the smallest object, from 1, that contains this one; 0 for none
-  bool          isWarm{ true }; ///< voxels of at least `heat`; otherwise of at most `heat`
-  int           time{ 0 };      ///< the heat volume in which it was found, from 0
-  float         heat{ 0.0F };   ///< the threshold; in [0, 1] for heat, in visits for shapetons
-  std::uint32_t seed{ 0 };      ///< index of a voxel of the object: its warmest, or coldest, one
-  std::uint64_t voxels{ 0 };
-  double        volume{ 0.0 }; ///< mm^3
+  int                   parent{ 0 };    ///< number of the smallest object, from 1, that contains this one; 0 for none
+  bool                  isWarm{ true }; ///< voxels of at least `heat`; otherwise of at most `heat`
+  int                   time{ 0 };      ///< the heat volume in which it was found, from 0
+  float                 heat{ 0.0F };   ///< the threshold; in [0, 1] for heat, in visits for shapetons
+  std::uint32_t         seed{ 0 };      ///< index of a voxel of the object: its warmest, or coldest, one
+  itk::Point<double, 3> center{};       ///< mean position of its voxels, LPS, mm
+  std::uint64_t         voxels{ 0 };
+  double                volume{ 0.0 }; ///< mm^3
   /** Mean value of its voxels in each heat volume. */
   std::vector<double> heatCurve;
   /** Logarithmic change of the volume when the threshold changes by 5 %; 0: none. */
@@ -36,14 +38,6 @@ struct HeatObject
   double cut{ 0.0 };
   /** Calibrated probability that the object is a whole one, not a part of one and not several. */
   double probability{ 0.0 };
-};
-
-/** Criteria for objects. \ingroup ShapetonHeatObjects */
-struct HeatObjectSettings
-{
-  std::uint64_t leastVoxels{ 64 };       ///< smaller regions are ignored; at least 8
-  double        mostShare{ 0.5 };        ///< regions with a larger share of the volume are surroundings; in (0, 1]
-  double        leastProbability{ 0.1 }; ///< objects with less are not listed; in [0, 1]
 };
 
 /** Objects with their voxels.
@@ -66,13 +60,15 @@ struct HeatObjectList
  * \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT HeatObjectList
 FindHeatObjects(const std::vector<const itk::Image<float, 3> *> & heats,
-                const HeatObjectSettings &                        settings = {},
+                const HeatObjectOptions &                         options = {},
                 const Progress &                                  progress = {});
 
-/** The voxels of one object, from all objects inside of it and its own: 1 inside, 0 outside.
- * \ingroup ShapetonHeatObjects */
+/** The voxels of one object of the list, from 1, with those of the objects in it: 1 inside, 0 outside. `heats` are the
+ * volumes in which it was found. Throws ParameterError. \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT itk::Image<unsigned char, 3>::Pointer
-MaskOfObject(const HeatObjectList & list, int object, const std::vector<const itk::Image<float, 3> *> & heats);
+                           MaskOfObject(const std::vector<HeatObject> &                   objects,
+                                        int                                               object,
+                                        const std::vector<const itk::Image<float, 3> *> & heats);
 } // namespace shapeton
 
 #endif

@@ -198,7 +198,7 @@ CalmestLevel(const Path & path, const std::array<int, 2> & range)
 /** The most persistent regions of a path. */
 void
 AddStableRegions(const Path &                path,
-                 const HeatObjectSettings &  settings,
+                 const HeatObjectOptions &   options,
                  double                      mostVoxels,
                  std::vector<StableRegion> & found)
 {
@@ -211,7 +211,7 @@ AddStableRegions(const Path &                path,
   for (int level = path.steps.front().level; level < path.lastLevel; ++level)
   {
     const double voxels = path.Voxels(level);
-    if (voxels >= static_cast<double>(settings.leastVoxels) && voxels <= mostVoxels)
+    if (voxels >= static_cast<double>(options.leastVoxels) && voxels <= mostVoxels)
     {
       plateaus.push_back({ StableLevels(path, level), voxels });
     }
@@ -249,14 +249,14 @@ LogHeat(float value, float greatest)
 }
 
 std::vector<StableRegion>
-FindStableRegions(const ComponentTree & tree, const float * values, float greatest, const HeatObjectSettings & settings)
+FindStableRegions(const ComponentTree & tree, const float * values, float greatest, const HeatObjectOptions & options)
 {
   const PathFinder                       finder(tree, values, greatest);
-  const double                           mostVoxels = settings.mostShare * static_cast<double>(tree.GetVoxels().size());
-  const auto                             ends = finder.PathEnds(settings.leastVoxels);
+  const double                           mostVoxels = options.mostShare * static_cast<double>(tree.GetVoxels().size());
+  const auto                             ends = finder.PathEnds(options.leastVoxels);
   std::vector<std::vector<StableRegion>> ofPaths(ends.size());
   ParallelFor(ends.size(),
-              [&](std::size_t i) { AddStableRegions(finder.FindPath(ends[i]), settings, mostVoxels, ofPaths[i]); });
+              [&](std::size_t i) { AddStableRegions(finder.FindPath(ends[i]), options, mostVoxels, ofPaths[i]); });
   std::vector<StableRegion> regions;
   for (const auto & ofPath : ofPaths)
   {

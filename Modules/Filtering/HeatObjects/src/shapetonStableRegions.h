@@ -17,13 +17,10 @@ struct StableRegion
 double
 LogHeat(float value, float greatest);
 
-/** Stable nodes with at least settings.leastVoxels voxels and at most settings.mostShare of the volume; several of one
+/** Stable nodes with at least options.leastVoxels voxels and at most options.mostShare of the volume; several of one
  * path differ by a factor 1.3 or more in size. In the order of the tree. */
 std::vector<StableRegion>
-FindStableRegions(const ComponentTree &      tree,
-                  const float *              values,
-                  float                      greatest,
-                  const HeatObjectSettings & settings);
+FindStableRegions(const ComponentTree & tree, const float * values, float greatest, const HeatObjectOptions & options);
 } // namespace shapeton
 
 #endif

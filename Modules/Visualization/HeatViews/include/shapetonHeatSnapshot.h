@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace shapeton
 {
@@ -27,6 +28,11 @@ struct HeatSnapshot
  * snapshots, and ParameterError for a missing time step, listing the available ones. \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT HeatSnapshot
 FindHeatSnapshot(const std::string & path, std::optional<std::uint64_t> timeStep = {});
+
+/** A heat volume, or all snapshots of a folder by ascending time. Throws as FindHeatSnapshot().
+ * \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT std::vector<HeatSnapshot>
+                         FindHeatSnapshots(const std::string & path);
 
 /** The name of a snapshot in its folder: "heat-000001000.nrrd" for time step 1000.
  * \ingroup ShapetonHeatViews */

@@ -144,6 +144,22 @@ FindHeatSnapshot(const std::string & path, std::optional<std::uint64_t> timeStep
   return { path, stated ? stated : timeStep };
 }
 
+std::vector<HeatSnapshot>
+FindHeatSnapshots(const std::string & path)
+{
+  if (!std::filesystem::is_directory(path))
+  {
+    return { FindHeatSnapshot(path) };
+  }
+  FindInFolder(path, {}); // throws if there is none
+  std::vector<HeatSnapshot> snapshots;
+  for (const auto & [timeStep, file] : SnapshotsIn(path))
+  {
+    snapshots.push_back({ file, timeStep });
+  }
+  return snapshots;
+}
+
 std::string
 HeatSnapshotName(std::uint64_t timeStep)
 {

@@ -1,0 +1,123 @@
+#include "HeatObjectsXML.h"
+
+#include "shapetonCommandLine.h"
+#include "shapetonExceptions.h"
+#include "shapetonHeatObjectTable.h"
+#include "shapetonHeatSnapshot.h"
+#include "shapetonReadOptions.h"
+#include "shapetonToolVolumes.h"
+#include "shapetonVolumeWriter.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace
+{
+using shapeton::CommandLine;
+using HeatImage = itk::Image<float, 3>;
+
+/** The heat volumes in which objects are searched, and the time steps that name them. */
+struct Heats
+{
+  std::vector<HeatImage::Pointer> images;
+  std::vector<std::string>        names;
+
+  std::vector<const HeatImage *>
+  Pointers() const
+  {
+    return { images.begin(), images.end() };
+  }
+};
+
+Heats
+ReadHeats(CommandLine & commandLine, const HeatImage * image)
+{
+  Heats heats;
+  for (const auto & snapshot : shapeton::FindHeatSnapshots(commandLine.GetString("heatVolume")))
+  {
+    const shapeton::Volume heat = shapeton::ReadVolume(snapshot.path);
+    commandLine.AddInput("heatVolume", heat.identity);
+    if (!shapeton::HaveSameGrid(image, heat.image))
+    {
+      throw shapeton::InputError("the grids of " + commandLine.GetString("inputVolume") + " and " + snapshot.path +
+                                 " differ; use the volume from which the heat was computed");
+    }
+    if (!shapeton::VisitsOf(heat.image, snapshot))
+    {
+      shapeton::RequireHeat(heat.image, snapshot.path);
+    }
+    heats.images.push_back(heat.image);
+    heats.names.push_back(snapshot.timeStep ? std::to_string(*snapshot.timeStep) : "unknown");
+  }
+  return heats;
+}
+
+shapeton::HeatObjectList
+Find(CommandLine & commandLine, const Heats & heats)
+{
+  shapeton::HeatObjectOptions options;
+  shapeton::ReadOptions(commandLine, options);
+  auto list = shapeton::FindHeatObjects(
+    heats.Pointers(), options, commandLine.PartOfProgress(0.2, 0.9).Part("Finding objects", 0.0, 1.0));
+  if (list.objects.empty())
+  {
+    commandLine.Warn("no object was found: diffuse with --preset objects, or reduce --leastProbability");
+  }
+  return list;
+}
+
+/** Reduces the labels to the selected object, as 1; returns the objects at the point. */
+std::vector<int>
+Select(const CommandLine & commandLine, const Heats & heats, shapeton::HeatObjectList & list)
+{
+  const auto point = commandLine.GetDoubles("select");
+  const auto objects = shapeton::ObjectsAt(list, itk::Point<double, 3>(point.data()));
+  const auto climb = static_cast<std::size_t>(commandLine.GetInteger("climb"));
+  shapeton::RequireParameter(climb < objects.size(),
+                             "--climb " + std::to_string(climb) + ": only " + std::to_string(objects.size()) +
+                               " objects contain the point, so it can be at most " +
+                               std::to_string(objects.size() - 1));
+  const auto mask = shapeton::MaskOfObject(list.objects, objects[climb], heats.Pointers());
+  std::copy_n(mask->GetBufferPointer(), mask->GetBufferedRegion().GetNumberOfPixels(), list.labels->GetBufferPointer());
+  return objects;
+}
+
+void
+ListObjects(CommandLine & commandLine)
+{
+  shapeton::RequireVolumeName(commandLine.GetString("labels"));
+  const bool isSelected = commandLine.IsGiven("select");
+  shapeton::RequireParameter(!isSelected || commandLine.GetDoubles("select").size() == 3,
+                             "--select requires three numbers, a point in mm (LPS)");
+  shapeton::RequireParameter(isSelected || !commandLine.IsGiven("climb"), "--climb requires --select");
+  const std::string output = commandLine.GetString("labels");
+  const std::string labels = commandLine.Output(output);
+  const std::string table = commandLine.OutputOf("table");
+  const std::string picture = commandLine.OutputOf("picture");
+  commandLine.RecordRun(output + ".run.json");
+
+  const shapeton::Volume volume = shapeton::ReadVolume(commandLine, "inputVolume");
+  const Heats            heats = ReadHeats(commandLine, volume.image);
+  auto                   list = Find(commandLine, heats);
+  std::vector<int>       objects(list.objects.size());
+  std::iota(objects.begin(), objects.end(), 1);
+  const auto all = shapeton::HeatObjectTable(list, objects, volume.image, heats.names);
+  if (isSelected)
+  {
+    objects = Select(commandLine, heats, list);
+  }
+  const std::string title = isSelected ? "selected object" : std::to_string(objects.size()) + " objects";
+  (isSelected ? shapeton::HeatObjectTable(list, objects, volume.image, heats.names) : all).Write(table);
+  shapeton::WriteVolume(list.labels.GetPointer(), labels, shapeton::ProvenanceMetadata(commandLine.GetProvenance()));
+  if (!picture.empty())
+  {
+    shapeton::WritePng(shapeton::DrawHeatObjects(volume.image, list.labels, title), picture);
+  }
+}
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  return CommandLine::Run(ToolXML, argc, argv, ListObjects);
+}

@@ -1,0 +1,65 @@
+#ifndef shapetonHeatObjectsImageFilter_h
+#define shapetonHeatObjectsImageFilter_h
+
+#include "shapetonFilterOptions.h"
+#include "shapetonHeatObjectOptionsMethods.h"
+#include "shapetonHeatObjects.h"
+
+#include "itkImageToImageFilter.h"
+#include "shapetonITKCompatibility.h"
+
+namespace shapeton
+{
+/** \class HeatObjectsImageFilter
+ * \brief FindHeatObjects() as a filter: the inputs are heat volumes of one grid, the output is the number of the
+ * smallest object at each voxel.
+ *
+ * Update() throws InputError or ParameterError, both derived from itk::ExceptionObject.
+ *
+ * \ingroup ShapetonHeatObjects */
+class ShapetonHeatObjects_EXPORT HeatObjectsImageFilter
+  : public HeatObjectOptionsMethods<
+      FilterWithOptions<HeatObjectOptions, itk::ImageToImageFilter<itk::Image<float, 3>, HeatObjectList::LabelImage>>>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(HeatObjectsImageFilter);
+
+  using Self = HeatObjectsImageFilter;
+  using Superclass = HeatObjectsImageFilter::HeatObjectOptionsMethods;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkOverrideGetNameOfClassMacro(HeatObjectsImageFilter);
+
+  /** The objects, by descending volume; valid after Update(). */
+  const std::vector<HeatObject> &
+  GetObjects() const
+  {
+    return m_Objects;
+  }
+
+  /** MaskOfObject() of one of them, from 1; valid after Update(). Throws ParameterError. */
+  itk::Image<unsigned char, 3>::Pointer
+  GetMask(int object) const;
+
+protected:
+  HeatObjectsImageFilter() = default;
+  ~HeatObjectsImageFilter() override = default;
+
+  void
+  GenerateInputRequestedRegion() override;
+  void
+  EnlargeOutputRequestedRegion(itk::DataObject * output) override;
+  void
+  GenerateData() override;
+
+private:
+  std::vector<const InputImageType *>
+  Heats() const;
+
+  std::vector<HeatObject> m_Objects;
+};
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,36 @@
+#ifndef shapetonObjectParameters_h
+#define shapetonObjectParameters_h
+
+#include "shapetonHeatParameterChoice.h"
+#include "ShapetonHeatObjectsExport.h"
+
+#include <array>
+
+namespace shapeton
+{
+/** Parameters of cumulative heat diffusion by which the objects on both sides of an intensity get a heat of their own.
+ *
+ * The window is so narrow that nearly every edge that crosses `threshold` insulates, and nothing else does: objects are
+ * connected regions on one side of the threshold. Smoothing by 0.8 of the smallest spacing closes gaps of single
+ * voxels. After 100,000 steps heat is even inside of objects up to about 130 voxels wide, while contacts between them,
+ * narrow compared with their volume, have let little of it pass. Chosen on the bones of the data set foot: with 4,000
+ * steps 4 of 12 bones were separate, with 30,000 11, with 100,000 all.
+ *
+ * \param contrast difference between the brightest and the darkest of three intensity classes
+ * \param spacing mm
+ * \ingroup ShapetonHeatObjects */
+ShapetonHeatObjects_EXPORT HeatParameterChoice
+ParametersAtThreshold(double threshold, double contrast, const std::array<double, 3> & spacing);
+
+/** The threshold, of the two between three intensity classes (Otsu 1979), at which most objects are found on a copy of
+ * at most 128^3 voxels: the sum of their probabilities. Values that are given are kept; with a given window, only this
+ * one is used. The reasons are in words. Throws as DiffuseCumulativeHeat(). \ingroup ShapetonHeatObjects */
+ShapetonHeatObjects_EXPORT HeatParameterChoice
+ChooseObjectParameters(const float *                           intensities,
+                       const std::array<std::size_t, 3> &      size,
+                       const CumulativeHeatDiffusionSettings & settings,
+                       const GivenHeatParameters &             given,
+                       const Progress &                        progress = {});
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,38 @@
+#ifndef shapetonHeatObjectTable_h
+#define shapetonHeatObjectTable_h
+
+#include "ShapetonHeatToolsExport.h"
+
+#include "shapetonCsvTable.h"
+#include "shapetonHeatObjects.h"
+#include "shapetonPicture.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** One row per object: object, parent, kind (warm, cold), timeStep, heat, voxels, volume (mm^3), x, y, z (LPS, mm),
+ * meanIntensity (of the voxels whose smallest object it is), probability, growth, range, contrast, compactness, cut,
+ * and meanHeat_<time step> for each heat volume. `names` are the time steps, or other names of the volumes. \ingroup
+ * ShapetonHeatTools */
+ShapetonHeatTools_EXPORT CsvTable
+HeatObjectTable(const HeatObjectList &           list,
+                const std::vector<int> &         objects,
+                const itk::Image<float, 3> *     image,
+                const std::vector<std::string> & names);
+
+/** The objects that contain a point, LPS in mm, the smallest first. Throws ParameterError if it is outside of the
+ * volume, and InputError if it is in no object. \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT std::vector<int>
+                         ObjectsAt(const HeatObjectList & list, const itk::Point<double, 3> & point);
+
+/** Three slices with each label in its own color. \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT Picture::Pointer
+                         DrawHeatObjects(const itk::Image<float, 3> *       image,
+                                         const HeatObjectList::LabelImage * labels,
+                                         const std::string &                title);
+} // namespace shapeton
+
+#endif

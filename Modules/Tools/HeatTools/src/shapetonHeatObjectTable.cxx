@@ -1,0 +1,117 @@
+#include "shapetonHeatObjectTable.h"
+
+#include "shapetonColorMap.h"
+#include "shapetonExceptions.h"
+#include "shapetonSliceMontage.h"
+
+#include "itkCastImageFilter.h"
+
+namespace shapeton
+{
+namespace
+{
+/** Mean intensity of the voxels of each label. */
+std::vector<double>
+MeanIntensities(const HeatObjectList & list, const itk::Image<float, 3> * image)
+{
+  std::vector<double> sums(list.objects.size() + 1, 0.0);
+  std::vector<double> counts(sums.size(), 0.0);
+  const std::size_t   voxels = image->GetBufferedRegion().GetNumberOfPixels();
+  for (std::size_t voxel = 0; voxel < voxels; ++voxel)
+  {
+    const auto label = list.labels->GetBufferPointer()[voxel];
+    sums[label] += image->GetBufferPointer()[voxel];
+    counts[label] += 1.0;
+  }
+  for (std::size_t label = 0; label < sums.size(); ++label)
+  {
+    sums[label] /= std::max(1.0, counts[label]);
+  }
+  return sums;
+}
+} // namespace
+
+CsvTable
+HeatObjectTable(const HeatObjectList &           list,
+                const std::vector<int> &         objects,
+                const itk::Image<float, 3> *     image,
+                const std::vector<std::string> & names)
+{
+  std::vector<std::string> columns{ "object",        "parent",      "kind",   "timeStep", "heat",
+                                    "voxels",        "volume",      "x",      "y",        "z",
+                                    "meanIntensity", "probability", "growth", "range",    "contrast",
+                                    "compactness",   "cut" };
+  for (const std::string & name : names)
+  {
+    columns.push_back("meanHeat_" + name);
+  }
+  CsvTable   table(columns);
+  const auto intensities = MeanIntensities(list, image);
+  for (const int number : objects)
+  {
+    const HeatObject &       object = list.objects.at(number - 1);
+    std::vector<std::string> row{ std::to_string(number),          std::to_string(object.parent),
+                                  object.isWarm ? "warm" : "cold", names.at(object.time),
+                                  CsvTable::Number(object.heat),   std::to_string(object.voxels) };
+    for (const double value : { object.volume,
+                                object.center[0],
+                                object.center[1],
+                                object.center[2],
+                                intensities[number],
+                                object.probability,
+                                object.growth,
+                                object.range,
+                                object.contrast,
+                                object.compactness,
+                                object.cut })
+    {
+      row.push_back(CsvTable::Number(value));
+    }
+    for (const double heat : object.heatCurve)
+    {
+      row.push_back(CsvTable::Number(heat));
+    }
+    table.AddRow(row);
+  }
+  return table;
+}
+
+std::vector<int>
+ObjectsAt(const HeatObjectList & list, const itk::Point<double, 3> & point)
+{
+  const std::string words =
+    CsvTable::Number(point[0]) + ',' + CsvTable::Number(point[1]) + ',' + CsvTable::Number(point[2]);
+  itk::Index<3> index;
+  if (!list.labels->TransformPhysicalPointToIndex(point, index))
+  {
+    throw ParameterError("the point " + words + " mm is outside of the volume");
+  }
+  std::vector<int> objects;
+  for (int object = list.labels->GetPixel(index); object > 0; object = list.objects[object - 1].parent)
+  {
+    objects.push_back(object);
+  }
+  if (objects.empty())
+  {
+    throw InputError("no object contains the point " + words +
+                     " mm: choose another point, less leastProbability, or other parameters of the diffusion");
+  }
+  return objects;
+}
+
+Picture::Pointer
+DrawHeatObjects(const itk::Image<float, 3> *       image,
+                const HeatObjectList::LabelImage * labels,
+                const std::string &                title)
+{
+  const auto cast = itk::CastImageFilter<HeatObjectList::LabelImage, itk::Image<float, 3>>::New();
+  cast->SetInput(labels);
+  cast->Update();
+  SliceMontageOptions options;
+  options.title = title;
+  const auto color = [](float label) {
+    return label > 0.0F ? std::optional<RGBColor>(ClassColor(static_cast<unsigned int>(label))) : std::nullopt;
+  };
+  return DrawSliceMontage(image, cast->GetOutput(), color, options);
+}
+} // namespace shapeton
