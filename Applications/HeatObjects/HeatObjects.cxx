@@ -61,7 +61,7 @@ Find(CommandLine & commandLine, const Heats & heats)
     heats.Pointers(), options, commandLine.PartOfProgress(0.2, 0.9).Part("Finding objects", 0.0, 1.0));
   if (list.objects.empty())
   {
-    commandLine.Warn("no object was found: diffuse with --preset objects, or reduce --leastProbability");
+    commandLine.Warn("no object was found: diffuse heat with the preset objects, or reduce --leastProbability");
   }
   return list;
 }

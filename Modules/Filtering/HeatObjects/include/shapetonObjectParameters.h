@@ -13,8 +13,8 @@ namespace shapeton
  * The window is so narrow that nearly every edge that crosses `threshold` insulates, and nothing else does: objects are
  * connected regions on one side of the threshold. Smoothing by 0.8 of the smallest spacing closes gaps of single
  * voxels. After 100,000 steps heat is even inside of objects up to about 130 voxels wide, while contacts between them,
- * narrow compared with their volume, have let little of it pass. Chosen on the bones of the data set foot: with 4,000
- * steps 4 of 12 bones were separate, with 30,000 11, with 100,000 all.
+ * narrow compared with their volume, have let little of it pass; smaller objects need less. Chosen on the bones of the
+ * data set foot: with 4,000 steps 4 of 12 bones were separate, with 30,000 11, with 100,000 all.
  *
  * \param contrast difference between the brightest and the darkest of three intensity classes
  * \param spacing mm
@@ -22,9 +22,10 @@ namespace shapeton
 ShapetonHeatObjects_EXPORT HeatParameterChoice
 ParametersAtThreshold(double threshold, double contrast, const std::array<double, 3> & spacing);
 
-/** The threshold, of the two between three intensity classes (Otsu 1979), at which most objects are found on a copy of
- * at most 128^3 voxels: the sum of their probabilities. Values that are given are kept; with a given window, only this
- * one is used. The reasons are in words. Throws as DiffuseCumulativeHeat(). \ingroup ShapetonHeatObjects */
+/** The threshold, of the two between three intensity classes (Otsu 1979), and the time, of five from 3,000 to 300,000
+ * steps, at which most objects are found: the sum of their probabilities. Volumes of more than 128^3 voxels are reduced
+ * for these trials. Values that are given are kept; with a given window there is one threshold. The reasons are in
+ * words. Throws as DiffuseCumulativeHeat(). \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT HeatParameterChoice
 ChooseObjectParameters(const float *                           intensities,
                        const std::array<std::size_t, 3> &      size,

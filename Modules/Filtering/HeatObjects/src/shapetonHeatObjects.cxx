@@ -191,8 +191,9 @@ private:
       object.contrast = *middle;
     }
     constexpr double perFaces = 2.0 / 3.0; // a ball has 1.5 times its surface as faces of voxels
+    constexpr double ofBall = 36.0 * Pi;   // surface^3 / volume^2
     const double     whole = perFaces * (surface + cut);
-    object.compactness = 36.0 * Pi * object.volume * object.volume / (whole * whole * whole);
+    object.compactness = ofBall * object.volume * object.volume / (whole * whole * whole);
     object.cut = cut / (surface + cut);
   }
 

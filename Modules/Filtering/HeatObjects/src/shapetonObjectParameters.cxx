@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 
 namespace shapeton
 {
@@ -20,6 +21,11 @@ constexpr double HalfWindow = 0.0125;
 constexpr double        Steepness = 10.0;
 constexpr double        SmoothingPerSpacing = 0.8;
 constexpr std::uint64_t EvenSteps = 100'000;
+/** Times that are tried, a factor of 3 or so apart. Small objects in contact become even among themselves later. */
+constexpr std::array<std::uint64_t, 5> Times = { { 3000, 10'000, 30'000, 100'000, 300'000 } };
+
+/** A later time must show this many times the objects of an earlier one. */
+constexpr double ClearlyMore = 1.05;
 
 /** The number that a user types to repeat the run. */
 double
@@ -45,35 +51,85 @@ Apply(const GivenHeatParameters & given, HeatParameterChoice choice)
   return choice;
 }
 
-/** Sum of the probabilities of the objects on the copy. */
+/** The volume itself if it is small, otherwise a reduced one. */
+ReducedVolume
+CopyOf(const float * intensities, const std::array<std::size_t, 3> & size, const std::array<double, 3> & spacing)
+{
+  constexpr std::size_t small = 128 * 128 * 128; // as reduced volumes
+  const std::size_t     voxels = size[0] * size[1] * size[2];
+  return voxels <= small ? ReducedVolume{ size, spacing, { intensities, intensities + voxels }, 1.0 }
+                         : ReduceVolume(intensities, size, spacing);
+}
+
+/** Sum of the probabilities of the objects of a heat. */
 double
-CountObjects(const ReducedVolume & copy, CumulativeHeatDiffusionSettings settings, const HeatParameterChoice & choice)
+CountObjects(const std::vector<float> & heat, const ReducedVolume & copy)
+{
+  if (*std::max_element(heat.begin(), heat.end()) <= 0.0F)
+  {
+    return 0.0;
+  }
+  const auto image = itk::Image<float, 3>::New();
+  image->SetRegions(itk::Image<float, 3>::SizeType{ { copy.size[0], copy.size[1], copy.size[2] } });
+  image->SetSpacing(itk::Vector<double, 3>(copy.spacing.data()));
+  image->Allocate();
+  std::copy(heat.begin(), heat.end(), image->GetBufferPointer());
+  HeatObjectOptions options;
+  options.leastProbability = 0.2; // objects have fewer voxels on a copy, and therefore a lower probability
+  double sum = 0.0;
+  for (const HeatObject & object : FindHeatObjects({ image.GetPointer() }, options).objects)
+  {
+    sum += object.probability;
+  }
+  return sum;
+}
+
+/** Sets the time steps, unless they are given, and the number of objects of a choice, from the copy. */
+void
+TryTimes(const ReducedVolume &           copy,
+         CumulativeHeatDiffusionSettings settings,
+         bool                            isTimeGiven,
+         const Progress &                progress,
+         HeatParameterChoice &           choice)
 {
   settings.spacing = copy.spacing;
   settings.intensityWindow = choice.intensityWindow;
   settings.p = choice.p;
   settings.smoothing = choice.smoothing;
-  const double steps = static_cast<double>(choice.timeSteps) / (copy.factor * copy.factor);
-  settings.timeSteps = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(steps)));
   settings.histogramSteps.clear();
-  settings.snapshotSteps.clear();
   settings.wantComponents = false;
-  const auto heat = itk::Image<float, 3>::New();
-  heat->SetRegions(itk::Image<float, 3>::SizeType{ { copy.size[0], copy.size[1], copy.size[2] } });
-  heat->SetSpacing(itk::Vector<double, 3>(copy.spacing.data()));
-  heat->Allocate(true);
-  DiffuseCumulativeHeat(copy.values.data(), copy.size, settings, heat->GetBufferPointer());
-  const float * const first = heat->GetBufferPointer();
-  if (*std::max_element(first, first + copy.values.size()) <= 0.0F)
+  settings.untilSteady = false;
+  std::map<std::uint64_t, std::uint64_t> timeOfStep;
+  const std::vector<std::uint64_t>       times = isTimeGiven ? std::vector<std::uint64_t>{ choice.timeSteps }
+                                                             : std::vector<std::uint64_t>(Times.begin(), Times.end());
+  for (const std::uint64_t time : times)
   {
-    return 0.0;
+    const double step = static_cast<double>(time) / (copy.factor * copy.factor);
+    timeOfStep[std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(step)))] = time;
   }
-  double sum = 0.0;
-  for (const HeatObject & object : FindHeatObjects({ heat.GetPointer() }).objects)
+  settings.snapshotSteps.clear();
+  for (const auto & [step, time] : timeOfStep)
   {
-    sum += object.probability;
+    settings.snapshotSteps.push_back(step);
   }
-  return sum;
+  settings.timeSteps = settings.snapshotSteps.back();
+  std::vector<float> heat(copy.values.size());
+  choice.regions = 0.0;
+  DiffuseCumulativeHeat(
+    copy.values.data(),
+    copy.size,
+    settings,
+    heat.data(),
+    nullptr,
+    [&](std::uint64_t step, const std::vector<float> & now) {
+      const double objects = CountObjects(now, copy);
+      if (objects > ClearlyMore * choice.regions)
+      {
+        choice.regions = objects;
+        choice.timeSteps = timeOfStep.at(step);
+      }
+    },
+    progress);
 }
 } // namespace
 
@@ -102,12 +158,14 @@ ChooseObjectParameters(const float *                           intensities,
                        const Progress &                        progress)
 {
   const auto          spacing = settings.ignoreSpacing ? std::array<double, 3>{ { 1.0, 1.0, 1.0 } } : settings.spacing;
-  const ReducedVolume copy = ReduceVolume(intensities, size, spacing);
+  const ReducedVolume copy = CopyOf(intensities, size, spacing);
   const auto          classes = FindIntensityClasses(SampleIntensities(copy.values));
   const double        contrast = classes[3] - classes[0];
   if (given.intensityWindow)
   {
-    return Apply(given, ParametersAtThreshold(0.0, contrast, spacing));
+    auto choice = Apply(given, ParametersAtThreshold(0.0, contrast, spacing));
+    TryTimes(copy, settings, given.timeSteps.has_value(), progress, choice);
+    return choice;
   }
   if (!(contrast > 0.0))
   {
@@ -116,22 +174,20 @@ ChooseObjectParameters(const float *                           intensities,
     return choice;
   }
   HeatParameterChoice best;
-  double              most = -1.0;
+  best.regions = -1.0;
   for (const int threshold : { 1, 2 })
   {
-    auto         choice = Apply(given, ParametersAtThreshold(classes[threshold], contrast, spacing));
-    const double objects = CountObjects(copy, settings, choice);
+    auto       choice = Apply(given, ParametersAtThreshold(classes[threshold], contrast, spacing));
+    const auto part = progress.Part("Choosing parameters", 0.5 * (threshold - 1), 0.5 * threshold);
+    TryTimes(copy, settings, given.timeSteps.has_value(), part, choice);
     choice.windowReason += ", " + std::string(threshold == 1 ? "the lower" : "the upper") +
-                           " of two thresholds between three intensity classes: it shows more objects (" +
-                           NumberText(objects, 3) + ", by probability) than the other";
-    if (objects > most)
+                           " of two thresholds between three intensity classes, which shows more objects (" +
+                           NumberText(choice.regions, 3) + ", by probability)";
+    if (choice.regions > best.regions)
     {
-      most = objects;
       best = choice;
     }
-    progress("Choosing parameters", threshold / 2.0);
   }
-  best.regions = most;
   return best;
 }
 } // namespace shapeton
