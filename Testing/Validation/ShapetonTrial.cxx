@@ -1,5 +1,7 @@
 #include "ShapetonTrial.h"
 
+#include "AdjustedRandIndex.h"
+
 #include "shapetonHeatClassification.h"
 #include "shapetonShapePhantomImageSource.h"
 #include "shapetonVisitDensity.h"
@@ -76,12 +78,6 @@ Ranks(const std::vector<double> & values)
     first = last;
   }
   return ranks;
-}
-
-double
-Pairs(double n)
-{
-  return 0.5 * n * (n - 1.0);
 }
 } // namespace
 
@@ -212,33 +208,14 @@ CompareClasses(const TrialVolume & volume, const Trial & trial)
   const HeatClassification classification =
     trial.visits ? ClassifyVisits(trial.visits, trial.field) : ClassifyHeat(trial.field);
   std::map<int, std::map<int, double>> shared;
-  std::map<int, double>                objects, classes;
-  double                               voxels = 0.0;
   for (std::size_t i = 0; i < volume.GetNumberOfVoxels(); ++i)
   {
     if (const int object = volume.labels->GetBufferPointer()[i])
     {
-      const int label = classification.labels->GetBufferPointer()[i];
-      shared[object][label] += 1.0;
-      objects[object] += 1.0;
-      classes[label] += 1.0;
-      voxels += 1.0;
+      shared[object][classification.labels->GetBufferPointer()[i]] += 1.0;
     }
   }
-  double together = 0.0, inObjects = 0.0, inClasses = 0.0;
-  for (const auto & [object, counts] : shared)
-  {
-    inObjects += Pairs(objects[object]);
-    together += std::accumulate(
-      counts.begin(), counts.end(), 0.0, [](double sum, const auto & count) { return sum + Pairs(count.second); });
-  }
-  for (const auto & count : classes)
-  {
-    inClasses += Pairs(count.second);
-  }
-  const double byChance = inObjects * inClasses / Pairs(voxels);
-  const double most = 0.5 * (inObjects + inClasses);
-  return { classification.classes.size() - 1, most > byChance ? (together - byChance) / (most - byChance) : 0.0 };
+  return { classification.classes.size() - 1, AdjustedRandIndex(shared) };
 }
 
 double

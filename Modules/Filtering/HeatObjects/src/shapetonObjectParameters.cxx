@@ -61,6 +61,16 @@ CopyOf(const float * intensities, const std::array<std::size_t, 3> & size, const
                          : ReduceVolume(intensities, size, spacing);
 }
 
+/** The thresholds between three intensity classes, and the upper one between three classes of what is brighter than the
+ * dark one: in CT between soft tissue and bone. */
+std::array<double, 3>
+ThresholdsOf(const std::vector<float> & sample, const std::array<double, 4> & classes)
+{
+  const auto bright = std::lower_bound(sample.begin(), sample.end(), static_cast<float>(classes[1]));
+  const auto brightClasses = FindIntensityClasses({ bright, sample.end() });
+  return { { classes[1], classes[2], brightClasses[2] } };
+}
+
 /** Sum of the probabilities of the objects of a heat. */
 double
 CountObjects(const std::vector<float> & heat, const ReducedVolume & copy)
@@ -115,6 +125,7 @@ TryTimes(const ReducedVolume &           copy,
   settings.timeSteps = settings.snapshotSteps.back();
   std::vector<float> heat(copy.values.size());
   choice.regions = 0.0;
+  choice.timeReason = isTimeGiven ? "" : "of five times, the first that shows about as many objects as any";
   DiffuseCumulativeHeat(
     copy.values.data(),
     copy.size,
@@ -146,7 +157,6 @@ ParametersAtThreshold(double threshold, double contrast, const std::array<double
   choice.windowReason = "narrow, such that only edges across " + NumberText(threshold, digits) + " insulate";
   choice.pReason = "with this window, any edge across it insulates";
   choice.smoothingReason = "0.8 of the smallest spacing, against noise";
-  choice.timeReason = "heat is even inside of objects, and little of it has passed their contacts";
   return choice;
 }
 
@@ -159,7 +169,8 @@ ChooseObjectParameters(const float *                           intensities,
 {
   const auto          spacing = settings.ignoreSpacing ? std::array<double, 3>{ { 1.0, 1.0, 1.0 } } : settings.spacing;
   const ReducedVolume copy = CopyOf(intensities, size, spacing);
-  const auto          classes = FindIntensityClasses(SampleIntensities(copy.values));
+  const auto          sample = SampleIntensities(copy.values);
+  const auto          classes = FindIntensityClasses(sample);
   const double        contrast = classes[3] - classes[0];
   if (given.intensityWindow)
   {
@@ -175,14 +186,18 @@ ChooseObjectParameters(const float *                           intensities,
   }
   HeatParameterChoice best;
   best.regions = -1.0;
-  for (const int threshold : { 1, 2 })
+  const auto thresholds = ThresholdsOf(sample, classes);
+  for (std::size_t i = 0; i < thresholds.size(); ++i)
   {
-    auto       choice = Apply(given, ParametersAtThreshold(classes[threshold], contrast, spacing));
-    const auto part = progress.Part("Choosing parameters", 0.5 * (threshold - 1), 0.5 * threshold);
-    TryTimes(copy, settings, given.timeSteps.has_value(), part, choice);
-    choice.windowReason += ", " + std::string(threshold == 1 ? "the lower" : "the upper") +
-                           " of two thresholds between three intensity classes, which shows more objects (" +
-                           NumberText(choice.regions, 3) + ", by probability)";
+    auto         choice = Apply(given, ParametersAtThreshold(thresholds[i], contrast, spacing));
+    const double share = 1.0 / thresholds.size();
+    TryTimes(copy,
+             settings,
+             given.timeSteps.has_value(),
+             progress.Part("Choosing parameters", i * share, (i + 1) * share),
+             choice);
+    choice.windowReason +=
+      ", of three thresholds the one that shows most objects (" + NumberText(choice.regions, 3) + ", by probability)";
     if (choice.regions > best.regions)
     {
       best = choice;
