@@ -196,6 +196,17 @@ RandomScene(unsigned int seed)
 }
 
 SceneVolume
+VolumeOf(ShapePhantomImageSource * source)
+{
+  const auto cast = itk::CastImageFilter<itk::Image<short, 3>, itk::Image<float, 3>>::New();
+  cast->SetInput(source->GetOutput());
+  cast->Update();
+  SceneVolume volume{ cast->GetOutput(), source->GetLabelOutput() };
+  volume.labels->DisconnectPipeline();
+  return volume;
+}
+
+SceneVolume
 SampleScene(unsigned int seed, unsigned int side)
 {
   Dice       dice(seed + 1'000'000);
@@ -206,15 +217,7 @@ SampleScene(unsigned int seed, unsigned int side)
   source->SetNoise(dice.Between(0.0, 80.0));
   source->SetSeed(seed);
   source->CenterOutput();
-  source->Update();
-  SceneVolume volume;
-  const auto  cast = itk::CastImageFilter<itk::Image<short, 3>, itk::Image<float, 3>>::New();
-  cast->SetInput(source->GetOutput());
-  cast->Update();
-  volume.image = cast->GetOutput();
-  volume.labels = source->GetLabelOutput();
-  volume.labels->DisconnectPipeline();
-  return volume;
+  return VolumeOf(source);
 }
 
 namespace

@@ -2,13 +2,14 @@
 #define RandomScenes_h
 
 #include "shapetonHeatObjects.h"
-#include "shapetonShapeScene.h"
+#include "shapetonShapePhantomImageSource.h"
 
 /** Scene of 4 to 12 objects of random kind, size, place and intensity, some of them overlapping, some chains of bones
  * that nearly touch, some with a core of another intensity. */
 shapeton::ShapeScene
 RandomScene(unsigned int seed);
 
+/** A sampled scene. */
 /** A scene as a volume of side^3 voxels with blur of up to 1 voxel and noise of up to a tenth of the contrast. */
 struct SceneVolume
 {
@@ -17,14 +18,16 @@ struct SceneVolume
 };
 
 SceneVolume
+VolumeOf(shapeton::ShapePhantomImageSource * source);
+
+SceneVolume
 SampleScene(unsigned int seed, unsigned int side);
 
 /** How well the listed objects agree with the labels. */
 struct ObjectAgreement
 {
   std::vector<double> dice; ///< of each object with the label, or union of labels nested in each other, it fits best
-  std::vector<double> diceOfLabel;         ///< of each label with the object it fits best
-  double              adjustedRand{ 0.0 }; ///< of labels and smallest objects, over the voxels of labels
+  std::vector<double> diceOfLabel; ///< of each label with the object it fits best
 };
 
 ObjectAgreement

@@ -50,6 +50,7 @@ const std::vector<Part> parts = {
   { "heat", "heat-figures", "Figures 2.4, 2.5 and 2.7 of the dissertation", ValidateFiguresOfChapter2, false },
   { "heat", "heat-classes", "Classes of phantoms with noise", ValidateClassesOfPhantoms, false },
   { "heat", "heat-organs", "Heat classes and organs of a real abdomen", ValidateOrgansOfAbdomen, true },
+  { "heat", "heat-objects", "Objects from heat", ValidateObjectsOfVolumes, false },
   { "shape-search", "shape-search", "Shape retrieval by signature", ValidateSearchOfShapes, false },
   { "seeded-heat",
     "seeded-heat",

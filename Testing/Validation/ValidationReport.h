@@ -139,6 +139,8 @@ ValidateWalkOfShapetons(const ValidationSettings & settings, ValidationReport & 
 void
 ValidateSearchOfShapes(const ValidationSettings & settings, ValidationReport & report);
 void
+ValidateObjectsOfVolumes(const ValidationSettings & settings, ValidationReport & report);
+void
 ValidateSegmentationFromSeeds(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateSegmentationOfOrgans(const ValidationSettings & settings, ValidationReport & report);
