@@ -108,13 +108,14 @@ void
 ValidateScenes(const ValidationSettings & settings, ValidationReport & report)
 {
   constexpr unsigned int firstSeed = 201;
-  const unsigned int     seeds = settings.quick ? 1 : 20;
+  const unsigned int     side = settings.quick ? 64 : 88;
+  const unsigned int     seeds = settings.quick ? 1 : 12;
   Reliability            reliability;
   double                 labels = 0.0, found = 0.0, listed = 0.0, whole = 0.0;
   std::vector<double>    rand;
   for (unsigned int seed = firstSeed; seed < firstSeed + seeds; ++seed)
   {
-    const SceneVolume volume = SampleScene(seed, settings.quick ? 64 : 104);
+    const SceneVolume volume = SampleScene(seed, side);
     const Found       all = FindObjects(volume.image, 0.0);
     const auto        agreement = CompareObjects(all.list, { all.heat.GetPointer() }, volume.labels);
     for (std::size_t i = 0; i < all.list.objects.size(); ++i)
@@ -131,11 +132,12 @@ ValidateScenes(const ValidationSettings & settings, ValidationReport & report)
     found += static_cast<double>(CountWhole(ofList.diceOfLabel));
     rand.push_back(RandIndex(list, volume.labels));
   }
-  report.AddText(
-    "Random scenes of 104^3 voxels with blur, noise, contacts and cores, seeds " + std::to_string(firstSeed) + " to " +
-    std::to_string(firstSeed + seeds - 1) + " (fitted on 1 to 40): " + CsvTable::Number(found) + " of " +
-    CsvTable::Number(labels) + " objects, or objects with their core, are found; " + CsvTable::Number(whole) + " of " +
-    CsvTable::Number(listed) + " listed objects are whole. Adjusted Rand index " + MeanWithInterval(rand) + '.');
+  report.AddText("Random scenes of " + std::to_string(side) + "^3 voxels with blur, noise, contacts and cores, seeds " +
+                 std::to_string(firstSeed) + " to " + std::to_string(firstSeed + seeds - 1) +
+                 " (fitted on 1 to 40): " + CsvTable::Number(found) + " of " + CsvTable::Number(labels) +
+                 " objects, or objects with their core, are found; " + CsvTable::Number(whole) + " of " +
+                 CsvTable::Number(listed) + " listed objects are whole. Adjusted Rand index " + MeanWithInterval(rand) +
+                 '.');
   reliability.Write("Probability of regions", report);
   report.AddText("Brier score " + CsvTable::Rounded(reliability.BrierScore(), 3) + ", calibration error " +
                  CsvTable::Rounded(reliability.CalibrationError(), 3) +

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -282,17 +283,17 @@ CompareObjects(const HeatObjectList &                            list,
                const std::vector<const itk::Image<float, 3> *> & heats,
                const itk::Image<unsigned char, 3> *              labels)
 {
-  const auto            wholes = WholeObjects(labels);
-  const auto            voxels = labels->GetBufferedRegion().GetNumberOfPixels();
-  std::map<int, double> total;
+  const auto wholes = WholeObjects(labels);
+  const auto voxels = labels->GetBufferedRegion().GetNumberOfPixels();
+  using Counts = std::array<double, 256>; // by label
+  Counts total{};
   std::for_each(
     labels->GetBufferPointer(), labels->GetBufferPointer() + voxels, [&](int label) { total[label] += 1.0; });
-  const auto sum = [](const std::map<int, double> & counts, const std::set<int> & parts) {
+  const auto sum = [](const Counts & counts, const std::set<int> & parts) {
     double all = 0.0;
     for (const int label : parts)
     {
-      const auto count = counts.find(label);
-      all += count == counts.end() ? 0.0 : count->second;
+      all += counts[label];
     }
     return all;
   };
@@ -300,9 +301,9 @@ CompareObjects(const HeatObjectList &                            list,
   agreement.diceOfLabel.assign(wholes.size(), 0.0);
   for (int object = 1; object <= static_cast<int>(list.objects.size()); ++object)
   {
-    const auto            mask = MaskOfObject(list.objects, object, heats);
-    std::map<int, double> counts;
-    double                size = 0.0;
+    const auto mask = MaskOfObject(list.objects, object, heats);
+    Counts     counts{};
+    double     size = 0.0;
     for (std::size_t voxel = 0; voxel < voxels; ++voxel)
     {
       if (mask->GetBufferPointer()[voxel] != 0)
