@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace shapeton
@@ -26,6 +27,10 @@ constexpr std::array<std::uint64_t, 5> Times = { { 3000, 10'000, 30'000, 100'000
 
 /** A later time must show this many times the objects of an earlier one. */
 constexpr double ClearlyMore = 1.05;
+
+/** Edges of objects have at least this share of the contrast between neighbors: blur over eight voxels still has it,
+ * noise of a thirtieth of the contrast has not. */
+constexpr double LeastStep = 0.05;
 
 /** The number that a user types to repeat the run. */
 double
@@ -61,14 +66,42 @@ CopyOf(const float * intensities, const std::array<std::size_t, 3> & size, const
                          : ReduceVolume(intensities, size, spacing);
 }
 
-/** The thresholds between three intensity classes, and the upper one between three classes of what is brighter than the
- * dark one: in CT between soft tissue and bone. */
-std::array<double, 3>
-ThresholdsOf(const std::vector<float> & sample, const std::array<double, 4> & classes)
+/** Mean difference of the neighbors on both sides of a threshold; 0 if there are none. */
+double
+MeanStepAcross(const ReducedVolume & copy, double threshold)
 {
-  const auto bright = std::lower_bound(sample.begin(), sample.end(), static_cast<float>(classes[1]));
-  const auto brightClasses = FindIntensityClasses({ bright, sample.end() });
-  return { { classes[1], classes[2], brightClasses[2] } };
+  const std::array<std::size_t, 3> strides = { { 1, copy.size[0], copy.size[0] * copy.size[1] } };
+  double                           sum = 0.0;
+  double                           pairs = 0.0;
+  for (std::size_t axis = 0; axis < strides.size(); ++axis)
+  {
+    for (std::size_t voxel = 0; voxel < copy.values.size(); ++voxel)
+    {
+      if (voxel / strides[axis] % copy.size[axis] + 1 < copy.size[axis])
+      {
+        const auto [low, high] = std::minmax(copy.values[voxel], copy.values[voxel + strides[axis]]);
+        const bool isAcross = low < threshold && high >= threshold;
+        sum += isAcross ? high - low : 0.0;
+        pairs += isAcross ? 1.0 : 0.0;
+      }
+    }
+  }
+  return pairs > 0.0 ? sum / pairs : 0.0;
+}
+
+/** The thresholds between three intensity classes, and the upper one between three classes of what is brighter than the
+ * dark one: in CT between soft tissue and bone. Without those in the texture of a single class, if there are others. */
+std::vector<double>
+ThresholdsOf(const ReducedVolume & copy, const std::vector<float> & sample, const std::array<double, 4> & classes)
+{
+  const auto                bright = std::lower_bound(sample.begin(), sample.end(), static_cast<float>(classes[1]));
+  const auto                brightClasses = FindIntensityClasses({ bright, sample.end() });
+  const std::vector<double> all{ classes[1], classes[2], brightClasses[2] };
+  std::vector<double>       kept;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(kept), [&](double threshold) {
+    return MeanStepAcross(copy, threshold) >= LeastStep * (classes[3] - classes[0]);
+  });
+  return kept.empty() ? all : kept;
 }
 
 /** Sum of the probabilities of the objects of a heat. */
@@ -186,7 +219,7 @@ ChooseObjectParameters(const float *                           intensities,
   }
   HeatParameterChoice best;
   best.regions = -1.0;
-  const auto thresholds = ThresholdsOf(sample, classes);
+  const auto thresholds = ThresholdsOf(copy, sample, classes);
   for (std::size_t i = 0; i < thresholds.size(); ++i)
   {
     auto         choice = Apply(given, ParametersAtThreshold(thresholds[i], contrast, spacing));
@@ -196,8 +229,9 @@ ChooseObjectParameters(const float *                           intensities,
              given.timeSteps.has_value(),
              progress.Part("Choosing parameters", i * share, (i + 1) * share),
              choice);
-    choice.windowReason +=
-      ", of three thresholds the one that shows most objects (" + NumberText(choice.regions, 3) + ", by probability)";
+    choice.windowReason += ", of " + std::to_string(thresholds.size()) +
+                           " thresholds the one that shows most objects (" + NumberText(choice.regions, 3) +
+                           ", by probability)";
     if (choice.regions > best.regions)
     {
       best = choice;
