@@ -39,5 +39,6 @@ set(Shapeton_MODULES
   Tools/CommandLine
   Tools/GraphTools
   Tools/HeatTools
+  Tools/LiveSession
   Tools/ColonTools
 )

@@ -62,9 +62,11 @@ class Page {
 
   send(method, params) { return this.pipe.send(method, params, this.session); }
 
-  async open(file) {
+  open(file) { return this.visit(`file://${resolve(file)}`); }
+
+  async visit(url) {
     const loaded = new Promise((done) => { this.pipe.listeners.push((m) => { if (m.method === 'Page.loadEventFired') done(); }); });
-    await this.send('Page.navigate', { url: `file://${resolve(file)}` });
+    await this.send('Page.navigate', { url });
     await loaded;
   }
 

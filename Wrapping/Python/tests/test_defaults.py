@@ -45,7 +45,7 @@ TOOLS = {
 
 #: Tools without a function in the package.
 TOOLS_ALONE = {"ColonResultsToDicom", "ColonViewer", "DicomResultsToColon", "DynamicGraph", "HeatTransferFunction",
-               "SensorNetworkSimulator", "ShapePhantom", "VirtualColonoscopy"}
+               "SensorNetworkSimulator", "ShapePhantom", "ShapetonSession", "VirtualColonoscopy"}
 
 #: Options with a parameter that differs from the option name in snake case.
 NAMES = {

@@ -59,6 +59,14 @@ public:
   void
   Write(const FilterType * filter, const Volume & volume) const;
 
+  /** Writes only the density, or the labels if they were requested; Write() does both. */
+  ///@{
+  void
+  WriteDensity(const itk::Image<std::uint32_t, 3> * visits, std::uint64_t timeStep) const;
+  void
+  WriteLabels(const itk::Image<unsigned char, 3> * labels) const;
+  ///@}
+
 private:
   CommandLine &                         m_CommandLine;
   std::string                           m_Density;

@@ -155,11 +155,26 @@ ParticleResultFiles::ParticleResultFiles(CommandLine & commandLine)
 ParticleResultFiles::~ParticleResultFiles() = default;
 
 void
-ParticleResultFiles::Write(const FilterType * filter, const Volume & volume) const
+ParticleResultFiles::WriteDensity(const itk::Image<std::uint32_t, 3> * visits, std::uint64_t timeStep) const
 {
   auto metadata = ProvenanceMetadata(m_CommandLine.GetProvenance());
-  metadata.emplace_back("timeStep", std::to_string(filter->GetMeasures().step));
-  WriteVolume(filter->GetOutput(), m_Density, metadata);
+  metadata.emplace_back("timeStep", std::to_string(timeStep));
+  WriteVolume(visits, m_Density, metadata);
+}
+
+void
+ParticleResultFiles::WriteLabels(const itk::Image<unsigned char, 3> * labels) const
+{
+  if (!m_Labels.empty())
+  {
+    WriteVolume(labels, m_Labels, ProvenanceMetadata(m_CommandLine.GetProvenance()));
+  }
+}
+
+void
+ParticleResultFiles::Write(const FilterType * filter, const Volume & volume) const
+{
+  this->WriteDensity(filter->GetOutput(), filter->GetMeasures().step);
   m_DicomMap->Write(filter->GetOutput(), "VISITS", "Visits of shapetons");
   if (m_Labels.empty() && m_ClassTable.empty() && m_Report.empty())
   {
@@ -185,10 +200,7 @@ ParticleResultFiles::Write(const FilterType * filter, const Volume & volume) con
   content.timeStep = filter->GetMeasures().step;
   content.classes = shape.classes;
   OpenRanges(m_CommandLine, m_Ranges, content);
-  if (!m_Labels.empty())
-  {
-    WriteVolume(shape.labels.GetPointer(), m_Labels, ProvenanceMetadata(m_CommandLine.GetProvenance()));
-  }
+  this->WriteLabels(shape.labels);
   if (!m_ClassTable.empty())
   {
     shapeton::ClassTable(content).Write(m_ClassTable);

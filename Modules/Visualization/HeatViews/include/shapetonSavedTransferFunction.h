@@ -2,6 +2,7 @@
 #define shapetonSavedTransferFunction_h
 
 #include "ShapetonHeatViewsExport.h"
+#include "shapetonJsonForward.h"
 #include "shapetonShapeTransferFunction.h"
 
 #include <cstdint>
@@ -23,6 +24,15 @@ struct SavedTransferFunction
  * ShapeTransferFunction rejects. \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT SavedTransferFunction
 ReadTransferFunction(const std::string & path);
+
+/** The lines of a list in the format of that file. `name` is used in messages. Throws InputError.
+ * \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT ShapeTransferFunction
+TransferFunctionOf(const Json & lines, const std::string & name);
+
+/** Writes a file for ReadTransferFunction(). Throws OutputError. \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT void
+WriteTransferFunction(const SavedTransferFunction & transferFunction, const std::string & path);
 } // namespace shapeton
 
 #endif

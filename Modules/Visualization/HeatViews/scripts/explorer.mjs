@@ -18,7 +18,7 @@ import { HeatSliceView, paintsOf } from './slices.mjs';
 const CURSOR_STEP = 4; // pixels
 const KEPT_STEPS = 2;  // volumes of time steps kept in memory
 
-const PAGE = `
+export const PAGE = `
 <header>
   <b id="title"></b><label>time step <select id="steps"></select></label><span id="ranges"></span>
   <button id="undo">Undo</button><button id="redo">Redo</button>
@@ -33,7 +33,7 @@ const PAGE = `
 
 // The lines picked on a heat histogram, and all views. `history` stores the undoable state: time step, lines, opened
 // ranges; it does not include crosshair, chosen line and camera.
-class HeatExplorer {
+export class HeatExplorer {
   constructor(folder, info, gray, histogram, axisCounts) {
     const { volume } = info, state = { step: info.stored.at(-1), lines: shownLines(info.lines), ranges: info.ranges };
     Object.assign(this, { folder, info, volume, gray, isEqualized: info.isEqualized, live: null });
@@ -54,12 +54,15 @@ class HeatExplorer {
   makeViews() {
     const root = byId('views');
     this.histogramView = new HistogramView(root, this);
-    this.rendering = new RenderingView(root, this);
-    this.slices = this.info.planes.map((plane) => new HeatSliceView(root, this, plane));
+    this.rendering = this.makeRendering(root);
+    this.slices = this.info.planes.map((plane) => this.makeSlice(root, plane));
     if (!this.rendering.isPossible) notice('This browser has no WebGL 2: histogram, slices and files work, the rendering does not.');
     if (this.volume.stride > 1) notice(`The volume is large: only one in ${this.volume.stride} voxels along each axis is shown.`);
     this.listen();
   }
+
+  makeRendering(root) { return new RenderingView(root, this); }
+  makeSlice(root, plane) { return new HeatSliceView(root, this, plane); }
 
   listen() {
     const on = (id, act) => { byId(id).onclick = (e) => { act(); letGo(e); }; };
@@ -258,10 +261,12 @@ class HeatExplorer {
     this.setLines(withLine(this.lines.filter((l) => l !== line), moved), moved.lower);
   }
 
+  get countedVolume() { return this.volume; } // grid of the bins
+
   sizeOf(line) {
     let voxels = 0;
     for (let bin = binOf(line.lower); bin < NUMBER_OF_BINS && lowerEdge(bin) < line.upper; bin++) voxels += this.counts[bin];
-    const { spacing, stride } = this.volume, ml = (voxels * spacing[0] * spacing[1] * spacing[2]) / 1000;
+    const { spacing, stride } = this.countedVolume, ml = (voxels * spacing[0] * spacing[1] * spacing[2]) / 1000;
     return `${stride > 1 ? 'about ' : ''}${(voxels * stride ** 3).toLocaleString('en')} voxels, ${shortNumber(ml)} ml`;
   }
 
@@ -360,10 +365,10 @@ class HeatExplorer {
   }
 }
 
-const shownLines = (lines) => lines.map((line) => ({ ...line, isOn: true }));
+export const shownLines = (lines) => lines.map((line) => ({ ...line, isOn: true }));
 
 // Bins of a volume, with the number of voxels in each.
-function counted(bins) {
+export function counted(bins) {
   const counts = new Uint32Array(NUMBER_OF_BINS);
   for (let i = 0; i < bins.length; i++) counts[bins[i]]++;
   return { bins, counts };

@@ -22,9 +22,8 @@ using ImageType = itk::Image<float, 3>;
 class VoxelGrid
 {
 public:
-  explicit VoxelGrid(const ImageType * image) : m_Image(image)
+  explicit VoxelGrid(const ImageType * image, std::size_t greatestNumber = ExplorerVoxels) : m_Image(image)
   {
-    constexpr std::size_t greatestNumber = std::size_t{ 1 } << 25;
     do
     {
       ++m_Stride;
@@ -183,7 +182,7 @@ JsonOf(const ShapeTransferFunction & transferFunction)
 }
 
 Json
-InfoOf(const HeatExplorerContent & content)
+InfoOf(const HeatExplorerContent & content, std::size_t greatestVoxels)
 {
   constexpr int         heatColors = 33;
   constexpr int         lineColors = 12; // ClassColor() repeats after these
@@ -197,7 +196,7 @@ InfoOf(const HeatExplorerContent & content)
            { "isEqualized", content.scale == HeatScale::Equalized },
            { "heatColors", Colors(heatColors, [](int i) { return HeatColor(i / (heatColors - 1.0)); }) },
            { "lineColors", Colors(lineColors, [](int i) { return ClassColor(i + 1); }) },
-           { "volume", VoxelGrid(content.gray).Geometry() },
+           { "volume", VoxelGrid(content.gray, greatestVoxels).Geometry() },
            { "ranges", JsonOf(content.ranges) },
            { "window", { window.lower, window.upper } },
            { "planes", planes } };

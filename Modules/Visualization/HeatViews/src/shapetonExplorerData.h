@@ -1,6 +1,7 @@
 #ifndef shapetonExplorerData_h
 #define shapetonExplorerData_h
 
+#include "shapetonExplorerInfo.h"
 #include "shapetonHeatExplorer.h"
 #include "shapetonPageBlocks.h"
 
@@ -18,16 +19,6 @@ PutGray(PageBlocks & blocks, const itk::Image<float, 3> * gray, const IntensityW
 
 void
 PutCounts(PageBlocks & blocks, const std::string & name, const HeatHistogram & histogram);
-
-/** Page data on volume and views, independent of the heat. */
-Json
-InfoOf(const HeatExplorerContent & content);
-
-Json
-JsonOf(const ShapeQuantity & quantity);
-
-Json
-JsonOf(const ShapeTransferFunction & transferFunction);
 
 /** The page, which reads its data from a folder next to it. */
 void

@@ -2,6 +2,7 @@
 
 #include "shapetonColorMap.h"
 #include "shapetonExceptions.h"
+#include "shapetonExplorerInfo.h"
 #include "shapetonJson.h"
 
 #include <set>
@@ -115,5 +116,22 @@ ReadTransferFunction(const std::string & path)
   return { document["quantity"].get<std::string>(),
            document["timeStep"].get<std::uint64_t>(),
            reader.Lines(document["lines"]) };
+}
+
+ShapeTransferFunction
+TransferFunctionOf(const Json & lines, const std::string & name)
+{
+  return Reader(name).Lines(lines);
+}
+
+void
+WriteTransferFunction(const SavedTransferFunction & transferFunction, const std::string & path)
+{
+  WriteJson({ { "shapeton", "transfer function" },
+              { "version", 1 },
+              { "quantity", transferFunction.quantity },
+              { "timeStep", transferFunction.timeStep },
+              { "lines", JsonOf(transferFunction.lines) } },
+            path);
 }
 } // namespace shapeton

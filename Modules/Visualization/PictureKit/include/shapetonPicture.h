@@ -39,6 +39,11 @@ ShapetonPictureKit_EXPORT Picture::Pointer
 ShapetonPictureKit_EXPORT void
 WritePng(const Picture * picture, const std::string & path);
 
+/** The bytes of a JPEG file; `quality` in [1, 100].
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT std::string
+                          EncodeJpeg(const Picture * picture, int quality);
+
 /** A function that draws a picture, and the file to write it to. \ingroup ShapetonPictureKit */
 struct PictureFile
 {

@@ -9,6 +9,7 @@
 #include <vtkImageData.h>
 #include <vtkImageFlip.h>
 #include <vtkNew.h>
+#include <vtkJPEGWriter.h>
 #include <vtkPNGWriter.h>
 #include <vtkStdString.h>
 #include <vtkTextProperty.h>
@@ -55,14 +56,14 @@ IsInside(const Picture * picture, int x, int y)
   return x >= 0 && y >= 0 && x < WidthOf(picture) && y < HeightOf(picture);
 }
 
-/** Encodes PNG in memory, so disk errors occur in plain writing, not inside an image library. */
+/** Encodes in memory, so disk errors occur in plain writing, not inside an image library. */
+template <typename TWriter>
 std::string
-EncodePng(const Picture * picture)
+Encode(const Picture * picture, TWriter * writer)
 {
   vtkNew<vtkImageFlip> upwards; // VTK stores rows bottom-up
   upwards->SetInputData(ImageDataOf(picture));
   upwards->SetFilteredAxis(1);
-  vtkNew<vtkPNGWriter> writer;
   writer->WriteToMemoryOn();
   writer->SetInputConnection(upwards->GetOutputPort());
   writer->Write();
@@ -138,7 +139,15 @@ NewPicture(unsigned int width, unsigned int height, const RGBColor & background)
 void
 WritePng(const Picture * picture, const std::string & path)
 {
-  WriteFileBytes(path, EncodePng(picture));
+  WriteFileBytes(path, Encode(picture, vtkNew<vtkPNGWriter>().Get()));
+}
+
+std::string
+EncodeJpeg(const Picture * picture, int quality)
+{
+  vtkNew<vtkJPEGWriter> writer;
+  writer->SetQuality(quality);
+  return Encode(picture, writer.Get());
 }
 
 void

@@ -1,0 +1,191 @@
+// Starts, steers and saves a session on its page, in a headless Chromium.
+// usage: TOOL=ShapetonSession PHANTOM=ShapePhantom WORK=folder to write to [SHOTS=folder for pictures] node --test session.test.mjs
+import assert from 'node:assert/strict';
+import { spawn, spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { dirname } from 'node:path';
+import { createInterface } from 'node:readline';
+import { after, before, test } from 'node:test';
+import { launch } from '../../../Testing/Browser/browser.mjs';
+
+const { TOOL, PHANTOM, WORK, SHOTS } = process.env;
+const INPUT = `${WORK}/figure.nrrd`, RESULTS = `${WORK}/results`;
+let page, run, url;
+
+// Starts a session; returns the process and the URL that it prints.
+async function start(...options) {
+  const walk = ['--preset', 'published', '--shapetons', '20000', '--timeSteps', '400'];
+  const child = spawn(TOOL, [INPUT, '--folder', RESULTS, ...walk, ...options]);
+  let errors = '';
+  child.stderr.on('data', (text) => { errors += text; });
+  const gone = new Promise((done) => { child.on('exit', (status) => done({ status, errors })); });
+  const line = await new Promise((done) => { createInterface({ input: child.stdout }).once('line', done); });
+  return { child, gone, url: line };
+}
+
+const open = async (one, address) => {
+  await one.visit(address);
+  await one.until(() => Boolean(globalThis.session) || document.body.classList.contains('failed'));
+  assert.equal(await one.evaluate(() => document.getElementById('notices').textContent), '');
+};
+const state = (one = page) => one.evaluate(() => session.state0);
+const shoot = async (name) => { if (SHOTS) await page.screenshot(`${SHOTS}/${name}.png`); };
+const press = (id) => page.evaluate((name) => document.getElementById(name).click(), id);
+const enter = (id, value) => page.evaluate((name, text) => {
+  const field = document.getElementById(name);
+  field.value = text;
+  field.dispatchEvent(new Event('change'));
+}, id, value);
+const middleOf = (view) => page.evaluate((name) => {
+  const { left, top, width, height } = document.querySelector(`.view.${name}`).getBoundingClientRect();
+  return [left + width / 2, top + height / 2];
+}, view);
+
+before(async () => {
+  rmSync(WORK, { recursive: true, force: true });
+  mkdirSync(RESULTS, { recursive: true });
+  const made = spawnSync(PHANTOM, [INPUT, '--shape', 'figure2.4', '--noise', '10', '--quiet'], { encoding: 'utf8' });
+  assert.equal(made.stderr, '');
+  page = await launch();
+  run = await start();
+  url = run.url;
+});
+after(async () => {
+  run.child.kill();
+  await page.close();
+});
+
+test('the page shows the shapetons while they move', async () => {
+  assert.match(url, /^http:\/\/127\.0\.0\.1:\d+\/[0-9a-f]{32}\/$/);
+  await open(page, url);
+  await page.until(() => session.state0.step === 400 && !session.state0.isMoving);
+  await page.evaluate(() => session.idle(true));
+  const counts = await page.evaluate(() => [session.counts.slice(1).reduce((a, b) => a + b), session.lines.length, session.rows.length]);
+  assert.ok(counts.every((count) => count > 0), String(counts));
+  await shoot('density');
+  assert.deepEqual(page.errors, []);
+});
+
+test('the controls pause, step and change the walk', async () => {
+  await press('move');
+  await page.until(() => session.state0.isMoving || session.state0.step > 400);
+  await press('move');
+  await page.until(() => !session.state0.isMoving);
+  const { step } = await state();
+  await press('once');
+  await page.until((s) => session.state0.step === s + 1, 10000, step);
+  await enter('option-p', '12');
+  await page.until((s) => session.state0.options.p === 12 && session.state0.step === s + 1, 60000, step);
+  await enter('option-distance', '7'); // more than 1
+  await page.until(() => /distance.*more than the maximum/.test(document.getElementById('status').textContent));
+  await page.evaluate(() => session.ask({ do: 'pause' }));
+  assert.equal((await state()).options.distance, 0.01);
+});
+
+test('a brush on a slice sets the start region', async () => {
+  await enter('region', 'brush');
+  const [x, y] = await middleOf('axial');
+  await page.mouse('mouseMoved', x - 20, y);
+  await page.mouse('mousePressed', x - 20, y);
+  for (let i = 0; i <= 40; i += 8) await page.mouse('mouseMoved', x - 20 + i, y, { button: 'left', buttons: 1 });
+  await page.mouse('mouseReleased', x + 20, y);
+  await page.until(() => session.state0.region === 'balls' && !session.state0.isMoving);
+  await page.evaluate(() => session.idle(true));
+  await shoot('brush');
+  assert.ok(await page.evaluate(() => session.balls.length > 2));
+  await enter('region', 'everywhere');
+  await press('start');
+  await page.until(() => session.state0.region === 'everywhere');
+});
+
+test('the slider shows heat at another time, coarse and then exact', async () => {
+  await page.evaluate(() => {
+    const slider = document.getElementById('slider');
+    slider.value = 400;
+    slider.dispatchEvent(new Event('input'));
+  });
+  await page.until(() => session.state0.shown === 'heat' && session.state0.quality === 'exact' && session.state0.heatSteps === 10000);
+  await page.evaluate(() => session.idle(true));
+  assert.equal(await page.evaluate(() => session.info.quantity.name), 'heat');
+  assert.ok(await page.evaluate(() => session.lines.length > 0));
+  await shoot('heat');
+});
+
+test('the server draws the rendering on request', async () => {
+  await page.evaluate(() => { document.getElementById('served').click(); session.askPicture(); });
+  await page.until(() => Boolean(session.picture));
+  const [width, height] = await page.evaluate(() => [session.picture.width, session.picture.height]);
+  assert.deepEqual([width, height], await page.evaluate(() => [session.rendering.w, session.rendering.h].map(Math.round)));
+  await shoot('served');
+  await press('served');
+});
+
+test('a click on a slice moves the crosshair', async () => {
+  const [x, y] = await middleOf('coronal');
+  await page.click(x + 15, y + 10);
+  await page.until(() => session.place.every((i, axis) => session.sent[axis].index === i));
+  assert.match(await page.evaluate(() => document.getElementById('status').textContent), /mm \(LPS\), intensity about .*, heat/);
+});
+
+test('a second page sees the same session', async () => {
+  const other = await launch();
+  try {
+    await open(other, url);
+    await page.evaluate(() => session.ask({ do: 'set', seed: 5 }));
+    await other.until(() => session.state0.options.seed === 5 && session.state0.quality === 'exact');
+    assert.deepEqual(other.errors, []);
+  } finally {
+    await other.close();
+  }
+});
+
+test('the saved script repeats the saved files', async () => {
+  await page.until(() => session.state0.quality === 'exact');
+  await enter('name', 'warm');
+  await page.evaluate(() => { document.getElementById('labels').checked = true; });
+  await press('save');
+  await page.until(() => /^saved/.test(document.getElementById('saved').textContent));
+  await page.evaluate(() => session.ask({ do: 'density' }));
+  await page.until(() => session.state0.shown === 'density' && !session.state0.isMoving && session.state0.step > 0);
+  await page.evaluate(() => session.saveToFolder());
+  await page.until(() => /warm-density/.test(document.getElementById('saved').textContent));
+  const env = { ...process.env, PATH: `${dirname(TOOL)}:${process.env.PATH}` };
+  mkdirSync(`${WORK}/again`);
+  const { status, stderr } = spawnSync('sh', [`${RESULTS}/warm.sh`, `${WORK}/again`], { env, encoding: 'utf8' });
+  assert.deepEqual({ status, stderr }, { status: 0, stderr: '' });
+  for (const name of ['warm-heat.nrrd', 'warm-density.nrrd', 'warm-labels.nrrd', 'warm.json', 'warm.vp']) {
+    assert.ok(readFileSync(`${RESULTS}/${name}`).equals(readFileSync(`${WORK}/again/${name}`)), name);
+  }
+  assert.deepEqual(page.errors, []);
+});
+
+test('a page of another origin gets nothing', async () => {
+  const { hostname, port } = new URL(url);
+  await page.visit('about:blank');
+  const failed = await page.evaluate((address) => new Promise((done) => {
+    const socket = new globalThis['WebSocket'](address);
+    socket.onopen = () => done(false);
+    socket.onerror = () => done(true);
+  }), `ws://${hostname}:${port}${new URL(url).pathname}live`);
+  assert.ok(failed);
+});
+
+test('a killed server is reported by the page', async () => {
+  await open(page, url);
+  run.child.kill('SIGKILL');
+  await page.until(() => document.body.classList.contains('ended'));
+  assert.match(await page.evaluate(() => document.getElementById('progress').textContent), /has ended/);
+  assert.ok(readdirSync(RESULTS).every((name) => !name.startsWith('.')));
+});
+
+test('Ctrl-C and closing the page end the session cleanly', async () => {
+  run = await start('--patience', '0.5');
+  await open(page, run.url);
+  run.child.kill('SIGINT');
+  assert.deepEqual(await run.gone, { status: 0, errors: '' });
+  run = await start('--patience', '0.5');
+  await open(page, run.url);
+  await page.visit('about:blank');
+  assert.deepEqual(await run.gone, { status: 0, errors: '' });
+  assert.ok(existsSync(`${RESULTS}/warm.sh`));
+});

@@ -1,0 +1,21 @@
+set(DOCUMENTATION "A live session of diffusion: state and commands, the server of its page, and the script that repeats it.")
+
+itk_module(ShapetonLiveSession
+  ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
+  DEPENDS
+    ShapetonReport
+    ShapetonParticles
+    ShapetonVolumeFiles
+  PRIVATE_DEPENDS
+    ITKCommon
+    ShapetonCommon
+    ShapetonHeat
+    ShapetonPictureKit
+    ShapetonHeatViews
+    ShapetonCommandLine
+    ShapetonHeatTools
+  TEST_DEPENDS
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

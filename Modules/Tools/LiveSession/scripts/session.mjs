@@ -1,0 +1,267 @@
+import { clamp } from '../../../Core/Report/scripts/math.mjs';
+import { byId, element, openPage } from '../../../Core/Report/scripts/page.mjs';
+import { counted, HeatExplorer, PAGE, shownLines } from '../../../Visualization/HeatViews/scripts/explorer.mjs';
+import { History } from '../../../Visualization/HeatViews/scripts/history.mjs';
+import { shortNumber } from '../../../Visualization/HeatViews/scripts/line-list.mjs';
+import { lowerEdge, NUMBER_OF_BINS } from '../../../Visualization/HeatViews/scripts/lines.mjs';
+import { Connection } from './connection.mjs';
+import { CONTROLS, Controls, sessionKeys } from './controls.mjs';
+import { axesOfSlice, placeBrick, reducedVolume, withRow } from './frames.mjs';
+import { SessionRendering, SessionSliceView } from './session-slices.mjs';
+
+const QUALITY = 85; // of JPEG pictures
+
+const linesFor = (lines) => lines.map(({ lower, upper, color, opacity }) => ({ lower, upper, color, opacity }));
+
+// The page of a live session: the heat explorer on values that the server sends, with controls.
+class Session extends HeatExplorer {
+  constructor(info, connection, first) {
+    super(null, Object.assign(info, first.info), null, first.row.counts, first.row.axis);
+    const display = reducedVolume(info.volume, info.stride), bins = new Uint16Array(display.size.reduce((a, b) => a * b));
+    Object.assign(this, { connection, display, sent: first.sent, balls: [], rows: [first.row], state0: first.state, picture: null });
+    Object.assign(this, { live: counted(bins), isPainting: false, isAsking: false, frames: 0 });
+    Object.assign(this, this.live);
+  }
+
+  makeSlice(root, plane) { return new SessionSliceView(root, this, plane); }
+
+  // The rendering shows the reduced volume; its voxels are blocks.
+  makeRendering(root) {
+    const session = this, { display, times } = this, { stride } = display;
+    return new SessionRendering(root, {
+      volume: display, times,
+      get place() { return session.place.map((i) => (i - (stride - 1) / 2) / stride); },
+      get bins() { return session.bins; },
+      get colors() { return session.colors; },
+      moveTo: (index) => session.moveTo(index.map((i) => i * stride + (stride >> 1))),
+    }, this);
+  }
+
+  listen() {
+    super.listen();
+    this.controls = new Controls(this);
+    sessionKeys.listen(this);
+    sessionKeys.fillHelp(byId('keys'));
+  }
+
+  // ---- frames ----
+  take({ header, take }) {
+    const { state } = header, isOther = state.shown !== this.state0.shown || state.changes !== this.state0.changes;
+    if (isOther) this.rows = [];
+    this.state0 = state;
+    this.info.quantity = state.quantity;
+    for (const slice of header.slices ?? []) this.takeSlice(slice, take);
+    for (const first of header.bricks ?? []) placeBrick(this.bins, this.display.size, first, this.info.brickLength, take);
+    if (header.histogram) this.takeHistogram(header.histogram, take);
+    if (header.bricks?.length) this.takeBins();
+    else if (header.slices) this.repaint();
+    this.controls.show(state);
+    this.tell(this.message);
+    this.frames++;
+  }
+
+  takeSlice({ axis, index, hasGray }, take) {
+    const [u, v] = axesOfSlice(axis), count = this.volume.size[u] * this.volume.size[v], bins = take(Uint16Array, count);
+    this.sent[axis] = { index, bins, gray: hasGray ? take(Uint8Array, count) : this.sent[axis].gray };
+  }
+
+  takeBins() {
+    this.live = counted(this.bins);
+    this.counts = this.live.counts;
+    this.recolor();
+    this.askPicture();
+  }
+
+  // Lines that the user has not changed follow the server's.
+  takeHistogram({ step, lines }, take) {
+    const row = { step, counts: take(Uint32Array, NUMBER_OF_BINS), axis: take(Uint32Array, NUMBER_OF_BINS) };
+    const isNew = !this.rows.length;
+    this.rows = withRow(this.rows, row);
+    const histogram = new Uint32Array(this.rows.length * NUMBER_OF_BINS);
+    this.rows.forEach(({ counts }, i) => histogram.set(counts, i * NUMBER_OF_BINS));
+    Object.assign(this.info, { stored: [step], timeSteps: this.rows.map((r) => r.step), lines });
+    this.setHistogram(histogram, row.axis);
+    if (isNew && this.quantityOfLines !== this.info.quantity.name) this.history.before.length = 0;
+    this.quantityOfLines = this.info.quantity.name;
+    if (this.history.before.length) return;
+    this.history = new History({ ...this.state, lines: shownLines(lines) });
+    this.follow();
+  }
+
+  // ---- commands ----
+  async ask(command) {
+    try {
+      this.message = null;
+      return await this.connection.ask(command);
+    } catch (error) {
+      this.message = error.message;
+      this.tell(error.message);
+      return null;
+    }
+  }
+
+  toggleMoving() { this.ask({ do: this.state0.isMoving ? 'pause' : 'resume' }); }
+  stepOnce() { this.ask({ do: 'step', steps: 1 }); }
+  toggleShown() { this.ask(this.state0.shown === 'heat' ? { do: 'density' } : { do: 'heat', timeSteps: this.controls.heatSteps }); }
+  nextStep(by) { this.ask({ do: 'heat', timeSteps: Math.max(1, Math.round(this.state0.heatSteps * 2 ** by)) }); }
+  showStep() {} // the server has one time step
+
+  moveTo(index) {
+    super.moveTo(index);
+    this.ask({ do: 'view', place: this.place });
+  }
+
+  async saveToFolder() {
+    const lines = linesFor(this.lines.filter((line) => line.isOn));
+    byId('saved').textContent = 'saving';
+    const answer = await this.ask({ do: 'save', name: byId('name').value, labels: byId('labels').checked, lines });
+    byId('saved').textContent = answer ? `saved ${answer.files.join(', ')}` : this.message;
+    if (answer) this.isSaved = true;
+  }
+
+  // ---- start region ----
+  toPoint(index) {
+    const { origin, axes, spacing } = this.volume;
+    return origin.map((x, i) => x + axes.reduce((sum, axis, k) => sum + axis[i] * spacing[k] * index[k], 0));
+  }
+
+  get radius() { return Math.max(0.1, Number(byId('radius').value)); }
+
+  regionChosen() {
+    this.isPainting = byId('region').value === 'brush';
+    this.balls = [];
+    this.repaint();
+  }
+
+  paint(index) {
+    this.balls.push({ index, radius: this.radius });
+    this.repaint();
+  }
+
+  applyPaint() { this.startInBalls(); }
+  startInBalls() { return this.ask({ do: 'start', region: 'balls', balls: this.balls.map((b) => [...this.toPoint(b.index), b.radius]) }); }
+
+  startThere() {
+    const kind = byId('region').value, label = Number(byId('label').value);
+    if (kind !== 'brush') this.balls = kind === 'sphere' ? [{ index: this.place, radius: this.radius }] : [];
+    this.repaint();
+    if (kind === 'everywhere') return this.ask({ do: 'start', region: 'everywhere' });
+    if (kind === 'file') return this.ask({ do: 'start', region: 'file', name: byId('mask').value, ...(label ? { label } : {}) });
+    if (kind === 'object') return this.startInObject();
+    if (this.balls.length) return this.startInBalls();
+    this.tell('paint on a slice first');
+    return null;
+  }
+
+  // The voxels of the line under the crosshair that are connected to it.
+  startInObject() {
+    const line = this.lines[this.numbers[this.binHere] - 1];
+    if (!line) { this.tell('no line contains the voxel under the crosshair: pick one first'); return null; }
+    return this.ask({ do: 'start', region: 'object', point: this.toPoint(this.place), lower: line.lower, upper: line.upper });
+  }
+
+  // ---- pictures of the server ----
+  get isDrawnByServer() { return Boolean(byId('served')?.checked); }
+
+  async askPicture() {
+    const lines = linesFor(this.lines.filter((line) => line.isOn)), { rendering } = this;
+    if (!this.isDrawnByServer || !lines.length) { rendering?.changed(); return; }
+    this.isPictureOld = true;
+    if (this.isAsking) return;
+    this.isAsking = true;
+    while (this.isPictureOld) {
+      this.isPictureOld = false;
+      const [width, height] = [rendering.w, rendering.h].map((n) => clamp(Math.round(n), 16, 2048));
+      const view = { azimuth: rendering.azimuth, elevation: rendering.elevation, zoom: rendering.enlarged };
+      if (!await this.ask({ do: 'picture', ...view, width, height, quality: QUALITY, lines })) break;
+    }
+    this.isAsking = false;
+  }
+
+  async takePicture({ header, take }) {
+    const jpeg = new Blob([take(Uint8Array, header.bytes)], { type: 'image/jpeg' });
+    this.picture = await createImageBitmap(jpeg);
+    this.rendering.changed();
+  }
+
+  // ---- values under the crosshair ----
+  get countedVolume() { return this.display; }
+
+  get voxel() {
+    const { size, stride } = this.display, [x, y, z] = this.place.map((i) => Math.floor(i / stride));
+    return (z * size[1] + y) * size[0] + x;
+  }
+
+  // The bin of the crosshair's voxel, from the slice through it.
+  get binHere() {
+    const [x, y] = this.place;
+    return this.sent[2] ? this.sent[2].bins[y * this.volume.size[0] + x] : 0;
+  }
+
+  heatHere() { return lowerEdge(this.binHere); }
+
+  describe() {
+    const { info: { quantity, window: [low, high] }, place: [x, y], binHere, numbers } = this, number = numbers[binHere];
+    const gray = this.sent[2] ? this.sent[2].gray[y * this.volume.size[0] + x] : 0, intensity = low + (gray / 255) * (high - low);
+    const mm = this.toPoint(this.place).map((c) => c.toFixed(1)).join(', '), line = number ? `, line ${number}` : '';
+    return `${mm} mm (LPS), intensity about ${shortNumber(intensity)}, ${quantity.name} ${shortNumber(lowerEdge(binHere))}${line}`;
+  }
+}
+
+// The data of the first frame with a picture, from which the page is made.
+function firstOf({ header, take }, { volume }) {
+  const sent = [];
+  for (const { axis, index } of header.slices) {
+    const [u, v] = axesOfSlice(axis), count = volume.size[u] * volume.size[v];
+    sent[axis] = { index, bins: take(Uint16Array, count), gray: take(Uint8Array, count) };
+  }
+  return { sent, state: header.state };
+}
+
+async function openSession(info) {
+  let session = null, connection = null;
+  const end = () => {
+    byId('progress').textContent = 'the session has ended';
+    document.body.classList.add('ended');
+  };
+  const onFrame = (frame) => {
+    if (frame.header.kind === 'picture') { session?.takePicture(frame); return; }
+    if (!session && frame.header.histogram) session = globalThis.session = begin(info, connection, frame);
+    else if (session) session.take(frame);
+    else byId('progress').textContent = frame.header.state.error || 'computing';
+    requestAnimationFrame(() => connection.ready());
+  };
+  connection = new Connection({ onFrame, onEnd: end });
+  await connection.opened;
+  await connection.ask({ do: 'view', place: info.volume.size.map((n) => n >> 1) });
+  connection.ready();
+}
+
+// Makes the page from the first frame.
+function begin(info, connection, frame) {
+  const { header } = frame, first = firstOf(frame, info), { size } = reducedVolume(info.volume, info.stride);
+  const bins = new Uint16Array(size.reduce((a, b) => a * b));
+  for (const brick of header.bricks) placeBrick(bins, size, brick, info.brickLength, frame.take);
+  const { step, lines } = header.histogram;
+  first.row = { step, counts: frame.take(Uint32Array, NUMBER_OF_BINS), axis: frame.take(Uint32Array, NUMBER_OF_BINS) };
+  first.info = { quantity: header.state.quantity, stored: [step], timeSteps: [step], lines, ranges: [] };
+  const session = new Session(info, connection, first);
+  session.bins.set(bins);
+  session.quantityOfLines = info.quantity.name;
+  byId('title').textContent = info.title;
+  session.makeViews();
+  session.takeBins();
+  session.follow();
+  session.controls.show(header.state);
+  return session;
+}
+
+// info: as LiveSession::GetInfo() returns it.
+export async function startSession(info) {
+  document.body.innerHTML = PAGE;
+  const controls = element('section', { id: 'controls' });
+  controls.insertAdjacentHTML('beforeend', CONTROLS);
+  document.querySelector('aside').prepend(controls);
+  byId('steps').parentElement.hidden = true;
+  await openPage(() => openSession(info));
+}

@@ -1,0 +1,292 @@
+#include "shapetonSessionFiles.h"
+
+#include "ToolXMLs.h"
+#include "shapetonCommandLine.h"
+#include "shapetonCsvTable.h"
+#include "shapetonExceptions.h"
+#include "shapetonFileBytes.h"
+#include "shapetonHeatResultFiles.h"
+#include "shapetonParticleResultFiles.h"
+#include "shapetonSavedTransferFunction.h"
+#include "shapetonShapeAnalysis.h"
+#include "shapetonToolVolumes.h"
+#include "shapetonVolumeWriter.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace shapeton
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/** A word of a shell command. */
+std::string
+InQuotes(const std::string & text)
+{
+  std::string quoted = "'";
+  for (const char c : text)
+  {
+    quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  }
+  return quoted + "'";
+}
+
+/** The options that heat and shapetons share. */
+std::vector<std::string>
+CommonArguments(const ParticleDiffusionOptions & options, std::uint64_t timeStep)
+{
+  std::vector<std::string> arguments{ "--preset",    "published",
+                                      "--p",         CsvTable::Number(options.p),
+                                      "--smoothing", CsvTable::Number(options.smoothing),
+                                      "--timeSteps", std::to_string(timeStep) };
+  if (options.intensityWindow)
+  {
+    const auto & [lower, upper] = *options.intensityWindow;
+    arguments.push_back("--intensityWindow=" + CsvTable::Number(lower) + "," + CsvTable::Number(upper));
+  }
+  return arguments;
+}
+
+std::vector<std::string>
+WalkArguments(const ParticleDiffusionOptions & options, std::uint64_t timeStep)
+{
+  auto                           arguments = CommonArguments(options, timeStep);
+  const std::vector<std::string> own{
+    "--shapetons",         std::to_string(options.shapetons), "--distance", CsvTable::Number(options.distance),
+    "--directionSampling", NameOf(options.directionSampling), "--pathRule", NameOf(options.pathRule),
+    "--placement",         NameOf(options.placement),         "--seed",     std::to_string(options.seed)
+  };
+  arguments.insert(arguments.end(), own.begin(), own.end());
+  return arguments;
+}
+
+/** The flag of an option of another tool. */
+std::string
+Flag(const std::string & name)
+{
+  return "--" + name;
+}
+
+std::string
+VolumeNameOf(const SavedResult & result)
+{
+  return result.name + (result.isHeat ? "-heat.nrrd" : "-density.nrrd");
+}
+
+std::string
+LabelsNameOf(const SavedResult & result)
+{
+  return result.name + "-labels.nrrd";
+}
+
+std::vector<std::string>
+VolumeNamesOf(const SavedResult & result)
+{
+  std::vector<std::string> names{ VolumeNameOf(result) };
+  if (result.wantLabels)
+  {
+    names.push_back(LabelsNameOf(result));
+  }
+  return names;
+}
+} // namespace
+
+SessionFiles::SessionFiles(const Volume & volume, const LiveSessionSettings & settings)
+  : m_Volume(volume)
+  , m_Input(fs::absolute(settings.input).lexically_normal().string())
+  , m_ReadingArguments(settings.readingArguments)
+  , m_Folder(settings.folder)
+{}
+
+void
+SessionFiles::Note(const std::string & change)
+{
+  m_Lines.push_back("# " + change);
+}
+
+/** The tool's own command line gives the same provenance, temporary names and record of the run. */
+void
+SessionFiles::RunTool(const char * xml, const std::string & tool, const Arguments & arguments, const Body & body) const
+{
+  std::vector<const char *> words{ tool.c_str() };
+  std::transform(arguments.begin(), arguments.end(), std::back_inserter(words), [](const std::string & word) {
+    return word.c_str();
+  });
+  words.push_back("--quiet");
+  std::exception_ptr failure;
+  const int          status =
+    CommandLine::Run(xml, static_cast<int>(words.size()), words.data(), [&](CommandLine & commandLine) {
+      try
+      {
+        body(commandLine);
+      }
+      catch (...)
+      {
+        failure = std::current_exception();
+        throw;
+      }
+    });
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
+  if (status != 0)
+  {
+    throw OutputError("the files of " + tool + " cannot be written to the session's folder; see its standard error");
+  }
+}
+
+void
+SessionFiles::AddInput(CommandLine & commandLine) const
+{
+  commandLine.AddInput("inputVolume", m_Volume.identity);
+  for (const std::string & repair : m_Volume.repairs)
+  {
+    commandLine.AddProvenance("repair", repair);
+  }
+}
+
+void
+SessionFiles::NoteCommand(const std::string &              tool,
+                          const std::vector<std::string> & inResults,
+                          const Arguments &                arguments)
+{
+  std::string line = tool + " \"$input\"";
+  for (const std::string & name : inResults)
+  {
+    line += " " + (name.rfind("--", 0) == 0 ? name : "\"$results\"/" + InQuotes(name));
+  }
+  for (const std::string & argument : arguments)
+  {
+    line += " " + (argument.rfind("--", 0) == 0 ? argument : InQuotes(argument));
+  }
+  m_Lines.push_back(line);
+}
+
+std::vector<std::string>
+SessionFiles::Save(const SavedResult & result, const ParticleDiffusionOptions & options, const VisitsType * visits)
+{
+  const auto shape = AnalyzeVisits(visits, result.timeStep, result.wantLabels);
+  auto       inResults = VolumeNamesOf(result);
+  auto       arguments = WalkArguments(options, result.timeStep);
+  Arguments  all{ m_Input, m_Folder.PathOf(inResults[0]).string() };
+  if (result.wantLabels)
+  {
+    inResults.insert(inResults.begin() + 1, Flag("labels"));
+    all.insert(all.end(), { Flag("labels"), m_Folder.PathOf(LabelsNameOf(result)).string() });
+  }
+  if (!result.mask.empty())
+  {
+    all.insert(all.end(), { Flag("mask"), m_Folder.PathOf(result.mask).string() });
+  }
+  arguments.insert(arguments.end(), m_ReadingArguments.begin(), m_ReadingArguments.end());
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  this->RunTool(ShapetonDiffusionXML, "ShapetonDiffusion", all, [&](CommandLine & commandLine) {
+    const ParticleResultFiles files(commandLine);
+    commandLine.LeaveOutOfProvenance("previewEvery"); // as ParticleMonitor does
+    this->AddInput(commandLine);
+    if (!result.mask.empty())
+    {
+      ReadMask(commandLine, "mask", m_Volume.image); // for its identity
+    }
+    files.WriteDensity(visits, result.timeStep);
+    files.WriteLabels(shape.labels);
+  });
+  this->NoteCommand("ShapetonDiffusion", inResults, arguments);
+  if (!result.mask.empty())
+  {
+    m_Lines.back() += " " + Flag("mask") + " \"$session\"/" + InQuotes(result.mask);
+  }
+  auto names = VolumeNamesOf(result);
+  for (const std::string & name : this->WriteLines(result, shape.quantity.greatestVisits))
+  {
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::vector<std::string>
+SessionFiles::Save(const SavedResult & result, const ParticleDiffusionOptions & options, const HeatType * heat)
+{
+  auto      inResults = VolumeNamesOf(result);
+  auto      arguments = CommonArguments(options, result.timeStep);
+  Arguments all{ m_Input, m_Folder.PathOf(inResults[0]).string() };
+  if (result.wantLabels)
+  {
+    inResults.insert(inResults.begin() + 1, Flag("labels"));
+    all.insert(all.end(), { Flag("labels"), m_Folder.PathOf(LabelsNameOf(result)).string() });
+  }
+  arguments.insert(arguments.end(), m_ReadingArguments.begin(), m_ReadingArguments.end());
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  this->RunTool(CumulativeHeatDiffusionXML, "CumulativeHeatDiffusion", all, [&](CommandLine & commandLine) {
+    const HeatResultFiles files(commandLine);
+    this->AddInput(commandLine);
+    HeatReportContent content;
+    content.heat = heat;
+    content.timeStep = result.timeStep;
+    files.Write(content, result.wantLabels ? AnalyzeHeat(heat, result.timeStep).labels : nullptr);
+  });
+  this->NoteCommand("CumulativeHeatDiffusion", inResults, arguments);
+  auto names = VolumeNamesOf(result);
+  for (const std::string & name : this->WriteLines(result, 1.0))
+  {
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::vector<std::string>
+SessionFiles::WriteLines(const SavedResult & result, double unit)
+{
+  if (!result.lines)
+  {
+    return {};
+  }
+  const std::string json = result.name + ".json";
+  const std::string property = result.name + ".vp";
+  const std::string jsonFile = m_Folder.PathOf(json).string();
+  WriteTransferFunction({ result.isHeat ? "heat" : "density", result.timeStep, *result.lines }, jsonFile);
+  result.lines->WriteVolumeProperty(m_Folder.PathOf(property).string(), unit);
+  const std::string bytes = ReadFileBytes(jsonFile);
+  m_Lines.push_back("cat > \"$results\"/" + InQuotes(json) + " << 'END'\n" + bytes + "END");
+  this->NoteCommand("HeatTransferFunction", { VolumeNameOf(result), property, Flag("from"), json }, {});
+  return { json, property };
+}
+
+std::string
+SessionFiles::SaveMask(const StartMask * mask)
+{
+  std::string name;
+  do
+  {
+    name = "start-" + std::to_string(++m_Masks) + ".nrrd";
+  } while (fs::exists(m_Folder.PathOf(name))); // masks of earlier sessions are needed by their scripts
+  WriteVolume(mask, m_Folder.PathOf(name).string());
+  return name;
+}
+
+std::string
+SessionFiles::GetScript() const
+{
+  std::string text = "#!/bin/sh\n"
+                     "# Repeats a session of ShapetonSession: writes the files that it saved, with the same bytes.\n"
+                     "# usage: sh SCRIPT [FOLDER for the results; default: that of the session]\n"
+                     "set -eu\n";
+  text += "input=" + InQuotes(m_Input) + "\n";
+  text += "session=" + InQuotes(m_Folder.GetPath().string()) + "\n";
+  text += "results=${1:-$session}\n\n";
+  for (const std::string & line : m_Lines)
+  {
+    text += line + "\n";
+  }
+  return text;
+}
+
+void
+SessionFiles::SaveScript(const std::string & name) const
+{
+  WriteFileBytes(m_Folder.PathOf(name).string(), this->GetScript());
+}
+} // namespace shapeton

@@ -1,0 +1,173 @@
+#include "shapetonSessionWalk.h"
+
+#include "shapetonSmoothVoxels.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace shapeton
+{
+std::array<std::size_t, 3>
+SizeOf(const itk::ImageBase<3> * image)
+{
+  std::array<std::size_t, 3> size{};
+  std::copy_n(image->GetBufferedRegion().GetSize().begin(), size.size(), size.begin());
+  return size;
+}
+
+std::array<double, 3>
+SpacingOf(const itk::ImageBase<3> * image)
+{
+  std::array<double, 3> spacing{};
+  std::copy_n(image->GetSpacing().Begin(), spacing.size(), spacing.begin());
+  return spacing;
+}
+
+std::vector<float>
+SmoothedIntensities(const itk::Image<float, 3> * image, double smoothing)
+{
+  if (!(smoothing > 0.0))
+  {
+    return {};
+  }
+  const auto            size = SizeOf(image);
+  std::array<double, 3> sigmas = SpacingOf(image);
+  std::transform(sigmas.begin(), sigmas.end(), sigmas.begin(), [&](double spacing) { return smoothing / spacing; });
+  std::vector<float> smoothed(image->GetBufferPointer(),
+                              image->GetBufferPointer() + image->GetBufferedRegion().GetNumberOfPixels());
+  SmoothVoxels(
+    { static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) }, sigmas, smoothed.data());
+  return smoothed;
+}
+
+namespace
+{
+ParticleDiffusionSettings
+SettingsOf(const itk::Image<float, 3> * image, const ParticleDiffusionOptions & options, Device device)
+{
+  const auto window = WindowOf(options, image->GetBufferPointer(), image->GetBufferedRegion().GetNumberOfPixels());
+  ParticleDiffusionSettings settings;
+  static_cast<ParticleOptions &>(settings) = options;
+  settings.device = device;
+  settings.volumeGradient.p = options.p;
+  settings.volumeGradient.lower = window[0];
+  settings.volumeGradient.upper = window[1];
+  settings.volumeGradient.spacing = SpacingOf(image);
+  return settings;
+}
+
+/** The blocks with a voxel of the mask. */
+std::vector<unsigned char>
+MaskOfBlocks(const StartMask * mask, const std::array<std::size_t, 3> & blocks)
+{
+  std::vector<unsigned char>  coarse(blocks[0] * blocks[1] * blocks[2], 0);
+  const auto                  size = SizeOf(mask);
+  const unsigned char * const begin = mask->GetBufferPointer();
+  for (std::size_t z = 0; z < size[2]; ++z)
+  {
+    for (std::size_t y = 0; y < size[1]; ++y)
+    {
+      for (std::size_t x = 0; x < size[0]; ++x)
+      {
+        coarse[(z / 2 * blocks[1] + y / 2) * blocks[0] + x / 2] |= begin[(z * size[1] + y) * size[0] + x];
+      }
+    }
+  }
+  return coarse;
+}
+} // namespace
+
+CoarseWalk::CoarseWalk(const itk::Image<float, 3> * image)
+  : m_Image(image), m_Intensities(Halved(SizeOf(image), image->GetBufferPointer()))
+{}
+
+BlockValues
+CoarseWalk::Start(const ParticleDiffusionOptions & options, const StartMask * mask) const
+{
+  constexpr std::chrono::milliseconds duration{ 50 };
+  BlockValues                         density = m_Intensities;
+  std::vector<std::uint32_t>          visits(density.values.size());
+  const auto maskOfBlocks = mask ? MaskOfBlocks(mask, density.size) : std::vector<unsigned char>();
+  auto       settings = SettingsOf(m_Image, options, Device::Cpu);
+  for (double & spacing : settings.volumeGradient.spacing)
+  {
+    spacing *= static_cast<double>(density.factor);
+  }
+  ParticleDiffusion walk(
+    m_Intensities.values.data(), density.size, settings, mask ? maskOfBlocks.data() : nullptr, visits.data(), [] {
+      Interruption::Check();
+    });
+  const auto end = std::chrono::steady_clock::now() + duration;
+  do
+  {
+    walk.Run(walk.GetMeasures().step + 1);
+  } while (std::chrono::steady_clock::now() < end);
+  const float greatest = static_cast<float>(walk.GetMeasures().maximumVisits);
+  std::transform(visits.begin(), visits.end(), density.values.begin(), [greatest](std::uint32_t count) {
+    return static_cast<float>(count) / greatest;
+  });
+  return density;
+}
+
+SessionWalk::SessionWalk(const ImageType * image, Device device) : m_Image(image), m_Device(device) {}
+
+void
+SessionWalk::Place(const ParticleDiffusionOptions & options, const StartMask * mask, const std::function<void()> & poll)
+{
+  m_Options = options;
+  m_Mask = mask;
+  m_Parked.reset();
+  this->Build(poll);
+  m_Measures = m_Diffusion->GetMeasures();
+}
+
+void
+SessionWalk::Build(const std::function<void()> & poll)
+{
+  m_Diffusion.reset(); // before the memory of the next one is used
+  if (!m_Visits)
+  {
+    m_Visits = VisitsType::New();
+    m_Visits->CopyInformation(m_Image);
+    m_Visits->SetRegions(m_Image->GetBufferedRegion());
+    m_Visits->Allocate();
+  }
+  const auto settings = SettingsOf(m_Image, m_Options, m_Device);
+  const auto smoothed = SmoothedIntensities(m_Image, m_Options.smoothing);
+  m_Diffusion = std::make_unique<ParticleDiffusion>(smoothed.empty() ? m_Image->GetBufferPointer() : smoothed.data(),
+                                                    SizeOf(m_Image),
+                                                    settings,
+                                                    m_Mask ? m_Mask->GetBufferPointer() : nullptr,
+                                                    m_Visits->GetBufferPointer(),
+                                                    poll);
+}
+
+void
+SessionWalk::Advance(std::uint64_t steps)
+{
+  m_Diffusion->Run(m_Diffusion->GetMeasures().step + steps);
+  m_Measures = m_Diffusion->GetMeasures();
+}
+
+void
+SessionWalk::Park()
+{
+  if (m_Diffusion)
+  {
+    m_Parked = m_Diffusion->GetState();
+    m_Diffusion.reset();
+    m_Visits = nullptr;
+  }
+}
+
+void
+SessionWalk::Resume(const std::function<void()> & poll)
+{
+  if (m_Parked)
+  {
+    this->Build(poll);
+    m_Diffusion->SetState(*m_Parked);
+    m_Parked.reset();
+  }
+}
+} // namespace shapeton

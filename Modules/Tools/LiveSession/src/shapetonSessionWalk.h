@@ -1,0 +1,106 @@
+#ifndef shapetonSessionWalk_h
+#define shapetonSessionWalk_h
+
+#include "shapetonCoarseHeat.h"
+#include "shapetonParticleDiffusion.h"
+#include "shapetonStartRegion.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace shapeton
+{
+/** \class SessionWalk
+ * \brief The walk of a session: the same steps as a run of ParticleDiffusionImageFilter with the same options. */
+class SessionWalk
+{
+public:
+  using ImageType = itk::Image<float, 3>;
+  using VisitsType = itk::Image<std::uint32_t, 3>;
+
+  /** The image must outlive the walk. */
+  SessionWalk(const ImageType * image, Device device);
+
+  /** Places the shapetons at step 0. The options require an intensityWindow, unless the volume is constant. `poll` may
+   * throw; the walk is then not placed. */
+  void
+  Place(const ParticleDiffusionOptions & options, const StartMask * mask, const std::function<void()> & poll);
+
+  bool
+  IsPlaced() const
+  {
+    return m_Diffusion != nullptr || m_Parked.has_value();
+  }
+
+  /** Takes this number of steps. Throws std::overflow_error. */
+  void
+  Advance(std::uint64_t steps);
+
+  /** Releases the memory of the weights and the visits, and restores them. */
+  void
+  Park();
+  void
+  Resume(const std::function<void()> & poll);
+  bool
+  IsParked() const
+  {
+    return m_Parked.has_value();
+  }
+
+  const ParticleMeasures &
+  GetMeasures() const
+  {
+    return m_Measures;
+  }
+
+  /** Visits of each voxel; not while the walk is parked. */
+  const VisitsType *
+  GetVisits() const
+  {
+    return m_Visits;
+  }
+
+private:
+  void
+  Build(const std::function<void()> & poll);
+
+  ImageType::ConstPointer            m_Image;
+  Device                             m_Device;
+  ParticleDiffusionOptions           m_Options;
+  StartMask::ConstPointer            m_Mask;
+  VisitsType::Pointer                m_Visits;
+  std::unique_ptr<ParticleDiffusion> m_Diffusion;
+  std::optional<ParticleState>       m_Parked;
+  ParticleMeasures                   m_Measures;
+};
+
+/** \class CoarseWalk
+ * \brief A first picture of a walk on blocks of 2^3 voxels, in less than a fifth of the time of placing shapetons in
+ * the volume. */
+class CoarseWalk
+{
+public:
+  explicit CoarseWalk(const itk::Image<float, 3> * image);
+
+  /** The density of the walk after a few hundredths of a second. */
+  BlockValues
+  Start(const ParticleDiffusionOptions & options, const StartMask * mask) const;
+
+private:
+  itk::Image<float, 3>::ConstPointer m_Image;
+  BlockValues                        m_Intensities;
+};
+
+/** Size in voxels, and spacing in mm. */
+std::array<std::size_t, 3>
+SizeOf(const itk::ImageBase<3> * image);
+std::array<double, 3>
+SpacingOf(const itk::ImageBase<3> * image);
+
+/** The intensities smoothed by a Gaussian of `smoothing` mm; empty for 0. */
+std::vector<float>
+SmoothedIntensities(const itk::Image<float, 3> * image, double smoothing);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,508 @@
+#include "shapetonCoarseHeat.h"
+#include "shapetonCumulativeHeatDiffusionImageFilter.h"
+#include "shapetonExceptions.h"
+#include "shapetonFileBytes.h"
+#include "shapetonJson.h"
+#include "shapetonLiveSession.h"
+#include "shapetonParticleDiffusionImageFilter.h"
+#include "shapetonSessionTestVolume.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <random>
+
+namespace
+{
+using shapeton::Json;
+using shapeton::LiveSession;
+using ImageType = itk::Image<float, 3>;
+
+/** A session with its folder. */
+struct Fixture
+{
+  Fixture() : session(input.Volume(), input.Settings()) {}
+
+  Json
+  Do(const std::string & command)
+  {
+    return session.Do(Json::parse(command));
+  }
+
+  void
+  Finish()
+  {
+    while (session.Work())
+    {}
+  }
+
+  basetest::SessionInput input;
+  LiveSession            session;
+};
+
+/** The message of the error that a command causes; empty for none. */
+std::string
+ErrorOf(Fixture & fixture, const std::string & command)
+{
+  try
+  {
+    fixture.Do(command);
+  }
+  catch (const shapeton::Exception & error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+/** The visits of a run of the filter with the options of the session. */
+ImageType::Pointer
+VisitsOfFilter(const Fixture &                            fixture,
+               std::uint64_t                              steps,
+               const shapeton::ParticleDiffusionOptions & walk,
+               const std::string &                        mask = "")
+{
+  const auto volume = fixture.input.Volume();
+  auto       filter = shapeton::ParticleDiffusionImageFilter<ImageType>::New();
+  auto       options = walk;
+  options.timeSteps = steps;
+  filter->SetInput(volume.image);
+  filter->SetOptions(options);
+  if (!mask.empty())
+  {
+    filter->SetMaskImage(shapeton::MaskForImage(shapeton::ReadVolume(mask), mask, volume.image));
+  }
+  filter->Update();
+  auto visits = basetest::NewImageLike<ImageType>(volume.image);
+  std::copy_n(filter->GetOutput()->GetBufferPointer(),
+              visits->GetBufferedRegion().GetNumberOfPixels(),
+              visits->GetBufferPointer());
+  return visits;
+}
+
+void
+ExpectSameVoxels(const ImageType * a, const ImageType * b)
+{
+  ASSERT_EQ(a->GetBufferedRegion().GetSize(), b->GetBufferedRegion().GetSize());
+  EXPECT_EQ(std::memcmp(
+              a->GetBufferPointer(), b->GetBufferPointer(), a->GetBufferedRegion().GetNumberOfPixels() * sizeof(float)),
+            0);
+}
+
+/** The header and the arrays of a frame. */
+struct Frame
+{
+  explicit Frame(const std::string & bytes)
+  {
+    std::uint32_t length = 0;
+    std::memcpy(&length, bytes.data(), sizeof(length));
+    header = Json::parse(bytes.substr(sizeof(length), length));
+    arrays = bytes.substr(sizeof(length) + length);
+  }
+
+  Json        header;
+  std::string arrays;
+};
+
+TEST(LiveSession, SavesTheVisitsOfTheFilterAfterAnyNumberOfSteps)
+{
+  Fixture fixture;
+  fixture.Finish();
+  EXPECT_EQ(fixture.session.GetState()["step"], 60);
+  fixture.Do(R"({"do": "step", "steps": 7})");
+  fixture.Finish();
+  const auto saved = fixture.Do(R"({"do": "save", "name": "a"})");
+  EXPECT_EQ(saved["files"], (Json{ "a-density.nrrd", "a.sh" }));
+  const auto density = shapeton::ReadVolume(fixture.input.GetFolder() / "a-density.nrrd");
+  ExpectSameVoxels(density.image, VisitsOfFilter(fixture, 67, fixture.input.Settings().walk));
+}
+
+TEST(LiveSession, AnInterruptedWalkLosesNoStep)
+{
+  Fixture fixture;
+  fixture.Do(R"({"do": "set", "shapetons": 100000, "distance": 0.2})");
+  fixture.session.Work(); // starts
+  int        polls = 0;
+  const auto interrupt = [&] {
+    ++polls;
+    fixture.session.Interrupt();
+  };
+  while (fixture.session.Work(interrupt))
+  {}
+  EXPECT_GT(polls, 0);
+  fixture.Do(R"({"do": "save", "name": "i"})");
+  auto walk = fixture.input.Settings().walk;
+  walk.shapetons = 100000;
+  walk.distance = 0.2;
+  ExpectSameVoxels(shapeton::ReadVolume(fixture.input.GetFolder() / "i-density.nrrd").image,
+                   VisitsOfFilter(fixture, 60, walk));
+}
+
+TEST(LiveSession, ChangesStartTheWalkAgain)
+{
+  Fixture fixture;
+  fixture.Finish();
+  fixture.Do(R"({"do": "set", "p": 9, "distance": 0.08, "shapetons": 500, "seed": 4, "directionSampling": "uniform",
+                 "pathRule": "traversal", "placement": "initialHeat"})");
+  EXPECT_EQ(fixture.session.GetState()["step"], 0);
+  fixture.Finish();
+  fixture.Do(R"({"do": "save", "name": "b"})");
+  auto walk = fixture.input.Settings().walk;
+  walk.p = 9.0;
+  walk.distance = 0.08;
+  walk.shapetons = 500;
+  walk.seed = 4;
+  walk.directionSampling = shapeton::DirectionSampling::Uniform;
+  walk.pathRule = shapeton::PathRule::Traversal;
+  walk.placement = shapeton::ParticlePlacement::InitialHeat;
+  const auto density = shapeton::ReadVolume(fixture.input.GetFolder() / "b-density.nrrd");
+  ExpectSameVoxels(density.image, VisitsOfFilter(fixture, 60, walk));
+}
+
+TEST(LiveSession, StartRegionsAreBallsObjectsAndFiles)
+{
+  Fixture    fixture;
+  const auto middle = fixture.input.PointOf({ { 7, 9, 10 } });
+  Json       start = { { "do", "start" }, { "region", "balls" } };
+  start["balls"] = { { middle[0], middle[1], middle[2], 2.1 } };
+  fixture.session.Do(start);
+  fixture.Finish();
+  fixture.Do(R"({"do": "save", "name": "ball"})");
+  const auto mask = shapeton::ReadVolume(fixture.input.GetFolder() / "start-1.nrrd").image;
+  EXPECT_EQ(mask->GetPixel({ { 7, 9, 10 } }), 1.0F);
+  EXPECT_EQ(mask->GetPixel({ { 9, 9, 10 } }), 1.0F); // 2 mm away
+  EXPECT_EQ(mask->GetPixel({ { 7, 9, 12 } }), 0.0F); // 3 mm away
+  const auto density = shapeton::ReadVolume(fixture.input.GetFolder() / "ball-density.nrrd");
+  const auto visits =
+    VisitsOfFilter(fixture, 60, fixture.input.Settings().walk, fixture.input.GetFolder() / "start-1.nrrd");
+  ExpectSameVoxels(density.image, visits);
+
+  fixture.Do(R"({"do": "start", "region": "file", "name": "start-1.nrrd", "label": 1})");
+  fixture.Finish();
+  fixture.Do(R"({"do": "save", "name": "file"})");
+  ExpectSameVoxels(shapeton::ReadVolume(fixture.input.GetFolder() / "file-density.nrrd").image, visits);
+
+  // An object of the heat: the box, whose voxels are warmer than its surroundings.
+  fixture.Do(R"({"do": "set", "p": 20})");
+  fixture.Do(R"({"do": "heat", "timeSteps": 2000})");
+  fixture.Finish();
+  const auto inBox = fixture.input.PointOf({ { 18, 10, 11 } });
+  start = { { "do", "start" }, { "region", "object" }, { "lower", 0.2 }, { "upper", 1.0 } };
+  start["point"] = { inBox[0], inBox[1], inBox[2] };
+  fixture.session.Do(start);
+  fixture.Do(R"({"do": "density"})");
+  fixture.Finish();
+  fixture.Do(R"({"do": "save", "name": "box"})");
+  const auto box = shapeton::ReadVolume(fixture.input.GetFolder() / "start-3.nrrd").image;
+  EXPECT_EQ(box->GetPixel({ { 18, 10, 11 } }), 1.0F);
+  EXPECT_EQ(box->GetPixel({ { 7, 9, 10 } }), 0.0F);
+  EXPECT_EQ(box->GetPixel({ { 0, 0, 0 } }), 0.0F);
+  EXPECT_NE(ErrorOf(fixture, R"({"do": "start", "region": "balls", "balls": [[900, 0, 0, 1]]})"), "");
+  EXPECT_NE(ErrorOf(fixture, R"({"do": "start", "region": "file", "name": "../start-1.nrrd"})"), "");
+}
+
+TEST(LiveSession, HeatIsCoarseFirstAndThenThatOfTheFilter)
+{
+  Fixture fixture;
+  fixture.Do(R"({"do": "set", "p": 20, "intensityWindow": [0, 110]})");
+  fixture.Do(R"({"do": "heat", "timeSteps": 5000})");
+  EXPECT_TRUE(fixture.session.Work());
+  EXPECT_EQ(fixture.session.GetState()["quality"], "coarse");
+  EXPECT_NE(ErrorOf(fixture, R"({"do": "save", "name": "heat"})"), "");
+  fixture.Finish();
+  EXPECT_EQ(fixture.session.GetState()["quality"], "exact");
+  fixture.Do(R"({"do": "save", "name": "c", "labels": true})");
+  auto filter = shapeton::CumulativeHeatDiffusionImageFilter<ImageType>::New();
+  filter->SetInput(fixture.input.Volume().image);
+  filter->SetP(20.0);
+  filter->SetIntensityWindow(std::array<double, 2>{ { 0.0, 110.0 } });
+  filter->SetTimeSteps(5000);
+  filter->Update();
+  ExpectSameVoxels(shapeton::ReadVolume(fixture.input.GetFolder() / "c-heat.nrrd").image, filter->GetOutput());
+  // The walk goes on where it was.
+  fixture.Do(R"({"do": "density"})");
+  fixture.Finish();
+  fixture.Do(R"({"do": "save", "name": "d"})");
+  auto walk = fixture.input.Settings().walk;
+  walk.p = 20.0;
+  walk.intensityWindow = { { 0.0, 110.0 } };
+  ExpectSameVoxels(shapeton::ReadVolume(fixture.input.GetFolder() / "d-density.nrrd").image,
+                   VisitsOfFilter(fixture, 60, walk));
+}
+
+TEST(LiveSession, CoarseHeatOfAClosedObjectIsItsHeat)
+{
+  // In a closed object, heat converges to the mean of the initial heat, which the averages keep.
+  auto image = basetest::NewImage<ImageType>({ { 32, 32, 32 } });
+  basetest::ForVoxels(image, [&](const itk::Index<3> & i, const itk::Point<double, 3> &) {
+    const auto isInside = [&](int axis) { return i[axis] >= 8 && i[axis] < 24; };
+    image->SetPixel(i, isInside(0) && isInside(1) && isInside(2) ? 1.0F : 0.0F);
+  });
+  shapeton::CumulativeHeatDiffusionSettings settings;
+  settings.timeSteps = 100000;
+  const auto         size = std::array<std::size_t, 3>{ { 32, 32, 32 } };
+  std::vector<float> heat(32 * 32 * 32);
+  shapeton::DiffuseCumulativeHeat(image->GetBufferPointer(), size, settings, heat.data());
+  const auto   coarse = shapeton::CoarseHeat(image, settings).After(settings.timeSteps);
+  const double exact = heat[(16 * 32 + 16) * 32 + 16];
+  const auto   middle = 16 / coarse.factor;
+  EXPECT_GT(coarse.factor, 1U);
+  EXPECT_NEAR(coarse.values[(middle * coarse.size[1] + middle) * coarse.size[0] + middle], exact, 0.01 * exact);
+}
+
+TEST(LiveSession, FramesHoldWhatTheViewerLacks)
+{
+  Fixture                 fixture;
+  shapeton::SessionViewer viewer;
+  fixture.Finish();
+  ASSERT_TRUE(fixture.session.IsNewFor(viewer));
+  const Frame first(fixture.session.Update(viewer));
+  const auto  voxels = std::size_t{ 24 } * 20 * 22;
+  const auto  sliceVoxels = std::size_t{ 20 } * 22 + 24 * 22 + 24 * 20;
+  EXPECT_EQ(first.header["slices"].size(), 3U);
+  EXPECT_EQ(first.header["bricks"].size(), 1U);
+  EXPECT_EQ(first.arrays.size(), 3 * sliceVoxels + 2 * voxels + 2 * 4 * 4097);
+  EXPECT_FALSE(fixture.session.IsNewFor(viewer));
+  // The bins of the brick are those of the visits.
+  fixture.Do(R"({"do": "save", "name": "e"})");
+  const auto    visits = shapeton::ReadVolume(fixture.input.GetFolder() / "e-density.nrrd").image;
+  const float * begin = visits->GetBufferPointer();
+  const float   greatest = *std::max_element(begin, begin + voxels);
+  std::size_t   wrong = 0;
+  for (std::size_t i = 0; i < voxels; ++i)
+  {
+    std::uint16_t bin = 0;
+    std::memcpy(&bin, first.arrays.data() + 3 * sliceVoxels + 2 * i, sizeof(bin));
+    wrong += bin != shapeton::HeatHistogram::BinOf(begin[i] / greatest);
+  }
+  EXPECT_LE(wrong, voxels / 1000); // rounding at the edge of a bin
+
+  viewer.place = { { 3, 4, 5 } };
+  viewer.isPlaceNew = true;
+  Frame second(fixture.session.Update(viewer));
+  EXPECT_EQ(second.arrays.size(), 3 * sliceVoxels);
+  EXPECT_FALSE(second.header.contains("bricks"));
+  EXPECT_EQ(second.header["slices"][0]["index"], 3);
+}
+
+TEST(LiveSession, DrawsJpeg)
+{
+  Fixture fixture;
+  fixture.Finish();
+  const std::string request = R"({"azimuth": 30, "elevation": 20, "zoom": 1, "width": 200, "height": 150, "quality": 80,
+    "lines": [{"lower": 0.1, "upper": 1, "color": "#ff0000", "opacity": 1}]})";
+  const Frame       frame(fixture.session.Draw(Json::parse(request)));
+  EXPECT_EQ(frame.header["bytes"], frame.arrays.size());
+  EXPECT_EQ(frame.arrays.substr(0, 3), "\xff\xd8\xff");
+  Json wrong = Json::parse(request);
+  wrong["width"] = 100000;
+  EXPECT_THROW(fixture.session.Draw(wrong), shapeton::ParameterError);
+}
+
+TEST(LiveSession, RejectsWrongCommandsAndKeepsItsState)
+{
+  Fixture fixture;
+  fixture.Finish();
+  const auto before = fixture.session.GetState();
+  for (const std::string command : { R"([])",
+                                     R"({})",
+                                     R"({"do": 7})",
+                                     R"({"do": "dance"})",
+                                     R"({"do": "set"})",
+                                     R"({"do": "set", "p": "7"})",
+                                     R"({"do": "set", "p": -1})",
+                                     R"({"do": "set", "p": 5, "distance": 0})",
+                                     R"({"do": "set", "shapetons": 2.5})",
+                                     R"({"do": "set", "pathRule": "straight"})",
+                                     R"({"do": "set", "intensityWindow": [3, 1]})",
+                                     R"({"do": "set", "timeSteps": 5})",
+                                     R"({"do": "pause", "now": true})",
+                                     R"({"do": "step", "steps": -4})",
+                                     R"({"do": "step"})",
+                                     R"({"do": "speed", "stepsPerSecond": "fast"})",
+                                     R"({"do": "heat", "timeSteps": 1e99})",
+                                     R"({"do": "start", "region": "moon"})",
+                                     R"({"do": "start", "region": "balls", "balls": []})",
+                                     R"({"do": "start", "region": "balls", "balls": [[0, 0, 0, -1]]})",
+                                     R"({"do": "start", "region": "file", "name": "/etc/passwd"})",
+                                     R"({"do": "save", "name": "../a"})",
+                                     R"({"do": "save", "name": ""})",
+                                     R"({"do": "save", "name": "-rf"})",
+                                     R"({"do": "save", "name": "a", "lines": [{"lower": 1}]})" })
+  {
+    EXPECT_NE(ErrorOf(fixture, command), "") << command;
+    EXPECT_EQ(fixture.session.GetState(), before) << command;
+  }
+}
+
+TEST(LiveSession, AnInterruptedHeatIsComputedAgain)
+{
+  Fixture fixture;
+  fixture.Do(R"({"do": "heat", "timeSteps": 1000000})");
+  fixture.session.Work();
+  int polls = 0;
+  fixture.session.Work([&] {
+    if (++polls == 3)
+    {
+      fixture.session.Interrupt();
+    }
+  });
+  EXPECT_EQ(fixture.session.GetState()["quality"], "coarse");
+  fixture.Do(R"({"do": "heat", "timeSteps": 3000})");
+  fixture.Finish();
+  EXPECT_EQ(fixture.session.GetState()["quality"], "exact");
+  EXPECT_EQ(fixture.session.GetState()["heatSteps"], 3000);
+}
+
+TEST(LiveSession, ReportsAWalkThatCannotStart)
+{
+  Fixture fixture;
+  fixture.Do(R"({"do": "set", "placement": "initialHeat", "p": 0})");
+  fixture.Finish();
+  EXPECT_NE(fixture.session.GetState()["error"], "");
+  fixture.Do(R"({"do": "set", "p": 7})");
+  fixture.Finish();
+  EXPECT_EQ(fixture.session.GetState()["error"], "");
+  EXPECT_EQ(fixture.session.GetState()["step"], 60);
+}
+
+/** A command chosen by the generator; some are wrong. */
+std::string
+RandomCommand(std::mt19937 & random)
+{
+  const auto number = [&](int most) { return std::to_string(random() % most); };
+  switch (random() % 12)
+  {
+    case 0:
+      return R"({"do": "pause"})";
+    case 1:
+      return R"({"do": "resume"})";
+    case 2:
+      return R"({"do": "step", "steps": )" + number(5) + "}";
+    case 3:
+      return R"({"do": "speed", "stepsPerSecond": )" + number(2000) + "}";
+    case 4:
+      return R"({"do": "set", "p": )" + number(60) + R"(, "distance": 0.)" + number(10) + "}";
+    case 5:
+      return R"({"do": "set", "shapetons": )" + number(3000) + R"(, "seed": )" + number(100) + "}";
+    case 6:
+      return R"({"do": "set", "placement": "initialHeat", "pathRule": "traversal", "smoothing": )" + number(3) + "}";
+    case 7:
+      return R"({"do": "start", "region": "balls", "balls": [[)" + number(20) + "," + number(20) + ",20,4]]}";
+    case 8:
+      return R"({"do": "heat", "timeSteps": )" + number(20000) + "}";
+    case 9:
+      return R"({"do": "density"})";
+    case 10:
+      return R"({"do": "save", "name": "r)" + number(3) + R"(", "labels": true})";
+    default:
+      return R"({"do": "start", "region": "everywhere"})";
+  }
+}
+
+/** Runs the script of a session with the tools; returns the exit status, or -1 if the tools have not been built. */
+int
+RunScript(const std::string & script, const std::string & results)
+{
+  if (!std::filesystem::exists(std::string(SHAPETON_TOOLS) + "/ShapetonDiffusion") ||
+      !std::filesystem::exists(std::string(SHAPETON_TOOLS) + "/CumulativeHeatDiffusion") ||
+      !std::filesystem::exists(std::string(SHAPETON_TOOLS) + "/HeatTransferFunction"))
+  {
+    return -1;
+  }
+  std::filesystem::create_directory(results);
+  return std::system(("PATH=" SHAPETON_TOOLS ":$PATH sh " + script + " " + results + " > /dev/null").c_str());
+}
+
+void
+ExpectSameFiles(const std::string & a, const std::string & b, const std::vector<std::string> & names)
+{
+  for (const std::string & name : names)
+  {
+    const std::string first = shapeton::ReadFileBytes(a + name);
+    const std::string second = shapeton::ReadFileBytes(b + name);
+    const auto        end = first.begin() + static_cast<std::ptrdiff_t>(std::min(first.size(), second.size()));
+    const auto        at = std::mismatch(first.begin(), end, second.begin()).first - first.begin();
+    const auto        from = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, at - 40));
+    EXPECT_TRUE(first == second) << name << ":\n" << first.substr(from, 80) << "\n" << second.substr(from, 80);
+  }
+}
+
+TEST(LiveSession, TheToolsRepeatItsFilesByteByByte)
+{
+  Fixture           fixture;
+  const std::string lines =
+    R"("lines": [{"lower": 0.1, "upper": 0.3, "color": "#3366cc", "opacity": 0.4}, {"lower": 0.3, "upper": 1, "color": "#ff0000", "opacity": 1}])";
+  fixture.Finish();
+  fixture.Do(R"({"do": "save", "name": "first", "labels": true, )" + lines + "}");
+  fixture.Do(
+    R"({"do": "set", "p": 0.1, "smoothing": 0.7, "distance": 0.0333333333333, "intensityWindow": [-20, 90.5]})");
+  const auto middle = fixture.input.PointOf({ { 7, 9, 10 } });
+  Json       start = { { "do", "start" }, { "region", "balls" } };
+  start["balls"] = { { middle[0], middle[1], middle[2], 3.0 } };
+  fixture.session.Do(start);
+  fixture.Do(R"({"do": "step", "steps": 41})");
+  fixture.Finish();
+  fixture.Do(R"({"do": "save", "name": "second", "labels": true})");
+  fixture.Do(R"({"do": "heat", "timeSteps": 1234})");
+  fixture.Finish();
+  fixture.Do(R"({"do": "save", "name": "third", "labels": true, )" + lines + "}");
+  const std::string results = fixture.input.GetFolder() / "results";
+  const int         status = RunScript(fixture.input.GetFolder() / "third.sh", results);
+  if (status < 0)
+  {
+    GTEST_SKIP() << "the tools have not been built";
+  }
+  EXPECT_EQ(status, 0);
+  ExpectSameFiles(fixture.input.GetFolder() / "",
+                  results + "/",
+                  { "first-density.nrrd",
+                    "first-labels.nrrd",
+                    "first.json",
+                    "first.vp",
+                    "second-density.nrrd",
+                    "second-labels.nrrd",
+                    "third-heat.nrrd",
+                    "third-labels.nrrd",
+                    "third.json",
+                    "third.vp" });
+}
+
+TEST(LiveSession, SurvivesAThousandRandomCommands)
+{
+  Fixture                 fixture;
+  std::mt19937            random(62);
+  shapeton::SessionViewer viewer;
+  int                     accepted = 0;
+  for (int i = 0; i < 1000; ++i)
+  {
+    accepted += ErrorOf(fixture, RandomCommand(random)).empty();
+    for (auto pieces = random() % 3; pieces > 0; --pieces)
+    {
+      fixture.session.Work();
+    }
+    if (fixture.session.IsNewFor(viewer))
+    {
+      EXPECT_EQ(Frame(fixture.session.Update(viewer)).header["kind"], "update");
+    }
+  }
+  EXPECT_GT(accepted, 500);
+  fixture.Do(R"({"do": "speed", "stepsPerSecond": 0})");
+  fixture.Do(R"({"do": "start", "region": "everywhere"})");
+  fixture.Do(R"({"do": "set", "p": 3, "distance": 0.1, "shapetons": 777, "smoothing": 0, "placement": "uniform",
+                 "pathRule": "endpoint", "seed": 5})");
+  fixture.Do(R"({"do": "density"})");
+  fixture.Do(R"({"do": "pause"})");
+  fixture.Do(R"({"do": "step", "steps": 20})");
+  fixture.Finish();
+  fixture.Do(R"({"do": "save", "name": "last"})");
+  auto walk = fixture.input.Settings().walk;
+  walk.p = 3.0;
+  walk.distance = 0.1;
+  walk.shapetons = 777;
+  walk.seed = 5;
+  ExpectSameVoxels(shapeton::ReadVolume(fixture.input.GetFolder() / "last-density.nrrd").image,
+                   VisitsOfFilter(fixture, 20, walk));
+}
+} // namespace
