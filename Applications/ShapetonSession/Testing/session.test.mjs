@@ -127,6 +127,23 @@ test('a click on a slice moves the crosshair', async () => {
   assert.match(await page.evaluate(() => document.getElementById('status').textContent), /mm \(LPS\), intensity about .*, heat/);
 });
 
+test('objects are found, and a click selects one', async () => {
+  await press('find');
+  await page.until(() => session.state0.objects > 0 && document.querySelectorAll('#objects li').length > 0, 60000);
+  await press('picking');
+  const [x, y] = await middleOf('axial');
+  await page.click(x, y); // the cube of Figure 2.4 is in the middle
+  await page.until(() => session.state0.selected > 0);
+  await page.evaluate(() => session.idle(true));
+  assert.equal(await page.evaluate(() => document.querySelectorAll('#objects .selected').length), 1);
+  await shoot('object');
+  await press('all');
+  await page.until(() => session.state0.selected === 0);
+  await press('picking');
+  await page.evaluate(() => session.ask({ do: 'heat', timeSteps: 10000 }));
+  await page.until(() => session.state0.quality === 'exact' && session.state0.heatSteps === 10000);
+});
+
 test('a second page sees the same session', async () => {
   const other = await launch();
   try {

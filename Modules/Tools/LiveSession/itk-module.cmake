@@ -11,6 +11,7 @@ itk_module(ShapetonLiveSession
     ITKCommon
     ShapetonCommon
     ShapetonHeat
+    ShapetonHeatObjects
     ShapetonPictureKit
     ShapetonHeatViews
     ShapetonCommandLine

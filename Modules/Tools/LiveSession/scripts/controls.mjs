@@ -13,10 +13,16 @@ export const CONTROLS = `
   <label><input type="radio" name="shown" value="heat"> heat after <output id="time"></output> steps</label>
   <input id="slider" type="range" min="0" max="600" aria-label="time steps of the heat">
   <label><input id="served" type="checkbox"> rendered by the server</label></fieldset>
+<fieldset><legend>Objects</legend>
+  <button id="find" title="chooses window, p, smoothing and time such that objects separate, and lists them">Find objects</button>
+  <button id="list" title="lists the objects of this heat">Objects of this heat</button>
+  <label><input id="picking" type="checkbox"> a click on a slice selects</label>
+  <div><button id="larger" title="the next larger object">Larger</button><button id="all">Show all</button></div>
+  <ol id="objects"></ol></fieldset>
 <fieldset><legend>Start region</legend>
   <select id="region" aria-label="start region"><option value="everywhere">everywhere</option>
     <option value="sphere">sphere at the crosshair</option><option value="brush">brush on the slices</option>
-    <option value="object">object at the crosshair</option><option value="file">mask file</option></select>
+    <option value="object">connected line at the crosshair</option><option value="selected">selected object</option><option value="file">mask file</option></select>
   <label>radius, mm <input id="radius" type="number" min="0.1" step="0.5" value="5"></label>
   <label>file <input id="mask" placeholder="labels.nrrd"></label>
   <label>label <input id="label" type="number" min="0" max="65535" value="0" title="0: all labels"></label>
@@ -37,8 +43,11 @@ export const sessionKeys = new KeyTable([['Session', [
   [' ', 'Space', 'pause or move', 'toggleMoving'],
   ['.', '.', 'one step', 'stepOnce'],
   ['d', 'D', 'density or heat', 'toggleShown'],
+  [']', ']', 'the next larger object', 'climbUp'],
+  ['[', '[', 'back to the smaller object', 'climbDown'],
   ['Ctrl+Enter', 'Ctrl Enter', 'save to the folder of the session', 'saveToFolder'],
-]]], [['drag over a slice', 'moves the crosshair, or paints the start region']]);
+]]], [['drag over a slice', 'moves the crosshair, or paints the start region'],
+  ['wheel over the objects', 'selects the next larger or smaller object']]);
 
 const stepsOfSlider = (value) => Math.round(10 ** ((LONGEST * value) / STEPS_OF_SLIDER));
 const sliderOfSteps = (steps) => Math.round((STEPS_OF_SLIDER * Math.log10(Math.max(1, steps))) / LONGEST);
@@ -53,6 +62,11 @@ export class Controls {
     on('move', () => session.toggleMoving());
     on('once', () => session.stepOnce());
     on('start', () => session.startThere());
+    on('find', () => session.findObjects(true));
+    on('list', () => session.findObjects(false));
+    on('larger', () => session.climb(1));
+    on('all', () => session.select({ object: 0 }));
+    byId('objects').onwheel = (e) => { e.preventDefault(); session.climb(Math.sign(-e.deltaY)); };
     on('save', () => session.saveToFolder());
     byId('speed').onchange = () => session.ask({ do: 'speed', stepsPerSecond: Number(byId('speed').value) });
     byId('served').onchange = () => session.askPicture();
@@ -101,8 +115,23 @@ export class Controls {
     if (!this.isAsking) document.querySelector(`[name=shown][value=${state.shown}]`).checked = true;
     byId('move').textContent = state.isMoving ? 'Pause' : 'Move';
     byId('progress').textContent = state.error || describe(state);
+    if (state.objects === null) byId('objects').replaceChildren();
+    else if (state.objects !== this.objectsShown) this.session.findObjects(false);
+    this.objectsShown = state.objects;
+  }
+
+  // The objects as a list; a click selects one.
+  list({ objects, selected }) {
+    byId('objects').replaceChildren(...objects.map(({ number, volume, probability }) => {
+      const entry = element('li', { textContent: `${shortVolume(volume)}, ${Math.round(100 * probability)} %` });
+      entry.classList.toggle('selected', number === selected);
+      entry.onclick = () => this.session.select({ object: number });
+      return entry;
+    }));
   }
 }
+
+const shortVolume = (mm3) => (mm3 < 1000 ? `${mm3.toPrecision(2)} mm³` : `${(mm3 / 1000).toPrecision(3)} ml`);
 
 function describe({ shown, stage, share, step, isMoving, stepsPerSecond, coverage, heatSteps, quality }) {
   const coarse = quality === 'coarse' ? ', coarse' : '';

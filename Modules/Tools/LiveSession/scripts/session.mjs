@@ -119,6 +119,39 @@ class Session extends HeatExplorer {
     if (answer) this.isSaved = true;
   }
 
+  // ---- objects ----
+  get isPicking() { return byId('picking').checked && this.state0.objects !== null; }
+
+  async findObjects(choose) {
+    const answer = await this.ask({ do: 'objects', choose });
+    if (answer) this.takeObjects(answer);
+  }
+
+  async select(what) {
+    const answer = await this.ask({ do: 'select', ...what });
+    if (answer) this.takeObjects(answer);
+    return answer;
+  }
+
+  takeObjects(answer) {
+    this.objects = answer.objects;
+    this.controls.list(answer);
+  }
+
+  // The objects that contain the last picked one, from the smallest.
+  async selectHere() {
+    const answer = await this.select({ point: this.toPoint(this.place) });
+    this.chain = [];
+    for (let number = answer?.selected; number; number = answer.objects[number - 1].parent) this.chain.push(number);
+  }
+
+  climbUp() { this.climb(1); }
+  climbDown() { this.climb(-1); }
+  climb(by) {
+    const { chain = [], state0 } = this, next = chain[chain.indexOf(state0.selected) + by];
+    if (next) this.select({ object: next });
+  }
+
   // ---- start region ----
   toPoint(index) {
     const { origin, axes, spacing } = this.volume;
@@ -145,7 +178,7 @@ class Session extends HeatExplorer {
     const kind = byId('region').value, label = Number(byId('label').value);
     if (kind !== 'brush') this.balls = kind === 'sphere' ? [{ index: this.place, radius: this.radius }] : [];
     this.repaint();
-    if (kind === 'everywhere') return this.ask({ do: 'start', region: 'everywhere' });
+    if (kind === 'everywhere' || kind === 'selected') return this.ask({ do: 'start', region: kind });
     if (kind === 'file') return this.ask({ do: 'start', region: 'file', name: byId('mask').value, ...(label ? { label } : {}) });
     if (kind === 'object') return this.startInObject();
     if (this.balls.length) return this.startInBalls();

@@ -4,10 +4,12 @@
 #include "shapetonExceptions.h"
 #include "shapetonExplorerInfo.h"
 #include "shapetonInterruption.h"
+#include "shapetonObjectParameters.h"
 #include "shapetonSavedTransferFunction.h"
 #include "shapetonSessionCommands.h"
 #include "shapetonSessionFiles.h"
 #include "shapetonSessionFrames.h"
+#include "shapetonSessionObjects.h"
 #include "shapetonSessionWalk.h"
 #include "shapetonShownVolume.h"
 #include "shapetonVisitDensity.h"
@@ -126,7 +128,7 @@ struct LiveSession::Impl
   bool
   IsWorkLeft() const
   {
-    return error.empty() && (shown == Shown::Heat ? heatState != HeatState::Exact
+    return error.empty() && (shown == Shown::Heat ? heatState != HeatState::Exact || areObjectsWanted
                                                   : isStale || walk.IsParked() || walk.GetMeasures().step < goal);
   }
 
@@ -172,7 +174,7 @@ struct LiveSession::Impl
   {
     if (isStale)
     {
-      heat = nullptr;
+      DropHeat();
       walk.Place(options, mask, [] { Interruption::Check(); });
       isStale = false;
       pieceStart = Clock::now();
@@ -257,6 +259,20 @@ struct LiveSession::Impl
   void
   WorkOnHeat()
   {
+    if (isChoiceWanted)
+    {
+      ChooseParameters();
+      return;
+    }
+    if (heatState == HeatState::Exact)
+    {
+      isComputingHeat = true;
+      const Reset reset{ isComputingHeat };
+      Tell("objects", 0.0);
+      objects.Find(heat, [this](double part) { Tell("objects", part); });
+      areObjectsWanted = false;
+      return;
+    }
     if (heatState == HeatState::None)
     {
       Tell("coarse heat", 0.0);
@@ -291,6 +307,28 @@ struct LiveSession::Impl
     ++version;
   }
 
+  /** Sets window, p, smoothing and time such that objects separate. */
+  void
+  ChooseParameters()
+  {
+    walk.Park();
+    Tell("choosing parameters", 0.0);
+    isComputingHeat = true;
+    const Reset reset{ isComputingHeat };
+    auto        settings = HeatSettings();
+    settings.intensityWindow.reset();
+    const auto choice = ChooseObjectParameters(
+      volume.image->GetBufferPointer(), size, settings, {}, [this](double part) { Tell("choosing parameters", part); });
+    isChoiceWanted = false;
+    options.intensityWindow = choice.intensityWindow;
+    options.p = choice.p;
+    options.smoothing = choice.smoothing;
+    heatSteps = choice.timeSteps;
+    Restart("options for objects: " + TextOfJson(JsonOfOptions(options)));
+    areObjectsWanted = true;
+    files.Note("heat after " + std::to_string(heatSteps) + " time steps");
+  }
+
   void
   Tell(const std::string & name, double part)
   {
@@ -314,9 +352,17 @@ struct LiveSession::Impl
     error.clear();
     coarse.reset();
     preview.values.clear();
+    DropHeat();
+    goal = std::max<std::uint64_t>(goal, 1);
+  }
+
+  void
+  DropHeat()
+  {
     heat = nullptr;
     heatState = HeatState::None;
-    goal = std::max<std::uint64_t>(goal, 1);
+    areObjectsWanted = false;
+    objects.Clear();
   }
 
   void
@@ -346,6 +392,12 @@ struct LiveSession::Impl
       RequireKeys(command, { "region", "point", "lower", "upper" });
       region = MaskOfObject(command);
     }
+    else if (kind == "selected")
+    {
+      RequireKeys(command, { "region" });
+      region = objects.GetMask();
+      RequireParameter(region, "no object is selected");
+    }
     else if (kind == "file")
     {
       RequireKeys(command, { "region", "name", "label" });
@@ -353,7 +405,7 @@ struct LiveSession::Impl
     }
     else
     {
-      RequireParameter(kind == "everywhere", "the key \"region\" must be everywhere, balls, object or file");
+      RequireParameter(kind == "everywhere", "the key \"region\" must be everywhere, balls, object, selected or file");
       RequireKeys(command, { "region" });
     }
     RequireParameter(region || kind == "everywhere", "the start region contains no voxel of the volume");
@@ -490,6 +542,12 @@ struct LiveSession::Impl
     {
       ShowQuantity(name, command);
     }
+    else if (name == "objects" || name == "select")
+    {
+      name == "objects" ? WantObjects(command) : Select(command);
+      answer["objects"] = objects.List();
+      answer["selected"] = objects.GetSelected();
+    }
     else if (name == "save")
     {
       answer = Save(command);
@@ -517,12 +575,53 @@ struct LiveSession::Impl
     if (steps != heatSteps || heatState == HeatState::None)
     {
       heatSteps = steps;
-      heatState = HeatState::None;
-      heat = nullptr;
+      DropHeat();
       files.Note("heat after " + std::to_string(steps) + " time steps");
       ++changes;
     }
     Show(Shown::Heat);
+  }
+
+  // ---- objects ----
+  void
+  WantObjects(const Json & command)
+  {
+    RequireKeys(command, { "choose" });
+    if (FlagOf(command, "choose"))
+    {
+      isChoiceWanted = true;
+      Show(Shown::Heat);
+    }
+    RequireParameter(shown == Shown::Heat, "objects are those of heat; show the heat first");
+    areObjectsWanted = isChoiceWanted || !objects.AreFound();
+  }
+
+  /** {"object": N}, with 0 for none, or {"point": [x, y, z]}. */
+  void
+  Select(const Json & command)
+  {
+    RequireKeys(command, { "object", "point" });
+    if (command.contains("point"))
+    {
+      objects.Select(objects.ObjectAt(PointOf(command, "point")));
+    }
+    else if (const auto object = CountOf(command, "object", 0, std::numeric_limits<unsigned short>::max()))
+    {
+      objects.Select(static_cast<int>(object));
+    }
+    else
+    {
+      objects.Deselect();
+    }
+    isHistogramOld = true;
+    ++version;
+  }
+
+  /** The exact heat, in the selected object only if there is one. */
+  ImageType::Pointer
+  GetShownHeat() const
+  {
+    return objects.GetSelectedHeat() != nullptr ? ImageType::Pointer(objects.GetSelectedHeat()) : heat;
   }
 
   // ---- what is shown ----
@@ -545,7 +644,7 @@ struct LiveSession::Impl
   GetShown() const
   {
     return GetBlocks()            ? ShownVolume(size, *GetBlocks())
-           : shown == Shown::Heat ? ShownVolume(size, heat->GetBufferPointer())
+           : shown == Shown::Heat ? ShownVolume(size, GetShownHeat()->GetBufferPointer())
                                   : ShownVolume(size, walk.GetVisits()->GetBufferPointer(), GetGreatest());
   }
 
@@ -573,6 +672,8 @@ struct LiveSession::Impl
     state["coverage"] = RoundedJson(measures.GetCoverage());
     state["trapped"] = measures.trappedShapetons;
     state["heatSteps"] = heatSteps;
+    state["objects"] = objects.AreFound() ? Json(objects.List().size()) : Json();
+    state["selected"] = objects.GetSelected();
     state["region"] = regionName;
     state["changes"] = changes;
     state["options"] = JsonOfOptions(options);
@@ -695,7 +796,7 @@ struct LiveSession::Impl
     }
     else
     {
-      const float * const values = GetBlocks() ? GetBlocks()->values.data() : heat->GetBufferPointer();
+      const float * const values = GetBlocks() ? GetBlocks()->values.data() : GetShownHeat()->GetBufferPointer();
       histogram.AddToRow(0, values, GetBlocks() ? GetBlocks()->values.size() : size[0] * size[1] * size[2]);
       classes = FindHeatClasses(histogram, 0);
       axis = histogram;
@@ -771,7 +872,7 @@ struct LiveSession::Impl
   ShownImage() const
   {
     return GetBlocks()            ? ImageOfBlocks(*GetBlocks(), volume.image)
-           : shown == Shown::Heat ? heat
+           : shown == Shown::Heat ? GetShownHeat()
                                   : NormalizeVisits(walk.GetVisits());
   }
 
@@ -802,6 +903,9 @@ struct LiveSession::Impl
   BlockValues               blocks;
   ImageType::Pointer        heat;
   bool                      isComputingHeat{ false };
+  bool                      isChoiceWanted{ false };
+  bool                      areObjectsWanted{ false };
+  SessionObjects            objects;
 
   bool          isInterrupted{ false };
   bool          isStepping{ false };

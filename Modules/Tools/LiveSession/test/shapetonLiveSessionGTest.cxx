@@ -372,7 +372,7 @@ std::string
 RandomCommand(std::mt19937 & random)
 {
   const auto number = [&](int most) { return std::to_string(random() % most); };
-  switch (random() % 12)
+  switch (random() % 14)
   {
     case 0:
       return R"({"do": "pause"})";
@@ -396,6 +396,10 @@ RandomCommand(std::mt19937 & random)
       return R"({"do": "density"})";
     case 10:
       return R"({"do": "save", "name": "r)" + number(3) + R"(", "labels": true})";
+    case 11:
+      return R"({"do": "objects", "choose": false})";
+    case 12:
+      return R"({"do": "select", "object": )" + number(3) + "}";
     default:
       return R"({"do": "start", "region": "everywhere"})";
   }
@@ -467,6 +471,32 @@ TEST(LiveSession, TheToolsRepeatItsFilesByteByByte)
                     "third-labels.nrrd",
                     "third.json",
                     "third.vp" });
+}
+
+TEST(LiveSession, ObjectsAreFoundAndSelected)
+{
+  Fixture fixture;
+  EXPECT_NE(ErrorOf(fixture, R"({"do": "select", "object": 1})").find("find them first"), std::string::npos);
+  EXPECT_NE(ErrorOf(fixture, R"({"do": "objects", "choose": false})").find("show the heat first"), std::string::npos);
+  fixture.Do(R"({"do": "objects", "choose": true})");
+  fixture.Finish();
+  EXPECT_EQ(fixture.session.GetState()["shown"], "heat");
+  const auto window = fixture.session.GetState()["options"]["intensityWindow"];
+  EXPECT_GT(window[0].get<double>(), 3.0); // between noise and box
+  EXPECT_LT(window[1].get<double>(), 100.0);
+  const Json objects = fixture.Do(R"({"do": "objects", "choose": false})")["objects"];
+  ASSERT_GE(objects.size(), 1U);
+  EXPECT_EQ(fixture.session.GetState()["objects"], objects.size());
+
+  const auto point = fixture.input.PointOf({ { 17, 10, 11 } }); // in the box, which is the largest object
+  const Json command = { { "do", "select" }, { "point", { point[0], point[1], point[2] } } };
+  EXPECT_EQ(fixture.session.Do(command)["selected"], 1);
+  EXPECT_NEAR(objects[0]["voxels"].get<double>(), 6.0 * 8.0 * 9.0, 60.0); // smoothing rounds edges
+  fixture.Do(R"({"do": "start", "region": "selected"})");
+  EXPECT_EQ(fixture.session.GetState()["region"], "selected");
+  EXPECT_TRUE(fixture.session.GetState()["objects"].is_null()); // everything is computed again
+  EXPECT_NE(ErrorOf(fixture, R"({"do": "start", "region": "selected"})").find("no object is selected"),
+            std::string::npos);
 }
 
 TEST(LiveSession, SurvivesAThousandRandomCommands)
