@@ -336,6 +336,7 @@ FindHeatObjects(const std::vector<const HeatImage *> & heats,
                 const HeatObjectOptions &              options,
                 const Progress &                       progress)
 {
+  CheckOptions(options);
   const Volumes          volumes = RequireOneGrid(heats);
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < heats.size(); ++i)

@@ -185,6 +185,9 @@ TEST(HeatObjects, WrongInputIsRefused)
   const auto moved = MakeHeat(Scene);
   moved->SetSpacing(itk::Vector<double, 3>(2.0));
   EXPECT_THROW(FindHeatObjects({}), ParameterError);
+  HeatObjectOptions options;
+  options.leastProbability = 2.0;
+  EXPECT_THROW(FindHeatObjects({ heat }, options), ParameterError);
   EXPECT_THROW(FindHeatObjects({ heat, moved }), InputError);
   EXPECT_THROW(FindHeatObjects({ MakeHeat([](double, double, double) { return 0.0F; }) }), InputError);
   EXPECT_THROW(FindHeatObjects({ MakeHeat([](double x, double, double) { return x > 0 ? 1.0F : std::nanf(""); }) }),
