@@ -66,9 +66,9 @@ Find(CommandLine & commandLine, const Heats & heats)
   return list;
 }
 
-/** Reduces the labels to the selected object, as 1; returns the objects at the point. */
+/** The objects at the selected point, the smallest first; at least one more than --climb. */
 std::vector<int>
-Select(const CommandLine & commandLine, const Heats & heats, shapeton::HeatObjectList & list)
+SelectedObjects(const CommandLine & commandLine, const shapeton::HeatObjectList & list)
 {
   const auto point = commandLine.GetDoubles("select");
   const auto objects = shapeton::ObjectsAt(list, itk::Point<double, 3>(point.data()));
@@ -77,9 +77,15 @@ Select(const CommandLine & commandLine, const Heats & heats, shapeton::HeatObjec
                              "--climb " + std::to_string(climb) + ": only " + std::to_string(objects.size()) +
                                " objects contain the point, so it can be at most " +
                                std::to_string(objects.size() - 1));
-  const auto mask = shapeton::MaskOfObject(list.objects, objects[climb], heats.Pointers());
-  std::copy_n(mask->GetBufferPointer(), mask->GetBufferedRegion().GetNumberOfPixels(), list.labels->GetBufferPointer());
   return objects;
+}
+
+/** Reduces the labels to one object, as 1. */
+void
+KeepObject(int object, const Heats & heats, shapeton::HeatObjectList & list)
+{
+  const auto mask = shapeton::MaskOfObject(list.objects, object, heats.Pointers());
+  std::copy_n(mask->GetBufferPointer(), mask->GetBufferedRegion().GetNumberOfPixels(), list.labels->GetBufferPointer());
 }
 
 void
@@ -101,13 +107,16 @@ ListObjects(CommandLine & commandLine)
   auto                   list = Find(commandLine, heats);
   std::vector<int>       objects(list.objects.size());
   std::iota(objects.begin(), objects.end(), 1);
-  const auto all = shapeton::HeatObjectTable(list, objects, volume.image, heats.names);
   if (isSelected)
   {
-    objects = Select(commandLine, heats, list);
+    objects = SelectedObjects(commandLine, list);
+  }
+  shapeton::HeatObjectTable(list, objects, volume.image, heats.names).Write(table);
+  if (isSelected)
+  {
+    KeepObject(objects[commandLine.GetInteger("climb")], heats, list);
   }
   const std::string title = isSelected ? "selected object" : std::to_string(objects.size()) + " objects";
-  (isSelected ? shapeton::HeatObjectTable(list, objects, volume.image, heats.names) : all).Write(table);
   shapeton::WriteVolume(list.labels.GetPointer(), labels, shapeton::ProvenanceMetadata(commandLine.GetProvenance()));
   if (!picture.empty())
   {
