@@ -6,6 +6,7 @@ set(ShapetonPython_MODULES
   EmbeddingCertificate
   GraphComparison
   GraphCurvature
+  HeatObjects
   Particles
   Phantoms
   PolypCandidates

@@ -1092,6 +1092,101 @@ class HeatHistogram:
         ...
 
 
+class HeatObject:
+    """A connected region that changes little over a range of heat."""
+    @property
+    def center(self) -> NDArray[Any]:
+        """Mean position of its voxels, LPS, mm."""
+        ...
+
+    @property
+    def compactness(self) -> float:
+        """36 pi volume^2 / surface^3: 1 for a ball."""
+        ...
+
+    @property
+    def contrast(self) -> float:
+        """Median over its border of the absolute log ratio of the heat on both sides."""
+        ...
+
+    @property
+    def cut(self) -> float:
+        """Share of its border at the border of the volume."""
+        ...
+
+    @property
+    def growth(self) -> float:
+        """Logarithmic change of the volume when the threshold changes by 5 %; 0: none."""
+        ...
+
+    @property
+    def heat(self) -> float:
+        """The threshold."""
+        ...
+
+    @property
+    def heat_curve(self) -> List[float]:
+        """Mean of its voxels in each heat image."""
+        ...
+
+    @property
+    def is_warm(self) -> bool:
+        """Whether its voxels have at least `heat`; otherwise they have at most `heat`."""
+        ...
+
+    @property
+    def parent(self) -> int:
+        """Number of the smallest object, from 1, that contains this one; 0 for none."""
+        ...
+
+    @property
+    def probability(self) -> float:
+        """Probability that it is one whole object, 0 to 1."""
+        ...
+
+    @property
+    def range(self) -> float:
+        """Range of thresholds with a volume within 20 %, as a natural logarithm."""
+        ...
+
+    @property
+    def seed(self) -> Tuple[Any, ...]:
+        """Its warmest, or coldest, voxel, [z, y, x]."""
+        ...
+
+    @property
+    def time(self) -> int:
+        """From 0: the heat image in which it was found."""
+        ...
+
+    @property
+    def volume(self) -> float:
+        """mm^3."""
+        ...
+
+    @property
+    def voxels(self) -> int:
+        """Number of voxels, with those of objects in it."""
+        ...
+
+
+class HeatObjects:
+    """Result of `find_objects`."""
+    @property
+    def labels(self) -> Image:
+        """uint16: the number of the smallest object at each voxel; 0 for none."""
+        ...
+
+    def mask(self, number: int) -> Image:
+        """uint8: 1 in an object, with those in it, otherwise 0. Reads the heat images again."""
+        ...
+
+    @property
+    def objects(self) -> List[HeatObject]:
+        """By descending volume; the number of the first one is 1."""
+        ...
+
+
 class HeatResult:
     """Result of `diffuse_heat`."""
     @property

@@ -11,6 +11,8 @@ AddVolumes(pybind11::module_ & module);
 void
 AddHeat(pybind11::module_ & module);
 void
+AddHeatObjects(pybind11::module_ & module);
+void
 AddShapetons(pybind11::module_ & module);
 void
 AddSeeds(pybind11::module_ & module);

@@ -11,6 +11,7 @@ PYBIND11_MODULE(_shapeton, module)
   shapeton::python::AddThreads(module);
   shapeton::python::AddVolumes(module);
   shapeton::python::AddHeat(module);
+  shapeton::python::AddHeatObjects(module);
   shapeton::python::AddShapetons(module);
   shapeton::python::AddSeeds(module);
   shapeton::python::AddShapes(module);

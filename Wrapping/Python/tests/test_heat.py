@@ -68,6 +68,48 @@ class HeatTest(TestCase):
             self.assertGreater(np.count_nonzero(inside & (labels.array == c.label)), 0.999 * c.voxels)
             self.assertAlmostEqual(c.volume, c.voxels * np.prod(heat.spacing), delta=1e-6 * c.volume + 1e-9)
 
+    def test_objects_are_the_balls_of_a_volume(self):
+        z, y, x = np.ogrid[:32, :36, :44]
+        balls_of = [(z - 16) ** 2 + (y - 16) ** 2 + (x - 12) ** 2 < 81, (z - 14) ** 2 + (y - 18) ** 2 + (x - 32) ** 2 < 49]
+        voxels = np.random.default_rng(1).normal(0.0, 20.0, (32, 36, 44)) + 500.0 * (balls_of[0] | balls_of[1])
+        image = shapeton.Image(voxels.astype(np.float32), (0.8, 0.9, 1.5), (-10.0, 20.0, 5.0))
+        heats = [
+            shapeton.diffuse_heat(image, preset="objects", intensity_window=(200.0, 300.0), time_steps=steps).heat
+            for steps in (1000, 3000)
+        ]
+        found = shapeton.find_objects(heats)
+        self.assertEqual(len(found.objects), 2)
+        for number, (one, ball) in enumerate(zip(found.objects, balls_of), start=1):
+            inside = found.mask(number).array == 1
+            self.assertGreater(2.0 * np.count_nonzero(inside & ball) / (np.count_nonzero(ball) + one.voxels), 0.97)  # Dice
+            np.testing.assert_array_equal(inside, found.labels.array == number)  # no object is in another one
+            self.assertEqual((one.parent, one.is_warm, one.voxels, one.cut), (0, True, np.count_nonzero(inside), 0.0))
+            self.assertAlmostEqual(one.volume, one.voxels * 0.8 * 0.9 * 1.5, delta=1e-9 * one.volume)
+            heat = heats[one.time].array
+            self.assertEqual((heat[inside].min(), heat[inside].max()), (one.heat, heat[one.seed]))
+            np.testing.assert_allclose(one.heat_curve, [h.array[inside].mean(dtype=np.float64) for h in heats], rtol=1e-12)
+            center = np.argwhere(inside).mean(axis=0)[::-1] * image.spacing + image.origin
+            np.testing.assert_allclose(one.center, center, atol=1e-9)
+            self.assertTrue(0.5 <= one.probability <= 1.0)
+        self.assertEqual(len(shapeton.find_objects(heats, least_voxels=2000).objects), 1)
+
+    def test_wrong_objects_and_heats_are_rejected(self):
+        image = balls()
+        heat = shapeton.diffuse_heat(image, preset="objects", intensity_window=(200.0, 300.0), time_steps=1000).heat
+        found = shapeton.find_objects([heat], least_probability=0.1)
+        most = len(found.objects)
+        for number in (0, most + 1):
+            with self.assertRaisesRegex(shapeton.ParameterError, f"there is no object {number} of {most}"):
+                found.mask(number)
+        with self.assertRaisesRegex(shapeton.ParameterError, "at least one heat volume"):
+            shapeton.find_objects([])
+        with self.assertRaisesRegex(shapeton.InputError, "the grid of heat volume 2 differs from that of the first one"):
+            shapeton.find_objects([heat, shapeton.Image(heat.array)])
+        with self.assertRaisesRegex(shapeton.InputError, "finite values above 0"):
+            shapeton.find_objects([heat.like(np.zeros_like(heat.array))])
+        with self.assertRaisesRegex(shapeton.ParameterError, "leastProbability|least_probability"):
+            shapeton.find_objects([heat], least_probability=2.0)
+
     def test_rules_of_classes_are_checked(self):
         heat = shapeton.diffuse_heat(balls((8, 8, 8)), preset="published", time_steps=10).heat
         for name, wrong in (
