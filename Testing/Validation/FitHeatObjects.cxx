@@ -1,5 +1,5 @@
 // Fits the weights of ProbabilityOf() in Filtering/HeatObjects and prints them. usage: FitHeatObjects; takes minutes.
-// Uses random scenes, seeds 1 to 60, at both thresholds between three intensity classes. An object is right if its Dice
+// Uses random scenes, seeds 1 to 40, at both thresholds between three intensity classes. An object is right if its Dice
 // with a label, or with a label and those nested in it, is at least 0.85. Logistic regression by Newton's method with a
 // small penalty.
 #include "RandomScenes.h"

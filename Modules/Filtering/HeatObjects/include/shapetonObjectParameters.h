@@ -22,11 +22,13 @@ namespace shapeton
 ShapetonHeatObjects_EXPORT HeatParameterChoice
 ParametersAtThreshold(double threshold, double contrast, const std::array<double, 3> & spacing);
 
-/** The threshold, of the two between three intensity classes (Otsu 1979) and the upper one of what is brighter than the
- * dark class, if neighbors on both sides of it differ by a twentieth of the contrast, and the time, of five from 3,000
- * to 300,000 steps, at which most objects are found: the sum of their probabilities. Volumes of more than 128^3 voxels
- * are reduced for these trials. Values that are given are kept; with a given window there is one threshold. The reasons
- * are in words. Throws as DiffuseCumulativeHeat(). \ingroup ShapetonHeatObjects */
+/** The threshold and the time, of five from 3,000 to 300,000 steps, at which most objects are found: the sum of their
+ * probabilities. Thresholds: the two between three intensity classes (Otsu 1979), the middle between the dark and the
+ * bright class, and the upper one of what is brighter than the dark class, if neighbors on both sides of it differ by a
+ * twentieth of the contrast and it is as far from the dark class. Of nearly equal ones, that with the strongest edges
+ * is used. Volumes of more than 128^3 voxels are reduced for these trials. Values that are given are kept; with a given
+ * window there is one threshold. The reasons are in words. Throws as DiffuseCumulativeHeat(). \ingroup
+ * ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT HeatParameterChoice
 ChooseObjectParameters(const float *                           intensities,
                        const std::array<std::size_t, 3> &      size,

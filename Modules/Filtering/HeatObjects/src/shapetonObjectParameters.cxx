@@ -8,8 +8,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace shapeton
 {
@@ -25,7 +26,7 @@ constexpr std::uint64_t EvenSteps = 100'000;
 /** Times that are tried, a factor of 3 or so apart. Small objects in contact become even among themselves later. */
 constexpr std::array<std::uint64_t, 5> Times = { { 3000, 10'000, 30'000, 100'000, 300'000 } };
 
-/** A later time must show this many times the objects of an earlier one. */
+/** A later time, or a threshold with weaker edges, must show this many times the objects. */
 constexpr double ClearlyMore = 1.05;
 
 /** Edges of objects have at least this share of the contrast between neighbors: blur over eight voxels still has it,
@@ -79,8 +80,9 @@ MeanStepAcross(const ReducedVolume & copy, double threshold)
     {
       if (voxel / strides[axis] % copy.size[axis] + 1 < copy.size[axis])
       {
-        const auto [low, high] = std::minmax(copy.values[voxel], copy.values[voxel + strides[axis]]);
-        const bool isAcross = low < threshold && high >= threshold;
+        const double low = std::min(copy.values[voxel], copy.values[voxel + strides[axis]]);
+        const double high = std::max(copy.values[voxel], copy.values[voxel + strides[axis]]);
+        const bool   isAcross = low < threshold && high >= threshold;
         sum += isAcross ? high - low : 0.0;
         pairs += isAcross ? 1.0 : 0.0;
       }
@@ -89,19 +91,36 @@ MeanStepAcross(const ReducedVolume & copy, double threshold)
   return pairs > 0.0 ? sum / pairs : 0.0;
 }
 
-/** The thresholds between three intensity classes, and the upper one between three classes of what is brighter than the
- * dark one: in CT between soft tissue and bone. Without those in the texture of a single class, if there are others. */
+/** The thresholds to try, those with the strongest edges first: the two between three intensity classes; the middle of
+ * the dark and the bright class, for volumes of two intensities; and the upper one between three classes of what is
+ * brighter than the dark one, in CT between soft tissue and bone. Without those in the texture of a class or beside the
+ * dark one, if there are others. */
 std::vector<double>
 ThresholdsOf(const ReducedVolume & copy, const std::vector<float> & sample, const std::array<double, 4> & classes)
 {
-  const auto                bright = std::lower_bound(sample.begin(), sample.end(), static_cast<float>(classes[1]));
-  const auto                brightClasses = FindIntensityClasses({ bright, sample.end() });
-  const std::vector<double> all{ classes[1], classes[2], brightClasses[2] };
-  std::vector<double>       kept;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(kept), [&](double threshold) {
-    return MeanStepAcross(copy, threshold) >= LeastStep * (classes[3] - classes[0]);
-  });
-  return kept.empty() ? all : kept;
+  const auto bright = std::lower_bound(sample.begin(), sample.end(), static_cast<float>(classes[1]));
+  const auto brightClasses = FindIntensityClasses({ bright, sample.end() });
+  std::vector<std::pair<double, double>> all; // negative step and threshold
+  for (const double threshold : { classes[1], classes[2], 0.5 * (classes[0] + classes[3]), brightClasses[2] })
+  {
+    all.emplace_back(-MeanStepAcross(copy, threshold), threshold);
+  }
+  std::sort(all.begin(), all.end());
+  const double        contrast = classes[3] - classes[0];
+  std::vector<double> thresholds;
+  for (const auto & [step, threshold] : all)
+  {
+    const bool isInDark = threshold < classes[0] + LeastStep * contrast; // smoothing would move the border outward
+    if (-step >= LeastStep * contrast && !isInDark)
+    {
+      thresholds.push_back(threshold);
+    }
+  }
+  if (thresholds.empty())
+  {
+    thresholds.push_back(all.front().second);
+  }
+  return thresholds;
 }
 
 /** Sum of the probabilities of the objects of a heat. */
@@ -218,7 +237,7 @@ ChooseObjectParameters(const float *                           intensities,
     return choice;
   }
   HeatParameterChoice best;
-  best.regions = -1.0;
+  best.regions = -1.0; // any is better
   const auto thresholds = ThresholdsOf(copy, sample, classes);
   for (std::size_t i = 0; i < thresholds.size(); ++i)
   {
@@ -232,7 +251,7 @@ ChooseObjectParameters(const float *                           intensities,
     choice.windowReason += ", of " + std::to_string(thresholds.size()) +
                            " thresholds the one that shows most objects (" + NumberText(choice.regions, 3) +
                            ", by probability)";
-    if (choice.regions > best.regions)
+    if (choice.regions > ClearlyMore * best.regions)
     {
       best = choice;
     }

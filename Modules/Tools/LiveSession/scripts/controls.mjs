@@ -22,7 +22,8 @@ export const CONTROLS = `
 <fieldset><legend>Start region</legend>
   <select id="region" aria-label="start region"><option value="everywhere">everywhere</option>
     <option value="sphere">sphere at the crosshair</option><option value="brush">brush on the slices</option>
-    <option value="object">connected line at the crosshair</option><option value="selected">selected object</option><option value="file">mask file</option></select>
+    <option value="object">connected line at the crosshair</option>
+    <option value="selected">selected object</option><option value="file">mask file</option></select>
   <label>radius, mm <input id="radius" type="number" min="0.1" step="0.5" value="5"></label>
   <label>file <input id="mask" placeholder="labels.nrrd"></label>
   <label>label <input id="label" type="number" min="0" max="65535" value="0" title="0: all labels"></label>
