@@ -136,8 +136,9 @@ CountObjects(const std::vector<float> & heat, const ReducedVolume & copy)
   image->SetSpacing(itk::Vector<double, 3>(copy.spacing.data()));
   image->Allocate();
   std::copy(heat.begin(), heat.end(), image->GetBufferPointer());
+  constexpr double  onCopy = 0.2; // objects have fewer voxels on a copy, and therefore a lower probability
   HeatObjectOptions options;
-  options.leastProbability = 0.2; // objects have fewer voxels on a copy, and therefore a lower probability
+  options.leastProbability = onCopy;
   double sum = 0.0;
   for (const HeatObject & object : FindHeatObjects({ image.GetPointer() }, options).objects)
   {

@@ -22,7 +22,7 @@ using ImageType = itk::Image<float, 3>;
 /** A session with its folder. */
 struct Fixture
 {
-  Fixture() : session(input.Volume(), input.Settings()) {}
+  explicit Fixture(int scale = 1) : input(scale), session(input.Volume(), input.Settings()) {}
 
   Json
   Do(const std::string & command)
@@ -475,7 +475,7 @@ TEST(LiveSession, TheToolsRepeatItsFilesByteByByte)
 
 TEST(LiveSession, ObjectsAreFoundAndSelected)
 {
-  Fixture fixture;
+  Fixture fixture(3);
   EXPECT_NE(ErrorOf(fixture, R"({"do": "select", "object": 1})").find("find them first"), std::string::npos);
   EXPECT_NE(ErrorOf(fixture, R"({"do": "objects", "choose": false})").find("show the heat first"), std::string::npos);
   fixture.Do(R"({"do": "objects", "choose": true})");
@@ -485,13 +485,13 @@ TEST(LiveSession, ObjectsAreFoundAndSelected)
   EXPECT_GT(window[0].get<double>(), 3.0); // between noise and box
   EXPECT_LT(window[1].get<double>(), 100.0);
   const Json objects = fixture.Do(R"({"do": "objects", "choose": false})")["objects"];
-  ASSERT_GE(objects.size(), 1U);
+  ASSERT_EQ(objects.size(), 2U);
   EXPECT_EQ(fixture.session.GetState()["objects"], objects.size());
 
-  const auto point = fixture.input.PointOf({ { 17, 10, 11 } }); // in the box, which is the largest object
+  const auto point = fixture.input.PointOf({ { 52, 31, 34 } }); // in the box, which is the larger object
   const Json command = { { "do", "select" }, { "point", { point[0], point[1], point[2] } } };
   EXPECT_EQ(fixture.session.Do(command)["selected"], 1);
-  EXPECT_NEAR(objects[0]["voxels"].get<double>(), 6.0 * 8.0 * 9.0, 60.0); // smoothing rounds edges
+  EXPECT_NEAR(objects[0]["voxels"].get<double>(), 18.0 * 24.0 * 27.0, 600.0); // smoothing rounds edges
   fixture.Do(R"({"do": "start", "region": "selected"})");
   EXPECT_EQ(fixture.session.GetState()["region"], "selected");
   EXPECT_TRUE(fixture.session.GetState()["objects"].is_null()); // everything is computed again
