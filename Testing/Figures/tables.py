@@ -85,6 +85,11 @@ def matches(arguments):
         yield from rows_of_matches(*argument.split("=", 1))
 
 
+def digits(number):
+    """Two digits, without an exponent."""
+    return f"{float(f'{number:.2g}'):g}"
+
+
 def times(arguments):
     """Table 5.1."""
     yield ("model", "faces", "Ricci flow, s", "metric, s", "flattening, s")
@@ -93,8 +98,8 @@ def times(arguments):
     for argument in arguments:
         name, prefix = argument.split("=", 1)
         stages = read(prefix + ".vtp.run.json")["stages"]
-        yield (name, f"{read(prefix + '.json')['faces']:,}", "", f"{stages['Metric']:.2g}",
-               f"{stages['Flattening'] + stages.get('Cutting off pouches', 0):.2g}")
+        yield (name, f"{read(prefix + '.json')['faces']:,}", "", digits(stages['Metric']),
+               digits(stages['Flattening'] + stages.get('Cutting off pouches', 0)))
 
 
 def seconds_of(result, stage):
@@ -109,8 +114,8 @@ def numbers(arguments):
         shapetons, prefix = argument.split("=", 1)
         steps, published = PUBLISHED_NUMBERS[shapetons]
         seconds = seconds_of(prefix + ".nrrd", "Diffusing shapetons")
-        yield (f"{int(shapetons):,}", f"{steps:,}", published, f"{1000 * seconds / steps:.2g}", f"{steps * published / 1000:.2f}",
-               f"{seconds:.2g}")
+        yield (f"{int(shapetons):,}", f"{steps:,}", published, digits(1000 * seconds / steps), f"{steps * published / 1000:.2f}",
+               digits(seconds))
 
 
 def volumes(arguments):
@@ -121,8 +126,8 @@ def volumes(arguments):
         name, size, prefix = argument.split("=", 2)
         resolution, p, heatSteps, steps, heatSeconds, shapetonSeconds, device = PUBLISHED_VOLUMES[name]
         yield (f"{name}, {resolution}", size, p, f"{heatSteps:,}", f"{heatSeconds:,}",
-               f"{seconds_of(prefix + '-heat.nrrd', 'Diffusing heat'):.2g}", device, f"{steps:,}", shapetonSeconds,
-               f"{seconds_of(prefix + '-shapetons.nrrd', 'Diffusing shapetons'):.2g}")
+               digits(seconds_of(prefix + '-heat.nrrd', 'Diffusing heat')), device, f"{steps:,}", shapetonSeconds,
+               digits(seconds_of(prefix + '-shapetons.nrrd', 'Diffusing shapetons')))
 
 
 def main():
