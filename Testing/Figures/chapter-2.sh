@@ -21,10 +21,11 @@ run HeatTransferFunction foot.nii.gz foot.nrrd foot.vp --lines "$footLines" --pi
 panels 2 350 "$(rendering ventricles.png)=(a) MR head" "$(rendering stent.png)=(b) abdomen with a stent" \
   "$(rendering foot.png)=(c) foot" "$(histogram foot/histogram-range.png)=(d) foot, heats from 0.17 to 0.31" \
   "stent-published.png@0,700,1110,490=(b) with p = 8, 100,000 steps, as published" "stent.png@0,700,1110,490=(b) ours"
-differs 'Ours: window, p, smoothing and steps chosen from the data: (a) see 2.9, (c) see 2.6. (b) the window of soft tissue, -160' \
-  'to 240 HU, p = 25, smoothing of 1.2 mm and 48,000 steps. Colors are one per line, at most six lines. **Agrees:** (d) lines converge and stay apart, each' \
-  'for a bone; (b) spine, ribs and pelvis are one class (ivory), both kidneys are in one line (red). **Differs:** that line contains' \
-  'the muscles beside the spine, too; liver and pancreas have no line of their own. With p = 8, all voxels of (b) are one class.'
+differs 'Ours: window, p, smoothing and steps chosen from the data: (a) see 2.9, (c) see 2.6. (b) the window of soft tissue,' \
+  '-160 to 240 HU, p = 25, smoothing of 1.2 mm and 48,000 steps. Colors are one per line, at most six lines. **Agrees:**' \
+  '(d) lines converge and stay apart, each for a bone; (b) spine, ribs and pelvis are one class (ivory), both kidneys are' \
+  'in one line (red). **Differs:** that line contains the muscles beside the spine, too; liver and pancreas have no line' \
+  'of their own. With p = 8, all voxels of (b) are one class.'
 
 figure 2.3 'equalized and normalized histogram'
 needs volumes/ch2.nii.gz
