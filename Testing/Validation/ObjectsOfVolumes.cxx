@@ -156,7 +156,7 @@ Smooth(const Image * image, double sigma)
   return filter->GetOutput();
 }
 
-/** Voxels that fulfil a condition on themselves and all face neighbors, or (any) on one of them. */
+/** Voxels that meet a condition on themselves and all face neighbors, or (any) on one of them. */
 std::vector<char>
 Morph(const std::vector<char> & set, const VoxelGrid & grid, bool any)
 {

@@ -27,8 +27,8 @@ ParametersAtThreshold(double threshold, double contrast, const std::array<double
  * bright class, and the upper one of what is brighter than the dark class, if neighbors on both sides of it differ by a
  * twentieth of the contrast and it is as far from the dark class. Of nearly equal ones, that with the strongest edges
  * is used. Volumes of more than 128^3 voxels are reduced for these trials. Values that are given are kept; with a given
- * window there is one threshold. The reasons are in words. Throws as DiffuseCumulativeHeat(). \ingroup
- * ShapetonHeatObjects */
+ * window there is one threshold. The reasons are in words. Throws as DiffuseCumulativeHeat().
+ * \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT HeatParameterChoice
 ChooseObjectParameters(const float *                           intensities,
                        const std::array<std::size_t, 3> &      size,

@@ -15,8 +15,8 @@ namespace shapeton
 {
 /** One row per object: object, parent, kind (warm, cold), timeStep, heat, voxels, volume (mm^3), x, y, z (LPS, mm),
  * meanIntensity (of the voxels whose smallest object it is), probability, growth, range, contrast, compactness, cut,
- * and meanHeat_<time step> for each heat volume. `names` are the time steps, or other names of the volumes. \ingroup
- * ShapetonHeatTools */
+ * and meanHeat_<time step> for each heat volume. `names` are the time steps, or other names of the volumes.
+ * \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT CsvTable
 HeatObjectTable(const HeatObjectList &           list,
                 const std::vector<int> &         objects,
