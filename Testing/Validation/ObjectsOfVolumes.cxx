@@ -138,7 +138,7 @@ ValidateScenes(const ValidationSettings & settings, ValidationReport & report)
                  " objects, or objects with their core, are found; " + CsvTable::Number(whole) + " of " +
                  CsvTable::Number(listed) + " listed objects are whole. Adjusted Rand index " + MeanWithInterval(rand) +
                  '.');
-  reliability.Write("Probability of regions", report);
+  reliability.Write("regions", report);
   report.AddText("Brier score " + CsvTable::Rounded(reliability.BrierScore(), 3) + ", calibration error " +
                  CsvTable::Rounded(reliability.CalibrationError(), 3) +
                  " (bound 0.1): " + report.Check(reliability.CalibrationError() <= 0.1));

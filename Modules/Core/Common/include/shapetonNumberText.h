@@ -1,6 +1,7 @@
 #ifndef shapetonNumberText_h
 #define shapetonNumberText_h
 
+#include <charconv>
 #include <locale>
 #include <sstream>
 #include <string>
@@ -18,6 +19,16 @@ NumberText(double value, int digits = 6)
   text.precision(digits);
   text << value;
   return text.str();
+}
+
+/** The number that NumberText() writes. \ingroup ShapetonCommon */
+inline double
+RoundedNumber(double value, int digits)
+{
+  const std::string text = NumberText(value, digits);
+  double            rounded = value;
+  std::from_chars(text.data(), text.data() + text.size(), rounded);
+  return rounded;
 }
 } // namespace shapeton
 

@@ -6,7 +6,6 @@
 #include "shapetonReducedVolume.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace shapeton
@@ -248,16 +247,6 @@ Text(double value, int digits)
   return NumberText(value, digits);
 }
 
-/** The number that a user types to repeat the run. */
-double
-Rounded(double value, int digits)
-{
-  const std::string text = Text(value, digits);
-  double            rounded = value;
-  std::from_chars(text.data(), text.data() + text.size(), rounded);
-  return rounded;
-}
-
 /** Tries the windows that are left open; returns the reason for the best one. */
 std::string
 TryWindows(Trials & trials, const GivenHeatParameters & given, const std::string & modality, const Progress & progress)
@@ -280,7 +269,7 @@ TryWindows(Trials & trials, const GivenHeatParameters & given, const std::string
     }
   }
   auto ends = FindIntensityClasses(sample);
-  std::transform(ends.begin(), ends.end(), ends.begin(), [](double end) { return Rounded(end, 3); });
+  std::transform(ends.begin(), ends.end(), ends.begin(), [](double end) { return RoundedNumber(end, 3); });
   const std::array<Window, 4> windows = {
     { { { ends[0], ends[3] } }, { { ends[1], ends[3] } }, { { ends[0], ends[2] } }, { { ends[1], ends[2] } } }
   };
@@ -308,7 +297,7 @@ ChooseSmoothing(const float *               intensities,
   }
   const double noise = NoiseInside(intensities, size, choice.intensityWindow) * std::sqrt(2.0);
   const bool   insulates = noise * choice.p > GreatestNoise;
-  choice.smoothing = insulates ? Rounded(Smoothing * SmallestSpacing(copy.spacing), 2) : 0.0;
+  choice.smoothing = insulates ? RoundedNumber(Smoothing * SmallestSpacing(copy.spacing), 2) : 0.0;
   choice.smoothingReason = "noise between neighbors has a standard deviation of " + Text(noise, 2) +
                            " of the window, " + (insulates ? "more" : "not more") + " than a quarter of 1/p";
 }
@@ -368,14 +357,14 @@ ChooseHeatParameters(const float *                           intensities,
     choice.intensityWindow = best.window;
   }
   choice.regions = best.regions;
-  choice.p = given.p.value_or(Rounded(best.p * factor, 3));
+  choice.p = given.p.value_or(RoundedNumber(best.p * factor, 3));
   if (!given.p)
   {
     choice.pReason = "1/p is " + Text(best.cut, 1) + " times the median difference of neighbors (" +
                      Text(best.median / factor, 2) + " of the window)";
   }
   choice.timeSteps =
-    static_cast<std::uint64_t>(std::llround(Rounded(static_cast<double>(best.timeSteps) * factor * factor, 2)));
+    static_cast<std::uint64_t>(std::llround(RoundedNumber(static_cast<double>(best.timeSteps) * factor * factor, 2)));
   if (given.timeSteps)
   {
     choice.timeSteps = *given.timeSteps;

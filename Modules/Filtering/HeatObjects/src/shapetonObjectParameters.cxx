@@ -6,7 +6,6 @@
 #include "shapetonReducedVolume.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -32,16 +31,6 @@ constexpr double ClearlyMore = 1.05;
 /** Edges of objects have at least this share of the contrast between neighbors: blur over eight voxels still has it,
  * noise of a thirtieth of the contrast has not. */
 constexpr double LeastStep = 0.05;
-
-/** The number that a user types to repeat the run. */
-double
-Rounded(double value, int digits)
-{
-  const std::string text = NumberText(value, digits);
-  double            rounded = value;
-  std::from_chars(text.data(), text.data() + text.size(), rounded);
-  return rounded;
-}
 
 HeatParameterChoice
 Apply(const GivenHeatParameters & given, HeatParameterChoice choice)
@@ -203,9 +192,9 @@ ParametersAtThreshold(double threshold, double contrast, const std::array<double
   constexpr int       digits = 4;
   HeatParameterChoice choice;
   const double        half = HalfWindow * contrast;
-  choice.intensityWindow = { { Rounded(threshold - half, digits), Rounded(threshold + half, digits) } };
+  choice.intensityWindow = { { RoundedNumber(threshold - half, digits), RoundedNumber(threshold + half, digits) } };
   choice.p = Steepness;
-  choice.smoothing = Rounded(SmoothingPerSpacing * SmallestSpacing(spacing), 2);
+  choice.smoothing = RoundedNumber(SmoothingPerSpacing * SmallestSpacing(spacing), 2);
   choice.timeSteps = EvenSteps;
   choice.windowReason = "narrow, such that only edges across " + NumberText(threshold, digits) + " insulate";
   choice.pReason = "with this window, any edge across it insulates";
