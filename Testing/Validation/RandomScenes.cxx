@@ -107,7 +107,7 @@ private:
     m_Objects.push_back(object);
   }
 
-  /** A solid that may touch others, but hardly overlaps with them; none if there is no room. */
+  /** Adds a solid that may touch others but hardly overlaps them; adds nothing if space is lacking. */
   void
   AddSolid()
   {

@@ -99,7 +99,7 @@ class HeatTest(TestCase):
         found = shapeton.find_objects([heat], least_probability=0.1)
         most = len(found.objects)
         for number in (0, most + 1):
-            with self.assertRaisesRegex(shapeton.ParameterError, f"there is no object {number} of {most}"):
+            with self.assertRaisesRegex(shapeton.ParameterError, f"object {number} is not in the list of {most} objects"):
                 found.mask(number)
         with self.assertRaisesRegex(shapeton.ParameterError, "at least one heat volume"):
             shapeton.find_objects([])

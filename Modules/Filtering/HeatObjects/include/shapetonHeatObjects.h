@@ -57,7 +57,7 @@ struct HeatObjectList
  * Along each path of a tree, from an extremum to the whole volume, a node is stable where the volume hardly changes
  * with the threshold (maximally stable regions; Matas et al. 2002). Nodes found in both trees or at several times count
  * once: the most probable one is kept. Throws InputError if the grids differ or a value is not a finite number, and
- * ParameterError if an option is out of range or there is no heat volume.
+ * ParameterError if an option is out of range or `heats` is empty.
  * \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT HeatObjectList
 FindHeatObjects(const std::vector<const itk::Image<float, 3> *> & heats,

@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 
 namespace shapeton
@@ -101,43 +100,42 @@ public:
     ParallelForBlocks(m_Voxels.size(), [this](std::size_t i) { m_Position[m_Voxels[i]] = static_cast<Index>(i); });
   }
 
-  Candidate
+  HeatObject
   Measure(const StableRegion & region) const
   {
     const float * const heat = m_Volumes.values[m_Time];
-    Candidate           candidate;
-    candidate.voxels.assign(m_Voxels.begin() + region.first, m_Voxels.begin() + region.end);
-    HeatObject & object = candidate.object;
+    const auto          begin = m_Voxels.begin() + region.first;
+    const auto          end = m_Voxels.begin() + region.end;
+    HeatObject          object;
     object.isWarm = m_IsWarm;
     object.time = m_Time;
-    object.heat = heat[candidate.voxels.back()];
-    object.seed = *std::min_element(candidate.voxels.begin(), candidate.voxels.end(), [&](Index a, Index b) {
-      return heat[a] != heat[b] ? (heat[a] > heat[b]) == m_IsWarm : a < b;
-    });
-    object.voxels = candidate.voxels.size();
+    object.heat = heat[*(end - 1)];
+    object.seed = *std::min_element(
+      begin, end, [&](Index a, Index b) { return heat[a] != heat[b] ? (heat[a] > heat[b]) == m_IsWarm : a < b; });
+    object.voxels = region.end - region.first;
     object.volume = m_Volumes.voxelVolume * static_cast<double>(object.voxels);
     object.growth = region.growth;
     object.range = region.range;
     for (const float * const values : m_Volumes.values)
     {
       const auto add = [values](double sum, Index voxel) { return sum + values[voxel]; };
-      const auto sum = std::accumulate(candidate.voxels.begin(), candidate.voxels.end(), 0.0, add);
+      const auto sum = std::accumulate(begin, end, 0.0, add);
       object.heatCurve.push_back(sum / static_cast<double>(object.voxels));
     }
-    object.center = this->CenterOf(candidate.voxels);
+    object.center = this->CenterOf(region);
     this->MeasureBorder(region, object);
     object.probability = ProbabilityOf(object);
-    return candidate;
+    return object;
   }
 
 private:
   itk::Point<double, 3>
-  CenterOf(const std::vector<Index> & voxels) const
+  CenterOf(const StableRegion & region) const
   {
     std::array<double, 3> sums{};
-    for (const Index voxel : voxels)
+    for (Index i = region.first; i < region.end; ++i)
     {
-      const auto place = m_Volumes.grid.Voxel(voxel);
+      const auto place = m_Volumes.grid.Voxel(m_Voxels[i]);
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         sums[axis] += place[axis];
@@ -147,7 +145,7 @@ private:
     const auto                      first = m_Volumes.image->GetBufferedRegion().GetIndex();
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      mean[axis] = static_cast<double>(first[axis]) + sums[axis] / static_cast<double>(voxels.size());
+      mean[axis] = static_cast<double>(first[axis]) + sums[axis] / (region.end - region.first);
     }
     itk::Point<double, 3> center;
     m_Volumes.image->TransformContinuousIndexToPhysicalPoint(mean, center);
@@ -226,15 +224,16 @@ AddCandidates(const ComponentTree &     tree,
               const HeatObjectOptions & options,
               std::vector<Candidate> &  candidates)
 {
-  const auto             regions = FindStableRegions(tree, volumes.values[time], greatest, options);
-  const RegionMeasures   measures(tree, volumes, time, isWarm, greatest);
-  std::vector<Candidate> found(regions.size());
+  const auto              regions = FindStableRegions(tree, volumes.values[time], greatest, options);
+  const RegionMeasures    measures(tree, volumes, time, isWarm, greatest);
+  std::vector<HeatObject> found(regions.size());
   ParallelFor(regions.size(), [&](std::size_t i) { found[i] = measures.Measure(regions[i]); });
-  for (Candidate & candidate : found)
+  const auto voxels = tree.GetVoxels().begin();
+  for (std::size_t i = 0; i < regions.size(); ++i)
   {
-    if (candidate.object.probability >= options.leastProbability)
+    if (found[i].probability >= options.leastProbability)
     {
-      candidates.push_back(std::move(candidate));
+      candidates.push_back({ found[i], { voxels + regions[i].first, voxels + regions[i].end } });
     }
   }
 }
@@ -254,21 +253,21 @@ public:
   int
   Around(const Candidate & candidate) const
   {
-    std::map<unsigned short, std::size_t> counts;
+    std::vector<std::size_t> counts(m_Last + 1, 0);
     for (const Index voxel : candidate.voxels)
     {
       ++counts[m_Labels->GetBufferPointer()[voxel]];
     }
-    const auto most = std::max_element(
-      counts.begin(), counts.end(), [](const auto & a, const auto & b) { return a.second < b.second; });
+    const auto       most = std::max_element(counts.begin(), counts.end());
     constexpr double nearlyAll = 0.9; // objects of different times or trees differ by voxels of their borders
-    const bool isAround = static_cast<double>(most->second) >= nearlyAll * static_cast<double>(candidate.voxels.size());
-    return isAround ? most->first : 0;
+    const bool       isAround = static_cast<double>(*most) >= nearlyAll * static_cast<double>(candidate.voxels.size());
+    return isAround ? static_cast<int>(most - counts.begin()) : 0;
   }
 
   void
   Draw(const Candidate & candidate, std::size_t number)
   {
+    m_Last = std::max(m_Last, number);
     for (const Index voxel : candidate.voxels)
     {
       m_Labels->GetBufferPointer()[voxel] = static_cast<unsigned short>(number);
@@ -283,6 +282,7 @@ public:
 
 private:
   HeatObjectList::LabelImage::Pointer m_Labels;
+  std::size_t                         m_Last{ 0 }; ///< greatest number drawn
 };
 
 /** Keeps the more probable one of two candidates with nearly the same voxels; the result is by descending size. */
@@ -290,7 +290,7 @@ std::vector<Candidate>
 WithoutTwins(std::vector<Candidate> candidates, const HeatImage & image)
 {
   const auto isLarger = [](const Candidate & a, const Candidate & b) { return a.voxels.size() > b.voxels.size(); };
-  constexpr double       sameSize = 0.75;
+  constexpr double       sameSize = 0.75; // as stable regions of one path, which differ by OtherVolume
   constexpr std::size_t  most = std::numeric_limits<unsigned short>::max();
   Nesting                nesting(image);
   std::vector<Candidate> kept;
@@ -356,7 +356,8 @@ MaskOfObject(const std::vector<HeatObject> & objects, int object, const std::vec
 {
   if (object < 1 || object > static_cast<int>(objects.size()))
   {
-    throw ParameterError("there is no object " + std::to_string(object) + " of " + std::to_string(objects.size()));
+    throw ParameterError("object " + std::to_string(object) + " is not in the list of " +
+                         std::to_string(objects.size()) + " objects");
   }
   const HeatObject &  found = objects[object - 1];
   const Volumes       volumes = RequireOneGrid(heats);

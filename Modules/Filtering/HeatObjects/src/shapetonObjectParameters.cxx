@@ -19,8 +19,11 @@ namespace
  */
 constexpr double HalfWindow = 0.0125;
 /** Any p above 2 insulates edges of half the window. */
-constexpr double        Steepness = 10.0;
-constexpr double        SmoothingPerSpacing = 0.8;
+constexpr double Steepness = 10.0;
+/** Standard deviation in units of the smallest spacing: on the foot, 0.6 gave a mean Dice of 0.68, and
+ * 0.8 one of 0.74, with equal other parameters. */
+constexpr double SmoothingPerSpacing = 0.8;
+/** Separates all bones of the foot; 30,000 steps separate 11 of 12. */
 constexpr std::uint64_t EvenSteps = 100'000;
 /** Times that are tried, a factor of 3 or so apart. Small objects in contact become even among themselves later. */
 constexpr std::array<std::uint64_t, 5> Times = { { 3000, 10'000, 30'000, 100'000, 300'000 } };
@@ -217,7 +220,10 @@ ChooseObjectParameters(const float *                           intensities,
   if (given.intensityWindow)
   {
     auto choice = Apply(given, ParametersAtThreshold(0.0, contrast, spacing));
-    TryTimes(copy, settings, given.timeSteps.has_value(), progress, choice);
+    if (!given.timeSteps)
+    {
+      TryTimes(copy, settings, false, progress, choice);
+    }
     return choice;
   }
   if (!(contrast > 0.0))

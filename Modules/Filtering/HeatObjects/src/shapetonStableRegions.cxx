@@ -49,9 +49,17 @@ struct Path
     {
       return joined;
     }
+    const Step * const step = this->StepAt(level);
+    return step == nullptr ? 1.0 : step->Voxels();
+  }
+
+  /** The region with all voxels up to a level of the path; null before its first voxel. */
+  const Step *
+  StepAt(int level) const
+  {
     const auto next =
       std::upper_bound(steps.begin(), steps.end(), level, [](int l, const Step & step) { return l < step.level; });
-    return next == steps.begin() ? 1.0 : (next - 1)->Voxels();
+    return next == steps.begin() ? nullptr : &*(next - 1);
   }
 };
 
@@ -230,10 +238,8 @@ AddStableRegions(const Path &                path,
     {
       continue;
     }
-    const int  level = CalmestLevel(path, plateau.levels);
-    const auto next = std::upper_bound(
-      path.steps.begin(), path.steps.end(), level, [](int l, const Step & step) { return l < step.level; });
-    const Step & step = *(next - 1);
+    const int    level = CalmestLevel(path, plateau.levels);
+    const Step & step = *path.StepAt(level);
     const double growth = std::log(path.Voxels(level + 1) / path.Voxels(level - 1));
     accepted.push_back(step.Voxels());
     found.push_back({ step.first, step.end, growth, range });

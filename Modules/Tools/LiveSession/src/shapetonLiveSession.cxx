@@ -477,7 +477,7 @@ struct LiveSession::Impl
     else
     {
       RequireParameter(!isStale && !walk.IsParked() && walk.GetMeasures().step > 0,
-                       "there are no visits yet; let the shapetons move first");
+                       "no voxel has been visited yet; move the shapetons first");
       if (mask && maskName.empty())
       {
         maskName = files.SaveMask(mask);
@@ -672,7 +672,7 @@ struct LiveSession::Impl
     state["coverage"] = RoundedJson(measures.GetCoverage());
     state["trapped"] = measures.trappedShapetons;
     state["heatSteps"] = heatSteps;
-    state["objects"] = objects.AreFound() ? Json(objects.List().size()) : Json();
+    state["objects"] = objects.AreFound() ? Json(objects.GetNumber()) : Json();
     state["selected"] = objects.GetSelected();
     state["region"] = regionName;
     state["changes"] = changes;

@@ -48,14 +48,14 @@ SessionObjects::List() const
 int
 SessionObjects::ObjectAt(const itk::Point<double, 3> & point) const
 {
-  RequireParameter(this->AreFound(), "there are no objects yet; find them first");
+  RequireParameter(this->AreFound(), "no objects have been found yet; find them first");
   return ObjectsAt(*m_List, point).front();
 }
 
 void
 SessionObjects::Select(int object)
 {
-  RequireParameter(this->AreFound(), "there are no objects yet; find them first");
+  RequireParameter(this->AreFound(), "no objects have been found yet; find them first");
   m_Mask = MaskOfObject(m_List->objects, object, { m_Heat });
   m_Selected = object;
   m_SelectedHeat = HeatType::New();

@@ -31,6 +31,13 @@ public:
     return m_List.has_value();
   }
 
+  /** How many are found. */
+  std::size_t
+  GetNumber() const
+  {
+    return m_List ? m_List->objects.size() : 0;
+  }
+
   /** Number, parent, kind, heat, voxels, volume, center and probability of each object; empty if none are found. */
   Json
   List() const;

@@ -38,7 +38,7 @@ using Message = std::shared_ptr<const std::string>;
 constexpr std::size_t greatestHeader = 8192;      // bytes of an HTTP request
 constexpr std::size_t greatestMessage = 1U << 18; // bytes; a stroke of 4096 balls has less
 constexpr std::size_t mostConnections = 64;
-/** Waiting for messages when there is no work, and between two looks at the network during long work. */
+/** How long the server waits for messages when it is idle, and how often it reads them during long work. */
 constexpr std::chrono::milliseconds idleWait{ 20 };
 constexpr std::chrono::milliseconds busyWait{ 10 };
 
@@ -353,7 +353,7 @@ struct SessionServer::Impl::Connection : std::enable_shared_from_this<Connection
     });
   }
 
-  /** Views and requests for frames are no work of the session, so they are executed at once. */
+  /** Views and requests for frames need no work of the session and are answered at once. */
   void
   Take(const std::string & text)
   {
