@@ -5,6 +5,7 @@
 // candidates away from polyps, weighted by the score factor for content and catheter. Candidates at the
 // ileocecal valve are excluded, because it has the shape of a polyp. Logistic regression by Newton's method, with a
 // penalty of half the squared weights of the terms over their standard deviations.
+#include "LogisticRegression.h"
 #include "PolypTrial.h"
 
 #include "shapetonPolypContent.h"
@@ -131,24 +132,20 @@ StandardDeviations(const Samples & samples)
 Row
 Fit(const Samples & samples)
 {
-  const Row deviations = StandardDeviations(samples);
-  Row       weights = Row::Zero();
-  for (int iteration = 0; iteration < 60; ++iteration)
+  const Row       deviations = StandardDeviations(samples);
+  const auto      rows = static_cast<Eigen::Index>(samples.terms.size());
+  Eigen::MatrixXd terms(rows, unknowns);
+  for (Eigen::Index i = 0; i < rows; ++i)
   {
-    Row                                       gradient = -weights;
-    Eigen::Matrix<double, unknowns, unknowns> hessian = Eigen::Matrix<double, unknowns, unknowns>::Identity();
-    gradient[numberOfPolypTerms] = 0.0;
-    hessian(numberOfPolypTerms, numberOfPolypTerms) = 1e-9;
-    for (std::size_t i = 0; i < samples.terms.size(); ++i)
-    {
-      const Row    row = samples.terms[i].cwiseQuotient(deviations);
-      const double p = 1.0 / (1.0 + std::exp(-row.dot(weights)));
-      gradient += samples.weight[i] * (samples.isPolyp[i] - p) * row;
-      hessian += samples.weight[i] * p * (1.0 - p) * row.transpose() * row;
-    }
-    const Row step = hessian.ldlt().solve(gradient.transpose()).transpose();
-    weights += step * std::min(1.0, 2.0 / std::max(step.cwiseAbs().maxCoeff(), 1e-12));
+    terms.row(i) = samples.terms[i].cwiseQuotient(deviations);
   }
+  Eigen::VectorXd penalties = Eigen::VectorXd::Ones(unknowns);
+  penalties[numberOfPolypTerms] = 0.0; // the constant
+  const Row weights = FitLogistic(terms,
+                                  Eigen::Map<const Eigen::VectorXd>(samples.isPolyp.data(), rows),
+                                  Eigen::Map<const Eigen::VectorXd>(samples.weight.data(), rows),
+                                  penalties)
+                        .transpose();
   return weights.cwiseQuotient(deviations);
 }
 } // namespace

@@ -4,6 +4,7 @@
 // Units: root mean squares of the differences between copies and their shapes. Parts: fraction of copies whose nearest
 // shape is the correct one, for each combination of parts. Probability: for random halves of the shapes, all copies are
 // searched in that half; logistic regression (Newton's method) predicts whether the nearest entry is correct.
+#include "LogisticRegression.h"
 #include "ShapeCollection.h"
 
 #include "shapetonPhiloxStream.h"
@@ -164,22 +165,16 @@ DrawHalves(const std::vector<Query> & queries, const Parts & units)
 Eigen::Vector3d
 Fit(const Samples & samples)
 {
-  Eigen::Vector3d weights = Eigen::Vector3d::Zero();
-  for (int iteration = 0; iteration < 60; ++iteration)
+  const auto      rows = static_cast<Eigen::Index>(samples.terms.size());
+  Eigen::MatrixXd terms(rows, 3);
+  for (Eigen::Index i = 0; i < rows; ++i)
   {
-    Eigen::Vector3d gradient = -weights;
-    Eigen::Matrix3d hessian = Eigen::Matrix3d::Identity();
-    for (std::size_t i = 0; i < samples.terms.size(); ++i)
-    {
-      const Eigen::Vector3d & terms = samples.terms[i];
-      const double            p = 1.0 / (1.0 + std::exp(-terms.dot(weights)));
-      gradient += (samples.isRight[i] - p) * terms;
-      hessian += p * (1.0 - p) * terms * terms.transpose();
-    }
-    const Eigen::Vector3d step = hessian.ldlt().solve(gradient);
-    weights += step * std::min(1.0, 2.0 / std::max(step.cwiseAbs().maxCoeff(), 1e-12));
+    terms.row(i) = samples.terms[i].transpose();
   }
-  return weights;
+  return FitLogistic(terms,
+                     Eigen::Map<const Eigen::VectorXd>(samples.isRight.data(), rows),
+                     Eigen::VectorXd::Ones(rows),
+                     Eigen::VectorXd::Ones(3));
 }
 } // namespace
 

@@ -7,6 +7,7 @@
 
 #include "itkImage.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -63,6 +64,12 @@ ShapetonHeatObjects_EXPORT HeatObjectList
 FindHeatObjects(const std::vector<const itk::Image<float, 3> *> & heats,
                 const HeatObjectOptions &                         options = {},
                 const Progress &                                  progress = {});
+
+/** Terms of the logistic model of the probability: ln range (at most 6), ln (growth + 0.002), ln compactness (at most
+ * 0.02), ln voxels (at most 2,000). Beyond these limits they no longer tell: noise has regions of 64 voxels or with a
+ * surface like a sponge. \ingroup ShapetonHeatObjects */
+ShapetonHeatObjects_EXPORT std::array<double, 4>
+                           ProbabilityTerms(const HeatObject & object);
 
 /** The voxels of one object of the list, from 1, with those of the objects in it: 1 inside, 0 outside. `heats` are the
  * volumes in which it was found. Throws ParameterError. \ingroup ShapetonHeatObjects */

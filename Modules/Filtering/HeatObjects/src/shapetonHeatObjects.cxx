@@ -26,25 +26,14 @@ struct Candidate
   std::vector<Index> voxels;
 };
 
-/** Logistic model, fitted by FitHeatObjects (Testing/Validation) to 1,582 regions of 40 random scenes. Beyond the
- * limits the terms no longer tell: noise has regions of 64 voxels or with a surface like a sponge. */
+/** Weights of ProbabilityTerms(), fitted by FitHeatObjects (Testing/Validation) to the regions of 40 random scenes. */
 double
 ProbabilityOf(const HeatObject & object)
 {
-  constexpr double constant = -13.875;
-  constexpr double perRange = 0.677;
-  constexpr double perGrowth = -1.202;
-  constexpr double perCompactness = 1.480;
-  constexpr double perVoxels = 1.621;
-  constexpr double mostRange = 6.0;
-  constexpr double leastGrowth = 0.002;
-  constexpr double mostCompactness = 0.02;
-  constexpr double mostVoxels = 2000.0;
-  const double     evidence = constant + perRange * std::log(std::min(object.range, mostRange)) +
-                          perGrowth * std::log(object.growth + leastGrowth) +
-                          perCompactness * std::log(std::min(object.compactness, mostCompactness)) +
-                          perVoxels * std::log(std::min(static_cast<double>(object.voxels), mostVoxels));
-  return 1.0 / (1.0 + std::exp(-evidence));
+  constexpr double                constant = -13.875;
+  constexpr std::array<double, 4> weights = { { 0.677, -1.202, 1.480, 1.621 } };
+  const auto                      terms = ProbabilityTerms(object);
+  return 1.0 / (1.0 + std::exp(-std::inner_product(terms.begin(), terms.end(), weights.begin(), constant)));
 }
 
 /** The volumes in which objects are searched, on one grid. */
@@ -330,6 +319,19 @@ Nest(const std::vector<Candidate> & candidates, const HeatImage & image)
   return list;
 }
 } // namespace
+
+std::array<double, 4>
+ProbabilityTerms(const HeatObject & object)
+{
+  constexpr double mostRange = 6.0;
+  constexpr double leastGrowth = 0.002;
+  constexpr double mostCompactness = 0.02;
+  constexpr double mostVoxels = 2000.0;
+  return { { std::log(std::min(object.range, mostRange)),
+             std::log(object.growth + leastGrowth),
+             std::log(std::min(object.compactness, mostCompactness)),
+             std::log(std::min(static_cast<double>(object.voxels), mostVoxels)) } };
+}
 
 HeatObjectList
 FindHeatObjects(const std::vector<const HeatImage *> & heats,
