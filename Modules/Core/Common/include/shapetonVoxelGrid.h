@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace shapeton
 {
@@ -85,6 +86,31 @@ ForEachNeighbor(const VoxelGrid & grid, std::size_t voxel, const TBody & body)
       body(voxel + grid.stride[a]);
     }
   }
+}
+
+/** Sets `mask`, which is 0, to 1 at the voxels connected to `seed` by faces for which `isInside(index)` holds. Returns
+ * whether it holds at the seed. \ingroup ShapetonCommon */
+template <typename TInside>
+bool
+FillComponent(const VoxelGrid & grid, std::size_t seed, const TInside & isInside, unsigned char * mask)
+{
+  std::vector<std::size_t> open;
+  const auto               take = [&](std::size_t voxel) {
+    if (mask[voxel] == 0 && isInside(voxel))
+    {
+      mask[voxel] = 1;
+      open.push_back(voxel);
+    }
+  };
+  take(seed);
+  const bool isSeedInside = !open.empty();
+  while (!open.empty())
+  {
+    const std::size_t voxel = open.back();
+    open.pop_back();
+    ForEachNeighbor(grid, voxel, take);
+  }
+  return isSeedInside;
 }
 } // namespace shapeton
 

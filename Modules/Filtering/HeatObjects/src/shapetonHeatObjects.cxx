@@ -368,22 +368,11 @@ MaskOfObject(const std::vector<HeatObject> & objects, int object, const std::vec
   mask->CopyInformation(heats[0]);
   mask->SetRegions(heats[0]->GetBufferedRegion());
   mask->Allocate(true);
-  unsigned char * const    isIn = mask->GetBufferPointer();
-  std::vector<std::size_t> open{ found.seed };
-  isIn[found.seed] = 1;
-  while (!open.empty())
-  {
-    const std::size_t voxel = open.back();
-    open.pop_back();
-    ForEachNeighbor(volumes.grid, voxel, [&](std::size_t neighbor) {
-      const bool holds = found.isWarm ? heat[neighbor] >= found.heat : heat[neighbor] <= found.heat;
-      if (holds && isIn[neighbor] == 0)
-      {
-        isIn[neighbor] = 1;
-        open.push_back(neighbor);
-      }
-    });
-  }
+  FillComponent(
+    volumes.grid,
+    found.seed,
+    [&](std::size_t voxel) { return found.isWarm ? heat[voxel] >= found.heat : heat[voxel] <= found.heat; },
+    mask->GetBufferPointer());
   return mask;
 }
 } // namespace shapeton

@@ -425,8 +425,7 @@ struct LiveSession::Impl
     RequireParameter(IsShowable() && volume.image->TransformPhysicalPointToIndex(point, seed),
                      "the key \"point\" must be in the volume");
     const ShownVolume values = GetShown();
-    return MaskOfComponent(volume.image, seed, [&](itk::OffsetValueType voxel) {
-      const auto  i = static_cast<std::size_t>(voxel);
+    return MaskOfComponent(volume.image, seed, [&](std::size_t i) {
       const float value = values.GetValue(i % size[0], i / size[0] % size[1], i / (size[0] * size[1]));
       return value >= lower && value < upper;
     });

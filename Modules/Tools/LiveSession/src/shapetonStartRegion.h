@@ -1,6 +1,8 @@
 #ifndef shapetonStartRegion_h
 #define shapetonStartRegion_h
 
+#include "shapetonVoxelGrid.h"
+
 #include "itkImage.h"
 
 #include <vector>
@@ -29,34 +31,10 @@ MaskOfComponent(const itk::ImageBase<3> * image, const itk::Index<3> & seed, con
   mask->CopyInformation(image);
   mask->SetRegions(image->GetLargestPossibleRegion());
   mask->Allocate(true);
-  std::vector<itk::Index<3>> front;
-  const auto                 take = [&](const itk::Index<3> & index) {
-    if (mask->GetBufferedRegion().IsInside(index) && mask->GetPixel(index) == 0 && isInside(mask->ComputeOffset(index)))
-    {
-      mask->SetPixel(index, 1);
-      front.push_back(index);
-    }
-  };
-  take(seed);
-  if (front.empty())
-  {
-    return nullptr;
-  }
-  while (!front.empty())
-  {
-    const itk::Index<3> index = front.back();
-    front.pop_back();
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      for (const int step : { -1, 1 })
-      {
-        itk::Index<3> neighbor = index;
-        neighbor[axis] += step;
-        take(neighbor);
-      }
-    }
-  }
-  return mask;
+  const auto      size = mask->GetBufferedRegion().GetSize();
+  const VoxelGrid grid(static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]));
+  const auto      first = static_cast<std::size_t>(mask->ComputeOffset(seed));
+  return FillComponent(grid, first, isInside, mask->GetBufferPointer()) ? mask : nullptr;
 }
 } // namespace shapeton
 
