@@ -79,22 +79,6 @@ OperatorParameters(const float *                           intensities,
   return parameters;
 }
 
-/** The intensities smoothed before edges are found (Catte et al. 1992). */
-std::vector<float>
-Smoothed(const float *                           intensities,
-         const std::array<std::size_t, 3> &      size,
-         const CumulativeHeatDiffusionSettings & settings)
-{
-  std::vector<float>    smoothed(intensities, intensities + size[0] * size[1] * size[2]);
-  std::array<double, 3> sigmas{};
-  std::transform(settings.spacing.begin(), settings.spacing.end(), sigmas.begin(), [&](double spacing) {
-    return settings.smoothing / spacing;
-  });
-  SmoothVoxels(
-    { static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) }, sigmas, smoothed.data());
-  return smoothed;
-}
-
 /** The classes of the last row. */
 std::vector<HeatClass>
 FindCoherentClasses(const VolumeGradientOperator & volumeGradient, const float * heat)
@@ -285,8 +269,8 @@ DiffuseCumulativeHeat(const float *                           intensities,
   result.windowUpper = parameters.upper;
   result.timeStepLength = settings.timeStepLength;
   // Preparation is fast, so it does not report progress, but can be aborted.
-  const Progress preparation = progress.Part("", 0.0, 0.0);
-  const auto     smoothed = settings.smoothing > 0.0 ? Smoothed(intensities, size, settings) : std::vector<float>();
+  const Progress               preparation = progress.Part("", 0.0, 0.0);
+  const auto                   smoothed = SmoothedVolume(intensities, size, settings.spacing, settings.smoothing);
   const VolumeGradientOperator volumeGradient(
     smoothed.empty() ? intensities : smoothed.data(), size, parameters, preparation);
   HeatDiffusionSolver solver(volumeGradient, settings.solver, settings.timeStepLength, settings.tolerance);

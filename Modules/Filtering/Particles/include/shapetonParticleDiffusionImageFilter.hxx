@@ -104,20 +104,10 @@ template <typename TInputImage>
 const float *
 ParticleDiffusionImageFilter<TInputImage>::Smooth(const float * intensities, std::vector<float> & smoothed) const
 {
-  if (!(this->GetSmoothing() > 0.0))
-  {
-    return intensities;
-  }
-  const auto            size = this->GetVolumeSize();
-  std::array<double, 3> sigmas{};
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    sigmas[axis] = this->GetSmoothing() / this->GetInput()->GetSpacing()[axis];
-  }
-  smoothed.assign(intensities, intensities + size[0] * size[1] * size[2]);
-  SmoothVoxels(
-    { static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) }, sigmas, smoothed.data());
-  return smoothed.data();
+  std::array<double, 3> spacing{};
+  std::copy_n(this->GetInput()->GetSpacing().Begin(), 3, spacing.begin());
+  smoothed = SmoothedVolume(intensities, this->GetVolumeSize(), spacing, this->GetSmoothing());
+  return smoothed.empty() ? intensities : smoothed.data();
 }
 
 template <typename TInputImage>

@@ -2,6 +2,7 @@
 
 #include "shapetonParallelFor.h"
 #include "shapetonSessionWalk.h"
+#include "shapetonSmoothVoxels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +93,7 @@ CoarseHeat::CoarseHeat(const itk::Image<float, 3> * image, const CumulativeHeatD
   const auto size = SizeOf(image);
   m_Settings.intensityWindow =
     WindowOf(settings, image->GetBufferPointer(), image->GetBufferedRegion().GetNumberOfPixels());
-  const auto          smoothed = SmoothedIntensities(image, settings.smoothing);
+  const auto          smoothed = SmoothedVolume(image->GetBufferPointer(), size, SpacingOf(image), settings.smoothing);
   const float * const intensities = smoothed.empty() ? image->GetBufferPointer() : smoothed.data();
   Level               level;
   {

@@ -23,23 +23,6 @@ SpacingOf(const itk::ImageBase<3> * image)
   return spacing;
 }
 
-std::vector<float>
-SmoothedIntensities(const itk::Image<float, 3> * image, double smoothing)
-{
-  if (!(smoothing > 0.0))
-  {
-    return {};
-  }
-  const auto            size = SizeOf(image);
-  std::array<double, 3> sigmas = SpacingOf(image);
-  std::transform(sigmas.begin(), sigmas.end(), sigmas.begin(), [&](double spacing) { return smoothing / spacing; });
-  std::vector<float> smoothed(image->GetBufferPointer(),
-                              image->GetBufferPointer() + image->GetBufferedRegion().GetNumberOfPixels());
-  SmoothVoxels(
-    { static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) }, sigmas, smoothed.data());
-  return smoothed;
-}
-
 namespace
 {
 ParticleDiffusionSettings
@@ -133,7 +116,8 @@ SessionWalk::Build(const std::function<void()> & poll)
     m_Visits->Allocate();
   }
   const auto settings = SettingsOf(m_Image, m_Options, m_Device);
-  const auto smoothed = SmoothedIntensities(m_Image, m_Options.smoothing);
+  const auto smoothed =
+    SmoothedVolume(m_Image->GetBufferPointer(), SizeOf(m_Image), SpacingOf(m_Image), m_Options.smoothing);
   m_Diffusion = std::make_unique<ParticleDiffusion>(smoothed.empty() ? m_Image->GetBufferPointer() : smoothed.data(),
                                                     SizeOf(m_Image),
                                                     settings,

@@ -97,10 +97,6 @@ std::array<std::size_t, 3>
 SizeOf(const itk::ImageBase<3> * image);
 std::array<double, 3>
 SpacingOf(const itk::ImageBase<3> * image);
-
-/** The intensities smoothed by a Gaussian of `smoothing` mm; empty for 0. */
-std::vector<float>
-SmoothedIntensities(const itk::Image<float, 3> * image, double smoothing);
 } // namespace shapeton
 
 #endif
