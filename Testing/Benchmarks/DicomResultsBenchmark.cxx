@@ -43,33 +43,41 @@ struct Stage
   double      begin;
 };
 
+using Format = shapeton::DicomSegmentationFormat;
+
 /** Stages of writing all objects into `folder`; the last one marks the end. */
 std::vector<Stage>
-WriteAll(const std::string & exam, const std::string & source, const std::string & folder, bool isDeflated)
+WriteAll(const std::string & exam, const std::string & source, const std::string & folder, Format format)
 {
   fs::create_directories(folder);
   std::vector<Stage>          stages;
   shapeton::ColonDicomOptions options;
-  options.isDeflated = isDeflated;
+  options.segmentation = format;
   options.progress = [&](const std::string & name, double) { stages.push_back({ name, ProcessorSeconds() }); };
   shapeton::WriteColonDicomResults(exam, source, folder, options, [](const std::string & path) { return path; });
   return stages;
 }
 
+/** Prints times and the sizes of the segmentations, each at most `megabytes`. */
 void
-Measure(const std::string & exam, const std::string & source, const std::string & folder, bool isDeflated)
+Measure(const std::string & exam,
+        const std::string & source,
+        const std::string & folder,
+        const char *        name,
+        Format              format,
+        double              megabytes)
 {
-  const std::vector<Stage> stages = WriteAll(exam, source, folder, isDeflated);
+  const std::vector<Stage> stages = WriteAll(exam, source, folder, format);
   const double             whole = stages.back().begin - stages.front().begin;
-  std::printf("all objects%s: %.2f s\n", isDeflated ? ", seg.dcm deflated" : "", whole);
+  std::printf("all objects, segmentations %s: %.2f s\n", name, whole);
   for (std::size_t i = 0; i + 1 < stages.size(); ++i)
   {
     const double seconds = stages[i + 1].begin - stages[i].begin;
     std::printf("  %-20s %6.2f s, %4.1f %% of the whole\n", stages[i].name.c_str(), seconds, 100.0 * seconds / whole);
-    if (stages[i].name == "seg.dcm")
+    if (stages[i].name.rfind("seg", 0) == 0)
     {
-      PrintBound("seg.dcm alone: finding, packing and writing its segments, s", seconds, 5.0);
-      PrintBound("seg.dcm, MB", Megabytes(folder + "/seg.dcm"), isDeflated ? 8.0 : 80.0);
+      PrintBound(stages[i].name + ": finding, packing and writing its segments, s", seconds, 5.0);
+      PrintBound(stages[i].name + ", MB", Megabytes(folder + '/' + stages[i].name), megabytes);
     }
   }
 }
@@ -110,8 +118,10 @@ main(int argc, char * argv[])
     const basetest::Folder folder;
     const auto             run = argc == 3 ? std::make_pair(std::string(argv[1]), std::string(argv[2]))
                                            : MakePhantomRun(fs::canonical("/proc/self/exe").parent_path(), folder);
-    Measure(run.first, run.second, folder / "plain", false);
-    Measure(run.first, run.second, folder / "deflated", true);
+    Measure(run.first, run.second, folder / "plain", "binary", Format::Binary, 80.0);
+    Measure(run.first, run.second, folder / "deflated", "binary, deflated", Format::DeflatedBinary, 8.0);
+    Measure(run.first, run.second, folder / "map", "label maps, RLE", Format::LabelMap, 8.0);
+    Measure(run.first, run.second, folder / "deflatedMap", "label maps, deflated", Format::DeflatedLabelMap, 1.5);
   }
   catch (const std::exception & error)
   {

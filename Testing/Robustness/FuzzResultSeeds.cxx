@@ -28,7 +28,7 @@ MakeLabels(const DicomSource & source)
 }
 
 std::string
-MakeSegmentation(const std::string & path, const DicomSource & source, bool isDeflated)
+MakeSegmentation(const std::string & path, const DicomSource & source, DicomSegmentationFormat format)
 {
   const auto                labels = MakeLabels(source);
   std::vector<DicomSegment> segments(2);
@@ -42,23 +42,39 @@ MakeSegmentation(const std::string & path, const DicomSource & source, bool isDe
     segments[i].labels = labels;
     segments[i].label = static_cast<unsigned short>(i + 1);
   }
-  WriteDicomSegmentation(source, segments, { "Fuzz", "1", 1, "Fuzz" }, path, isDeflated);
+  WriteDicomSegmentation(source, segments, { "Fuzz", "1", 1, "Fuzz" }, path, format);
   return ReadFileBytes(path);
 }
 
 std::string
 MakeFractional(const std::string & path, const DicomSource & source)
 {
-  MakeSegmentation(path, source, false);
+  MakeSegmentation(path, source, DicomSegmentationFormat::Binary);
   DcmFileFormat file;
   file.loadFile(path.c_str());
   std::vector<Uint8> values(7 * 9 * 12, 200);
   file.getDataset()->putAndInsertString(DCM_SegmentationType, "FRACTIONAL");
   file.getDataset()->putAndInsertUint16(DCM_BitsAllocated, 8);
+  file.getDataset()->putAndInsertUint16(DCM_BitsStored, 8);
+  file.getDataset()->putAndInsertUint16(DCM_HighBit, 7);
   file.getDataset()->putAndInsertUint16(DCM_MaximumFractionalValue, 255);
   file.getDataset()->putAndInsertUint8Array(DCM_PixelData, values.data(), values.size());
   SaveDicom(file, path);
   return ReadFileBytes(path);
+}
+
+std::string
+MakeCompressed(const std::string & path, const DicomSource & source, void (*compress)(const std::string &))
+{
+  MakeFractional(path, source);
+  compress(path);
+  return ReadFileBytes(path);
+}
+
+void
+CompressAsJpegLS(const std::string & path)
+{
+  CompressSegmentation(path, "1.2.840.10008.1.2.4.80");
 }
 
 /** A segmentation as other programs write it: optionally with VR UN, and with a label in another character set. */
@@ -117,8 +133,12 @@ std::vector<FuzzSeed>
 MakeResultSeeds(const std::string & folder, const DicomSource & source)
 {
   const std::string path = folder + "/seed.dcm";
-  return { { ResultExtension, MakeSegmentation(path, source, false) },
-           { ResultExtension, MakeSegmentation(path, source, true) },
+  return { { ResultExtension, MakeSegmentation(path, source, DicomSegmentationFormat::Binary) },
+           { ResultExtension, MakeSegmentation(path, source, DicomSegmentationFormat::DeflatedBinary) },
+           { ResultExtension, MakeSegmentation(path, source, DicomSegmentationFormat::LabelMap) },
+           { ResultExtension, MakeSegmentation(path, source, DicomSegmentationFormat::DeflatedLabelMap) },
+           { ResultExtension, MakeCompressed(path, source, DeflateDicomFrames) },
+           { ResultExtension, MakeCompressed(path, source, CompressAsJpegLS) },
            { ResultExtension, MakeFractional(path, source) },
            { ResultExtension, MakeLabelMap(path, 8, false) },
            { ResultExtension, MakeLabelMap(path, 16, false) },

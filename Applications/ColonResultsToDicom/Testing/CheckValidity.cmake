@@ -8,7 +8,7 @@ set(reports sr)
 if(EXISTS ${FOLDER}/sr-reader.dcm)
   list(APPEND reports sr-reader)
 endif()
-foreach(object seg ${reports} sc stl)
+foreach(object seg seg-anatomy ${reports} sc stl)
   execute_process(COMMAND ${DCIODVFY} -new ${FOLDER}/${object}.dcm ERROR_VARIABLE said OUTPUT_VARIABLE said
     RESULT_VARIABLE status)
   string(REGEX MATCHALL "[^\n]*(Error|Warning)[^\n]*" faults "${said}")

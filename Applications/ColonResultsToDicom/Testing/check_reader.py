@@ -7,6 +7,7 @@ categories, and the accepted polyps.
 
 import csv
 import pathlib
+import re
 import sys
 
 import check_objects
@@ -37,15 +38,17 @@ def check_candidate(group, row, segmentation):
     check(code_of(group, "Finding") == "68496003", "candidate: a polyp of the colon")
     size = next(contents(group, "Polyp size, largest dimension"))
     check(float(size.MeasuredValueSequence[0].NumericValue) == 12.5, "candidate: size of the reader")
-    check(not list(contents(size, "Algorithm Name")), "candidate: no program measured the size")
-    distance = next(contents(group, "Distance from anus"))
-    check(list(contents(distance, "Algorithm Name")), "candidate: the program measured the distance")
+    check(not list(contents(group, "Algorithm Name")), "candidate: not all numbers are the program's")
+    notes = [c.TextValue for c in contents(group, "Comment")]
+    said = [note for note in notes if re.fullmatch(r"(.*): measured by Shapeton VirtualColonoscopy .*", note)]
+    check(len(said) == 1 and said[0].startswith("Distance from anus"), "candidate: the program measured the distance")
     check(code_of(group, "Morphology of a polyp") == "25126001", "candidate: pedunculated")
-    center = [float(value) for value in next(contents(group, "Center")).GraphicData]
+    pixel, space = contents(group, "Center")
+    check((pixel.ValueType, space.ValueType) == ("SCOORD", "SCOORD3D"), "candidate: center in pixels and in space")
+    center = [float(value) for value in space.GraphicData]
     check(all(abs(a - float(row[axis])) < 1e-3 for a, axis in zip(center, "xyz")), "candidate: center")
     segment = next(contents(group, "Referenced Segment")).ReferencedSOPSequence[0]
     check(segment.ReferencedSOPInstanceUID == segmentation.SOPInstanceUID, "candidate: refers to seg.dcm")
-    notes = [c.TextValue for c in contents(group, "Comment")]
     check("note of the reader: größer" in notes, "candidate: note of the reader")
 
 

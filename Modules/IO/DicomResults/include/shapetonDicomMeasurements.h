@@ -28,20 +28,21 @@ struct DicomEvaluation
   std::string              text;
 };
 
-/** Measurements of one object: a segment, or a body part without a segment. \ingroup ShapetonDicomResults */
+/** Measurements of one object: a segment, or a place without a segment. \ingroup ShapetonDicomResults */
 struct DicomMeasurementGroup
 {
   std::string              trackingID;
   std::string              trackingUID;
   DicomCode                finding;
   std::optional<DicomCode> site;
-  /** Segment number in DicomMeasurementReport::segmentation; 0 for none. */
-  int segment{ 0 };
-  /** Center, LPS, mm. */
-  std::optional<std::array<double, 3>> center;
-  std::vector<DicomMeasurement>        measurements;
-  std::vector<DicomEvaluation>         evaluations;
-  std::vector<std::string>             comments;
+  /** Segment number in `segmentation`; 0 for none. */
+  int           segment{ 0 };
+  DicomInstance segmentation;
+  /** LPS, mm. */
+  std::array<double, 3>         center{ { 0.0, 0.0, 0.0 } };
+  std::vector<DicomMeasurement> measurements;
+  std::vector<DicomEvaluation>  evaluations;
+  std::vector<std::string>      comments;
 };
 
 /** A measurement report (TID 1500). \ingroup ShapetonDicomResults */
@@ -50,7 +51,6 @@ struct DicomMeasurementReport
   /** Imaging procedure and imaged body part. */
   DicomCode                          procedure;
   DicomCode                          region;
-  DicomInstance                      segmentation;
   std::vector<DicomMeasurementGroup> groups;
   /** Evaluations of the whole examination. */
   std::vector<DicomEvaluation> evaluations;
@@ -62,7 +62,14 @@ struct DicomMeasurementReport
 };
 
 /** Writes a Comprehensive 3D SR of the template TID 1500: the observer, an image library of all slices, and a
- * measurement group (TID 1411) per measured object. Output is deterministic. Throws OutputError.
+ * measurement group (TID 1411; TID 1501 without a segment) per measured object.
+ *
+ * The center of a group is written twice: first as a pixel position in the nearest slice, because viewers such as OHIF
+ * need one, then as a point in space; a point outside the series has no pixel. The algorithm is named once per group,
+ * or in a comment if the observer measured other numbers of the group, because some viewers skip numbers with an
+ * algorithm of their own.
+ *
+ * Output is deterministic. Throws OutputError.
  * \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomInstance
 WriteDicomMeasurements(const DicomSource &            source,

@@ -20,7 +20,8 @@ struct DicomReportPoints
 };
 
 /** Reads the points of a Structured Report of any template: spatial points (SCOORD3D) and pixel positions in slices of
- * the source (SCOORD). Circles, ellipses and ellipsoids are represented by their centers, lines and polygons by their
+ * the source (SCOORD). A pixel position beside a spatial point of the same concept, in the same container, is the same
+ * point and is skipped. Circles, ellipses and ellipsoids are represented by their centers, lines and polygons by their
  * vertices.
  *
  * Throws InputError for a file that is not a report or contains no point, for points in another frame of reference,

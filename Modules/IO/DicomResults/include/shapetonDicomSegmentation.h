@@ -43,21 +43,37 @@ struct DicomSegmentation
   std::vector<int> numbers;
   /** Number of voxels of each segment. */
   std::vector<std::size_t> voxels;
+  /** The center of a voxel of each segment, the nearest to its centroid, LPS, mm; undefined without voxels. */
+  std::vector<std::array<double, 3>> centers;
 };
 
-/** Writes a binary DICOM Segmentation: one frame per segment and nonempty slice. Segments may overlap.
+/** Formats of a segmentation. \ingroup ShapetonDicomResults */
+enum class DicomSegmentationFormat
+{
+  /** Segmentation Storage, a bit per voxel; uncompressed. */
+  Binary,
+  /** The same in Deflated Explicit VR Little Endian. */
+  DeflatedBinary,
+  /** Label Map Segmentation Storage (Supplement 243), the segment number of each voxel; RLE Lossless. */
+  LabelMap,
+  /** The same in Deflated Explicit VR Little Endian. */
+  DeflatedLabelMap
+};
+
+/** Writes a DICOM Segmentation. A binary one has a frame per segment and nonempty slice, and its segments may overlap.
+ * A label map has a frame for each slice, of 8 bits if there are at most 255 segments, otherwise of 16. Its background,
+ * 0, is the Pixel Padding Value and not a segment, because some viewers shift the colors of the segments otherwise.
  *
- * Frames are in the planes of the slices that they reference. With `isDeflated` the transfer syntax is Deflated
- * Explicit VR Little Endian. Output is deterministic.
+ * Frames are in the planes of the slices that they reference. Output is deterministic.
  *
- * Throws InputError if the grids of labels and source differ or all segments are empty, and OutputError.
- * \ingroup ShapetonDicomResults */
+ * Throws InputError if the grids of labels and source differ or all segments are empty; std::invalid_argument for
+ * several label images in a label map; OutputError. \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomSegmentation
 WriteDicomSegmentation(const DicomSource &               source,
                        const std::vector<DicomSegment> & segments,
                        const DicomResultHeader &         header,
                        const std::string &               path,
-                       bool                              isDeflated = false);
+                       DicomSegmentationFormat           format = DicomSegmentationFormat::Binary);
 } // namespace shapeton
 
 #endif

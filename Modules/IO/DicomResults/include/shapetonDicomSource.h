@@ -30,6 +30,15 @@ struct DicomSource
 ShapetonDicomResults_EXPORT DicomSource
 ReadDicomSource(const std::string & path, const DicomSourceOptions & options = {});
 
+/** The creation dates of a result. \ingroup ShapetonDicomResults */
+enum class DicomResultDates
+{
+  /** The dates of the source, so that equal input gives equal bytes. */
+  Source,
+  /** The current time, in the time zone of the source if it states one, otherwise local time. */
+  Now
+};
+
 /** Description of a result for its header. \ingroup ShapetonDicomResults */
 struct DicomResultHeader
 {
@@ -39,6 +48,9 @@ struct DicomResultHeader
   int         seriesNumber{ 0 };
   /** At most 64 characters. */
   std::string seriesDescription;
+  /** Body Part Examined, a term of DICOM PS3.16 Annex L such as "COLON", for images and surfaces; empty for none. */
+  std::string      bodyPart{};
+  DicomResultDates dates{ DicomResultDates::Source };
 };
 
 /** Reference to a result from other objects. \ingroup ShapetonDicomResults */

@@ -46,6 +46,12 @@ DicomItem::Integers(const DcmTagKey & tag, const std::vector<Uint32> & values)
 }
 
 DicomItem &
+DicomItem::Word(const DcmTagKey & tag, Uint16 value)
+{
+  return this->Check(m_Item->putAndInsertUint16(tag, value), tag);
+}
+
+DicomItem &
 DicomItem::Floats(const DcmTagKey & tag, const std::vector<float> & values)
 {
   return this->Check(m_Item->putAndInsertFloat32Array(tag, values.data(), values.size()), tag);

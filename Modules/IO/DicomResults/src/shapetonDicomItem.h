@@ -26,6 +26,9 @@ public:
   /** 16 or 32 bits, depending on the attribute. */
   DicomItem &
   Integers(const DcmTagKey & tag, const std::vector<Uint32> & values);
+  /** For attributes of 16 bits whose sign depends on others. */
+  DicomItem &
+  Word(const DcmTagKey & tag, Uint16 value);
   DicomItem &
   Floats(const DcmTagKey & tag, const std::vector<float> & values);
   DicomItem &

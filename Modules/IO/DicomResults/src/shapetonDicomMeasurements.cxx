@@ -2,14 +2,22 @@
 
 #include "shapetonDicomText.h"
 
+#include <algorithm>
+
 namespace shapeton
 {
 namespace
 {
 const DicomCode comment{ "121106", "DCM", "Comment" };
 
+std::string
+NameOf(const DicomResultHeader & header)
+{
+  return "Shapeton " + header.tool;
+}
+
 DicomContent
-ContentOf(const DicomMeasurement & measurement, const DicomResultHeader & header)
+ContentOf(const DicomMeasurement & measurement)
 {
   DicomContent number = NumberContent("CONTAINS", measurement.name, measurement.digits, measurement.unit);
   if (measurement.derivation)
@@ -17,14 +25,30 @@ ContentOf(const DicomMeasurement & measurement, const DicomResultHeader & header
     number.children.push_back(
       CodeContent("HAS CONCEPT MOD", { "121401", "DCM", "Derivation" }, *measurement.derivation));
   }
-  if (measurement.isByObserver)
-  {
-    return number;
-  }
-  number.children.push_back(
-    TextContent("HAS CONCEPT MOD", { "111001", "DCM", "Algorithm Name" }, "Shapeton " + header.tool));
-  number.children.push_back(TextContent("HAS CONCEPT MOD", { "111003", "DCM", "Algorithm Version" }, header.version));
   return number;
+}
+
+/** The algorithm of the numbers, TID 4019; a comment for each number if others are the observer's. */
+std::vector<DicomContent>
+AlgorithmOf(const std::vector<DicomMeasurement> & measurements, const DicomResultHeader & header)
+{
+  const auto isByObserver = [](const DicomMeasurement & measurement) { return measurement.isByObserver; };
+  std::vector<DicomContent> contents;
+  if (!measurements.empty() && std::none_of(measurements.begin(), measurements.end(), isByObserver))
+  {
+    contents.push_back(TextContent("HAS CONCEPT MOD", { "111001", "DCM", "Algorithm Name" }, NameOf(header)));
+    contents.push_back(TextContent("HAS CONCEPT MOD", { "111003", "DCM", "Algorithm Version" }, header.version));
+    return contents;
+  }
+  for (const DicomMeasurement & measurement : measurements)
+  {
+    if (!measurement.isByObserver)
+    {
+      contents.push_back(TextContent(
+        "CONTAINS", comment, measurement.name.meaning + ": measured by " + NameOf(header) + ' ' + header.version));
+    }
+  }
+  return contents;
 }
 
 DicomContent
@@ -36,10 +60,7 @@ ContentOf(const DicomEvaluation & evaluation)
 
 /** TID 1411; TID 1501 without a segment. */
 DicomContent
-ContentOf(const DicomMeasurementGroup &  group,
-          const DicomMeasurementReport & report,
-          const DicomSource &            source,
-          const DicomResultHeader &      header)
+ContentOf(const DicomMeasurementGroup & group, const DicomSource & source, const DicomResultHeader & header)
 {
   std::vector<DicomContent> contents;
   const auto                add = [&](DicomContent content) { contents.push_back(std::move(content)); };
@@ -48,20 +69,27 @@ ContentOf(const DicomMeasurementGroup &  group,
   add(CodeContent("CONTAINS", { "121071", "DCM", "Finding" }, group.finding));
   if (group.segment > 0)
   {
-    add(SegmentContent("CONTAINS", { "121191", "DCM", "Referenced Segment" }, report.segmentation, group.segment));
+    add(SegmentContent("CONTAINS", { "121191", "DCM", "Referenced Segment" }, group.segmentation, group.segment));
     add(UIDContent("CONTAINS", { "121232", "DCM", "Source series for segmentation" }, source.series.uid));
   }
   if (group.site)
   {
     add(CodeContent("HAS CONCEPT MOD", { "363698007", "SCT", "Finding Site" }, *group.site));
   }
-  if (group.center)
+  const DicomCode center{ "111010", "DCM", "Center" };
+  if (const itk::Point<double, 3> place(group.center.data());
+      source.grid->GetLargestPossibleRegion().IsInside(source.grid->TransformPhysicalPointToIndex(place)))
   {
-    add(SpacePointContent("CONTAINS", { "111010", "DCM", "Center" }, *group.center));
+    add(PixelPointContent("CONTAINS", center, group.center, source));
+  }
+  add(SpacePointContent("CONTAINS", center, group.center));
+  for (DicomContent & algorithm : AlgorithmOf(group.measurements, header))
+  {
+    add(std::move(algorithm));
   }
   for (const DicomMeasurement & measurement : group.measurements)
   {
-    add(ContentOf(measurement, header));
+    add(ContentOf(measurement));
   }
   for (const DicomEvaluation & evaluation : group.evaluations)
   {
@@ -122,7 +150,7 @@ Evaluations(const DicomMeasurementReport & report)
 std::vector<DicomContent>
 ContextOfReport(const DicomResultHeader & header, const std::string & person)
 {
-  const std::string  observer = "Shapeton " + header.tool + ' ' + header.version;
+  const std::string  observer = NameOf(header) + ' ' + header.version;
   const DicomContent language = CodeContent(
     "HAS CONCEPT MOD", { "121049", "DCM", "Language of Content Item and Descendants" }, { "en", "RFC5646", "English" });
   if (!person.empty())
@@ -145,10 +173,18 @@ WriteDicomMeasurements(const DicomSource &            source,
                        const DicomResultHeader &      header,
                        const std::string &            path)
 {
-  std::vector<DicomContent> groups;
+  std::vector<DicomContent>  groups;
+  std::vector<DicomInstance> segmentations;
   for (const DicomMeasurementGroup & group : report.groups)
   {
-    groups.push_back(ContentOf(group, report, source, header));
+    groups.push_back(ContentOf(group, source, header));
+    const bool isKnown = std::any_of(segmentations.begin(), segmentations.end(), [&](const DicomInstance & one) {
+      return one.sopInstanceUID == group.segmentation.sopInstanceUID;
+    });
+    if (group.segment > 0 && !isKnown)
+    {
+      segmentations.push_back(group.segmentation);
+    }
   }
   std::vector<DicomContent> contents = ContextOfReport(header, report.observer);
   contents.push_back(CodeContent("HAS CONCEPT MOD", { "121058", "DCM", "Procedure reported" }, report.procedure));
@@ -158,6 +194,6 @@ WriteDicomMeasurements(const DicomSource &            source,
   const DicomContent root =
     ContainerContent({}, { "126000", "DCM", "Imaging Measurement Report" }, std::move(contents), "1500");
   return WriteDicomReport(
-    source, DicomReportKind::Comprehensive3D, root, { report.segmentation }, header, path, report.completion);
+    source, DicomReportKind::Comprehensive3D, root, segmentations, header, path, report.completion);
 }
 } // namespace shapeton

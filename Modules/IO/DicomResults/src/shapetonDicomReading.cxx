@@ -91,15 +91,15 @@ CodeOf(DcmItem & item, const DcmTagKey & sequence)
 void
 LoadDicomObject(DcmFileFormat & file, const std::string & path, const std::vector<std::string> & sopClassUIDs)
 {
-  const OFCondition status = file.loadFile(path.c_str(), EXS_Unknown, EGL_noChange, MaximumEagerValue, ERM_autoDetect);
+  const std::string   fault = LoadDicomFile(file, path, MaximumEagerValue);
   const DicomEncoding encoding = DicomEncodingOf(file);
   if (encoding.isUnknown)
   {
     throw std::runtime_error("is encoded as " + encoding.name + ", which is not supported; decompress it");
   }
-  if (status.bad())
+  if (!fault.empty())
   {
-    throw std::runtime_error(std::string("is not a DICOM file or is truncated (") + status.text() + ")");
+    throw std::runtime_error("is not a DICOM file or is truncated (" + fault + ")");
   }
   const std::string uid = TextOf(*file.getDataset(), DCM_SOPClassUID);
   if (std::find(sopClassUIDs.begin(), sopClassUIDs.end(), uid) == sopClassUIDs.end())

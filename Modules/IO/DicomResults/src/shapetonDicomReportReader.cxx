@@ -87,8 +87,23 @@ private:
     }
     for (DcmItem * const child : children)
     {
-      this->Visit(*child, name, depth + 1);
+      if (!RepeatsSpacePoint(*child, children))
+      {
+        this->Visit(*child, name, depth + 1);
+      }
     }
+  }
+
+  /** Whether an item is in pixels and one of its siblings in space has its concept. */
+  static bool
+  RepeatsSpacePoint(DcmItem & item, const std::vector<DcmItem *> & siblings)
+  {
+    const DicomCode concept = CodeOf(item, DCM_ConceptNameCodeSequence);
+    return TextOf(item, DCM_ValueType) == "SCOORD" && !concept.value.empty() &&
+           std::any_of(siblings.begin(), siblings.end(), [&](DcmItem * const other) {
+             return TextOf(*other, DCM_ValueType) == "SCOORD3D" &&
+                    CodeOf(*other, DCM_ConceptNameCodeSequence) == concept;
+           });
   }
 
   void

@@ -6,6 +6,13 @@
 #include "shapetonSha256.h"
 
 #include "dcmtk/dcmdata/dcistrmb.h"
+#include "dcmtk/dcmdata/dcrleerg.h"
+
+#include <ctime>
+#include <iomanip>
+#include <regex>
+#include <set>
+#include <sstream>
 
 namespace shapeton
 {
@@ -31,6 +38,68 @@ StoredTextOf(DcmItem & item, const DcmTagKey & tag)
   return text.c_str();
 }
 
+/** Date and time of a source. Content Date and Time must not be empty; without a date in the source they are set to
+ * 1900, the earliest year that some readers accept. */
+std::pair<std::string, std::string>
+TimeOf(DcmDataset & dataset)
+{
+  const std::string midnight = "000000";
+  for (const auto & [dateTag, timeTag] : dates)
+  {
+    if (const std::string date = StoredTextOf(dataset, dateTag); !date.empty())
+    {
+      const std::string time = StoredTextOf(dataset, timeTag);
+      return { date, time.empty() ? midnight : time };
+    }
+  }
+  return { "19000101", midnight };
+}
+
+/** Date and time now, at an offset from UTC such as "+0130"; local time for any other text. */
+std::pair<std::string, std::string>
+CurrentTime(const std::string & offset)
+{
+  const std::time_t now = std::time(nullptr);
+  std::tm           parts{};
+  const bool        hasOffset = std::regex_match(offset, std::regex("[+-][0-9]{4}"));
+  if (hasOffset)
+  {
+    constexpr int     perMinute = 60, perHour = 3600; // seconds
+    const int         seconds = perHour * std::stoi(offset.substr(1, 2)) + perMinute * std::stoi(offset.substr(3, 2));
+    const std::time_t there = now + (offset[0] == '-' ? -seconds : seconds);
+    gmtime_r(&there, &parts);
+  }
+  else
+  {
+    localtime_r(&now, &parts);
+  }
+  const auto format = [&](const char * pattern) {
+    std::ostringstream text;
+    text << std::put_time(&parts, pattern);
+    return text.str();
+  };
+  return { format("%Y%m%d"), format("%H%M%S") };
+}
+
+/** Designators of private coding schemes ("99...") in a data set. */
+std::set<std::string>
+PrivateSchemesOf(DcmDataset & dataset)
+{
+  std::set<std::string> schemes;
+  DcmStack              stack;
+  while (dataset.nextObject(stack, OFTrue).good())
+  {
+    auto * const element = dynamic_cast<DcmElement *>(stack.top());
+    OFString     scheme;
+    if (element && element->getTag() == DCM_CodingSchemeDesignator && element->getOFString(scheme, 0).good() &&
+        scheme.compare(0, 2, "99") == 0)
+    {
+      schemes.insert(scheme.c_str());
+    }
+  }
+  return schemes;
+}
+
 void
 SaveFile(DcmFileFormat & file, const std::string & path, E_TransferSyntax syntax)
 {
@@ -50,7 +119,7 @@ DicomResultObject::DicomResultObject(const DicomSource &       source,
   : m_Source(source), m_SopClassUID(sopClassUID)
 {
   this->PutSourceHeader();
-  this->PutDates();
+  this->PutDates(header.dates);
   m_LossyRatio = this->Take(DCM_LossyImageCompressionRatio);
   m_LossyMethod = this->Take(DCM_LossyImageCompressionMethod);
   this->Root()
@@ -63,6 +132,10 @@ DicomResultObject::DicomResultObject(const DicomSource &       source,
     .Text(DCM_ManufacturerModelName, header.tool)
     .Text(DCM_DeviceSerialNumber, "0")
     .Text(DCM_SoftwareVersions, header.version);
+  if (!header.bodyPart.empty() && modality != "SR") // not an attribute of reports
+  {
+    this->Root().Text(DCM_BodyPartExamined, header.bodyPart);
+  }
 }
 
 void
@@ -102,24 +175,12 @@ DicomResultObject::ConvertToUtf8()
   }
 }
 
-/** Dates are copied from the source instead of the current time, so that output is deterministic. Content Date and Time
- * must not be empty; without a date in the source they are set to 1900, the earliest year that some readers
- * accept. */
 void
-DicomResultObject::PutDates()
+DicomResultObject::PutDates(DicomResultDates wanted)
 {
   DcmDataset & dataset = *m_File.getDataset();
-  std::string  date = "19000101";
-  std::string  time = "000000";
-  for (const auto & [dateTag, timeTag] : dates)
-  {
-    if (const std::string found = StoredTextOf(dataset, dateTag); !found.empty())
-    {
-      date = found;
-      time = StoredTextOf(dataset, timeTag).empty() ? time : StoredTextOf(dataset, timeTag);
-      break;
-    }
-  }
+  const auto [date, time] =
+    wanted == DicomResultDates::Now ? CurrentTime(StoredTextOf(dataset, DCM_TimezoneOffsetFromUTC)) : TimeOf(dataset);
   this->Take(DCM_AcquisitionDate);
   this->Take(DCM_AcquisitionTime);
   for (const DcmTagKey & tag : { DCM_SeriesDate, DCM_ContentDate, DCM_InstanceCreationDate })
@@ -201,18 +262,44 @@ DicomResultObject::PutSharedPlane()
   return shared;
 }
 
-DicomInstance
-DicomResultObject::Save(const std::string & path, bool isDeflated)
+/** Names private coding schemes, whose designators are not unique worldwide. */
+void
+DicomResultObject::PutCodingSchemes()
 {
-  // UIDs are derived from the bytes of the object without UIDs.
+  for (const std::string & scheme : PrivateSchemesOf(*m_File.getDataset()))
+  {
+    const std::string owner = scheme == "99SHAPETON" ? "Shapeton" : "unknown";
+    this->Root()
+      .Add(DCM_CodingSchemeIdentificationSequence)
+      .Text(DCM_CodingSchemeDesignator, scheme)
+      .Text(DCM_CodingSchemeName, "Private codes of " + owner)
+      .Text(DCM_CodingSchemeResponsibleOrganization, owner);
+  }
+}
+
+DicomInstance
+DicomResultObject::Save(const std::string & path, E_TransferSyntax syntax)
+{
+  this->PutCodingSchemes();
+  // UIDs are derived from the bytes of the object without UIDs, and from its encoding.
   const std::string none = "2.25.0";
   this->Root().Text(DCM_SeriesInstanceUID, none).Text(DCM_SOPInstanceUID, none);
   SaveFile(m_File, path, EXS_LittleEndianExplicit);
-  const std::string digest = Sha256OfFile(path);
+  const bool        isPlain = syntax == EXS_LittleEndianExplicit;
+  const std::string digest = Sha256OfFile(path) + (isPlain ? "" : DcmXfer(syntax).getXferName());
   const std::string series = MakeDicomUID("series " + digest);
   const std::string instance = MakeDicomUID("instance " + digest);
   this->Root().Text(DCM_SeriesInstanceUID, series).Text(DCM_SOPInstanceUID, instance);
-  SaveFile(m_File, path, isDeflated ? EXS_DeflatedLittleEndianExplicit : EXS_LittleEndianExplicit);
+  if (syntax == EXS_RLELossless)
+  {
+    DcmRLEEncoderRegistration::registerCodecs();
+    const OFCondition condition = m_File.getDataset()->chooseRepresentation(syntax, nullptr);
+    if (condition.bad())
+    {
+      throw OutputError("the pixels of \"" + path + "\" cannot be compressed: " + condition.text());
+    }
+  }
+  SaveFile(m_File, path, syntax);
   return { m_SopClassUID, instance, series };
 }
 

@@ -9,8 +9,9 @@ namespace shapeton
 /** \class DicomResultObject
  * \brief A DICOM object derived from a source series: attributes common to all results, and writing.
  *
- * Patient, study and dates are copied from the source. The UIDs of series and instance are derived from all other data
- * of the file, so output is deterministic and different results have different UIDs. */
+ * Patient and study are copied from the source, and its dates unless the header asks for the current time. The UIDs of
+ * series and instance are derived from all other data of the file and from its encoding, so output is deterministic and
+ * different results have different UIDs. */
 class DicomResultObject
 {
 public:
@@ -46,15 +47,17 @@ public:
   DicomItem
   PutSharedPlane();
 
-  /** Throws OutputError. */
+  /** Supports native syntaxes and RLE Lossless. Throws OutputError. */
   DicomInstance
-  Save(const std::string & path, bool isDeflated = false);
+  Save(const std::string & path, E_TransferSyntax syntax = EXS_LittleEndianExplicit);
 
 private:
   void
   PutSourceHeader();
   void
-  PutDates();
+  PutDates(DicomResultDates wanted);
+  void
+  PutCodingSchemes();
   std::string
   Take(const DcmTagKey & tag);
 

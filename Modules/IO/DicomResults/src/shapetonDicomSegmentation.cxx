@@ -1,14 +1,19 @@
 #include "shapetonDicomSegmentation.h"
 
+#include "shapetonDicomAttributes.h"
 #include "shapetonDicomFrames.h"
 #include "shapetonDicomResultObject.h"
 #include "shapetonDicomText.h"
 #include "shapetonExceptions.h"
 #include "shapetonVolume.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <stdexcept>
 
 namespace shapeton
 {
@@ -39,19 +44,41 @@ private:
   std::size_t        m_Bits{ 0 };
 };
 
-/** Number of voxels of each label in each slice. */
+/** Calls visit(label, x, y, z, length) for each run of equal labels in a row. */
+template <typename TVisit>
+void
+ForEachRun(const DicomLabelImage & labels, const TVisit & visit)
+{
+  const auto             size = labels.GetLargestPossibleRegion().GetSize();
+  const unsigned short * row = labels.GetBufferPointer();
+  for (std::size_t i = 0; i < size[1] * size[2]; ++i, row += size[0])
+  {
+    for (const unsigned short * first = row; first != row + size[0];)
+    {
+      const auto end =
+        std::find_if(first, row + size[0], [label = *first](unsigned short other) { return other != label; });
+      visit(
+        *first, static_cast<std::size_t>(first - row), i % size[1], i / size[1], static_cast<std::size_t>(end - first));
+      first = end;
+    }
+  }
+}
+
+/** Number of voxels of each label in each slice, and a voxel in the middle of each label. */
 class LabelCount
 {
 public:
-  explicit LabelCount(const DicomLabelImage & labels)
+  explicit LabelCount(const DicomLabelImage & labels) : m_Slices(labels.GetLargestPossibleRegion().GetSize()[2])
   {
-    const auto        size = labels.GetLargestPossibleRegion().GetSize();
-    const std::size_t pixels = size[0] * size[1];
-    for (std::size_t slice = 0; slice < size[2]; ++slice)
-    {
-      const unsigned short * const first = labels.GetBufferPointer() + slice * pixels;
-      m_Slices.push_back(CountSlice(first, first + pixels));
-    }
+    ForEachRun(labels, [&](unsigned short label, std::size_t x, std::size_t y, std::size_t z, std::size_t length) {
+      m_Slices[z][label] += length;
+      Middle &   middle = m_Middles[label];
+      const auto count = static_cast<double>(length);
+      middle.sum +=
+        count *
+        Eigen::Vector3d(static_cast<double>(x) + 0.5 * (count - 1.0), static_cast<double>(y), static_cast<double>(z));
+    });
+    this->FindMiddles(labels);
   }
   std::size_t
   InSlice(std::size_t slice, unsigned short label) const
@@ -69,24 +96,46 @@ public:
     }
     return sum;
   }
-
-private:
-  using Counts = std::map<unsigned short, std::size_t>;
-
-  static Counts
-  CountSlice(const unsigned short * first, const unsigned short * last)
+  /** The voxel of the label nearest to its centroid; zero for a label without voxels. */
+  itk::Index<3>
+  MiddleOf(unsigned short label) const
   {
-    Counts counts;
-    while (first != last) // by runs, because most of a slice is empty
-    {
-      const auto end = std::find_if(first, last, [label = *first](unsigned short other) { return other != label; });
-      counts[*first] += static_cast<std::size_t>(end - first);
-      first = end;
-    }
-    return counts;
+    const auto found = m_Middles.find(label);
+    return found == m_Middles.end() ? itk::Index<3>{} : found->second.voxel;
   }
 
-  std::vector<Counts> m_Slices;
+private:
+  struct Middle
+  {
+    Eigen::Vector3d sum{ 0.0, 0.0, 0.0 };
+    double          distance{ std::numeric_limits<double>::infinity() };
+    itk::Index<3>   voxel{};
+  };
+
+  void
+  FindMiddles(const DicomLabelImage & labels)
+  {
+    const Eigen::Vector3d spacing(labels.GetSpacing().GetDataPointer());
+    for (auto & [label, middle] : m_Middles)
+    {
+      middle.sum /= static_cast<double>(this->InAll(label)); // the centroid
+    }
+    ForEachRun(labels, [&](unsigned short label, std::size_t x, std::size_t y, std::size_t z, std::size_t length) {
+      Middle &     middle = m_Middles[label];
+      const auto   first = static_cast<double>(x);
+      const double nearest = std::clamp(std::round(middle.sum[0]), first, first + static_cast<double>(length - 1));
+      const Eigen::Vector3d voxel(nearest, static_cast<double>(y), static_cast<double>(z));
+      const double          distance = (voxel - middle.sum).cwiseProduct(spacing).squaredNorm();
+      if (distance < middle.distance)
+      {
+        middle.distance = distance;
+        middle.voxel = { std::lround(nearest), static_cast<long>(y), static_cast<long>(z) };
+      }
+    });
+  }
+
+  std::vector<std::map<unsigned short, std::size_t>> m_Slices;
+  std::map<unsigned short, Middle>                   m_Middles;
 };
 
 /** CIELab, D50, in DICOM encoding (PS3.3 C.10.7.1.1). */
@@ -132,10 +181,24 @@ RequireGrid(const DicomSource & source, const std::vector<DicomSegment> & segmen
   }
 }
 
-void
-PutImage(DicomResultObject & object, const DicomSource & source)
+bool
+IsLabelMap(DicomSegmentationFormat format)
 {
-  const Uint32 one = 1;
+  return format == DicomSegmentationFormat::LabelMap || format == DicomSegmentationFormat::DeflatedLabelMap;
+}
+
+E_TransferSyntax
+SyntaxOf(DicomSegmentationFormat format)
+{
+  return format == DicomSegmentationFormat::Binary     ? EXS_LittleEndianExplicit
+         : format == DicomSegmentationFormat::LabelMap ? EXS_RLELossless
+                                                       : EXS_DeflatedLittleEndianExplicit;
+}
+
+/** `bits` per pixel: 1, or 8 or 16 in a label map. */
+void
+PutImage(DicomResultObject & object, const DicomSource & source, unsigned int bits)
+{
   object.PutFrameOfReference();
   object.PutContentQualification();
   object.PutLossiness();
@@ -143,15 +206,15 @@ PutImage(DicomResultObject & object, const DicomSource & source)
   object.PutSharedPlane();
   object.Root()
     .Text(DCM_ImageType, "DERIVED\\PRIMARY")
-    .Integers(DCM_SamplesPerPixel, { one })
+    .Integers(DCM_SamplesPerPixel, { 1 })
     .Text(DCM_PhotometricInterpretation, "MONOCHROME2")
     .Integers(DCM_Rows, { static_cast<Uint32>(source.series.size[1]) })
     .Integers(DCM_Columns, { static_cast<Uint32>(source.series.size[0]) })
-    .Integers(DCM_BitsAllocated, { one })
-    .Integers(DCM_BitsStored, { one })
-    .Integers(DCM_HighBit, { 0 })
+    .Integers(DCM_BitsAllocated, { bits })
+    .Integers(DCM_BitsStored, { bits })
+    .Integers(DCM_HighBit, { bits - 1 })
     .Integers(DCM_PixelRepresentation, { 0 })
-    .Text(DCM_SegmentationType, "BINARY")
+    .Text(DCM_SegmentationType, bits == 1 ? "BINARY" : "LABELMAP")
     .Text(DCM_ContentLabel, "SEGMENTS")
     .Text(DCM_ContentDescription, DicomResearchNote)
     .Text(DCM_ContentCreatorName, "");
@@ -176,20 +239,21 @@ PutSegment(DicomItem item, const DicomSegment & segment, int number, const Dicom
   }
 }
 
-void
-PutFrame(DicomItem frame, const DicomSlice & slice, std::size_t place, int number)
+/** Whether segments may overlap, that is if there are several label images. */
+bool
+DoOverlap(const std::vector<DicomSegment> & segments)
 {
-  PutFramePlace(frame, slice, place, { static_cast<Uint32>(number) });
-  frame.Add(DCM_SegmentIdentificationSequence).Integers(DCM_ReferencedSegmentNumber, { static_cast<Uint32>(number) });
-  PutDerivation(frame, slice, { "113076", "DCM", "Segmentation" });
+  return std::any_of(segments.begin(), segments.end(), [&](const DicomSegment & segment) {
+    return segment.labels != segments.front().labels;
+  });
 }
 
-/** Returns their number. */
+/** Writes the frames of a segment. Returns their number. */
 int
 WriteFrames(DicomItem            root,
             const DicomSource &  source,
             const DicomSegment & segment,
-            int                  number,
+            Uint32               number,
             const LabelCount &   count,
             BitWriter &          bits)
 {
@@ -199,7 +263,10 @@ WriteFrames(DicomItem            root,
   {
     if (count.InSlice(slice, segment.label) > 0)
     {
-      PutFrame(root.Add(DCM_PerFrameFunctionalGroupsSequence), source.series.slices[slice], slice, number);
+      DicomItem frame = root.Add(DCM_PerFrameFunctionalGroupsSequence);
+      PutFramePlace(frame, source.series.slices[slice], slice, { number });
+      frame.Add(DCM_SegmentIdentificationSequence).Integers(DCM_ReferencedSegmentNumber, { number });
+      PutDerivation(frame, source.series.slices[slice], { "113076", "DCM", "Segmentation" });
       bits.Write(segment.labels->GetBufferPointer() + slice * pixels, pixels, segment.label);
       ++frames;
     }
@@ -207,14 +274,72 @@ WriteFrames(DicomItem            root,
   return frames;
 }
 
-/** Whether segments may overlap, that is if there are several label images. */
-bool
-DoOverlap(const std::vector<DicomSegment> & segments)
+void
+WriteBinaryFrames(DicomItem                               root,
+                  const DicomSource &                     source,
+                  const std::vector<DicomSegment> &       segments,
+                  const std::vector<int> &                numbers,
+                  const std::vector<const LabelCount *> & counts)
 {
-  return std::any_of(segments.begin(), segments.end(), [&](const DicomSegment & segment) {
-    return segment.labels != segments.front().labels;
-  });
+  PutDimensions(
+    root, source.series, FrameDimension{ DCM_ReferencedSegmentNumber, DCM_SegmentIdentificationSequence, "Segment" });
+  BitWriter bits;
+  int       frames = 0;
+  for (std::size_t k = 0; k < segments.size(); ++k)
+  {
+    if (numbers[k] > 0)
+    {
+      frames += WriteFrames(root, source, segments[k], static_cast<Uint32>(numbers[k]), *counts[k], bits);
+    }
+  }
+  root.Text(DCM_SegmentsOverlap, DoOverlap(segments) ? "YES" : "NO")
+    .Text(DCM_NumberOfFrames, std::to_string(frames))
+    .Bytes(DCM_PixelData, bits.TakeBytes());
 }
+
+/** The segment number of each voxel, little endian. */
+std::vector<Uint8>
+BytesOfMap(const std::vector<DicomSegment> & segments, const std::vector<int> & numbers, std::size_t bytesPerVoxel)
+{
+  std::vector<Uint16> numberOf(std::size_t{ std::numeric_limits<unsigned short>::max() } + 1, 0);
+  for (std::size_t k = 0; k < segments.size(); ++k)
+  {
+    numberOf[segments[k].label] = static_cast<Uint16>(numbers[k]);
+  }
+  const DicomLabelImage & labels = *segments.front().labels;
+  const std::size_t       voxels = labels.GetBufferedRegion().GetNumberOfPixels();
+  std::vector<Uint8>      bytes(voxels * bytesPerVoxel);
+  for (std::size_t i = 0; i < voxels; ++i)
+  {
+    const Uint16 number = numberOf[labels.GetBufferPointer()[i]];
+    bytes[i * bytesPerVoxel] = static_cast<Uint8>(number & 0xFF);
+    if (bytesPerVoxel > 1)
+    {
+      bytes[i * bytesPerVoxel + 1] = static_cast<Uint8>(number >> 8);
+    }
+  }
+  return bytes;
+}
+
+void
+WriteMapFrames(DicomItem                         root,
+               const DicomSource &               source,
+               const std::vector<DicomSegment> & segments,
+               const std::vector<int> &          numbers,
+               std::size_t                       bytesPerVoxel)
+{
+  PutDimensions(root, source.series, {});
+  for (std::size_t slice = 0; slice < source.series.slices.size(); ++slice)
+  {
+    DicomItem frame = root.Add(DCM_PerFrameFunctionalGroupsSequence);
+    PutFramePlace(frame, source.series.slices[slice], slice, {});
+    PutDerivation(frame, source.series.slices[slice], { "113076", "DCM", "Segmentation" });
+  }
+  root.Word(DCM_PixelPaddingValue, 0)
+    .Text(DCM_NumberOfFrames, std::to_string(source.series.slices.size()))
+    .Bytes(DCM_PixelData, BytesOfMap(segments, numbers, bytesPerVoxel));
+}
+
 } // namespace
 
 DicomSegmentation
@@ -222,40 +347,50 @@ WriteDicomSegmentation(const DicomSource &               source,
                        const std::vector<DicomSegment> & segments,
                        const DicomResultHeader &         header,
                        const std::string &               path,
-                       bool                              isDeflated)
+                       DicomSegmentationFormat           format)
 {
   RequireGrid(source, segments);
-  DicomResultObject object(source, UID_SegmentationStorage, "SEG", header);
-  PutImage(object, source);
-  PutDimensions(object.Root(),
-                source.series,
-                FrameDimension{ DCM_ReferencedSegmentNumber, DCM_SegmentIdentificationSequence, "Segment" });
-  std::map<const DicomLabelImage *, LabelCount> counts;
+  if (IsLabelMap(format) && DoOverlap(segments))
+  {
+    throw std::invalid_argument("segments of a label map must be in one label image");
+  }
+  std::map<const DicomLabelImage *, LabelCount> countOf;
+  std::vector<const LabelCount *>               counts;
   DicomSegmentation                             written;
-  BitWriter                                     bits;
   int                                           number = 0;
-  int                                           frames = 0;
   for (const DicomSegment & segment : segments)
   {
-    const LabelCount & count = counts.try_emplace(segment.labels, *segment.labels).first->second;
-    written.voxels.push_back(count.InAll(segment.label));
+    counts.push_back(&countOf.try_emplace(segment.labels, *segment.labels).first->second);
+    written.voxels.push_back(counts.back()->InAll(segment.label));
     written.numbers.push_back(written.voxels.back() > 0 ? ++number : 0);
-    if (written.voxels.back() == 0)
-    {
-      continue;
-    }
-    PutSegment(object.Root().Add(DCM_SegmentSequence), segment, number, header);
-    frames += WriteFrames(object.Root(), source, segment, number, count, bits);
+    const auto center = segment.labels->TransformIndexToPhysicalPoint<double>(counts.back()->MiddleOf(segment.label));
+    written.centers.push_back({ center[0], center[1], center[2] });
   }
-  if (frames == 0)
+  if (number == 0)
   {
     throw InputError("no segment has a voxel; there is nothing to write to \"" + path + '"');
   }
-  object.Root()
-    .Text(DCM_SegmentsOverlap, DoOverlap(segments) ? "YES" : "NO")
-    .Text(DCM_NumberOfFrames, std::to_string(frames))
-    .Bytes(DCM_PixelData, bits.TakeBytes());
-  written.instance = object.Save(path, isDeflated);
+  constexpr int     greatestByte = 255;
+  const std::size_t bytesPerVoxel = number > greatestByte ? 2 : 1;
+  DicomResultObject object(
+    source, IsLabelMap(format) ? LabelMapSegmentationStorageUID : UID_SegmentationStorage, "SEG", header);
+  PutImage(object, source, IsLabelMap(format) ? static_cast<unsigned int>(8 * bytesPerVoxel) : 1U);
+  for (std::size_t k = 0; k < segments.size(); ++k)
+  {
+    if (written.numbers[k] > 0)
+    {
+      PutSegment(object.Root().Add(DCM_SegmentSequence), segments[k], written.numbers[k], header);
+    }
+  }
+  if (IsLabelMap(format))
+  {
+    WriteMapFrames(object.Root(), source, segments, written.numbers, bytesPerVoxel);
+  }
+  else
+  {
+    WriteBinaryFrames(object.Root(), source, segments, written.numbers, counts);
+  }
+  written.instance = object.Save(path, SyntaxOf(format));
   return written;
 }
 } // namespace shapeton

@@ -16,7 +16,9 @@ namespace shapeton
 {
 namespace
 {
+/** Greatest compression ratios: of deflate, and of an empty frame of 2 MB in JPEG 2000. */
 constexpr std::uint64_t MaximumDeflateRatio = 1032;
+constexpr std::uint64_t MaximumFrameRatio = 20000;
 
 const std::vector<std::string> segmentationClasses{ UID_SegmentationStorage, LabelMapSegmentationStorageUID };
 
@@ -149,6 +151,13 @@ ReadFrames(DcmItem & dataset, DicomSegmentationFile & file)
   }
 }
 
+/** Whether pixels are bytes or words, not bits. */
+bool
+HasWholeBytes(const DicomSegmentationFile & file)
+{
+  return file.wholeValue > 0 || file.bytesPerLabel > 0;
+}
+
 std::uint64_t
 BytesOfPixels(const DicomSegmentationFile & file)
 {
@@ -158,21 +167,32 @@ BytesOfPixels(const DicomSegmentationFile & file)
   return bytes > 0 ? bytes * pixels : (pixels + bits - 1) / bits;
 }
 
+bool
+IsCompressed(DcmFileFormat & format)
+{
+  return DcmXfer(format.getDataset()->getOriginalXfer()).isEncapsulated();
+}
+
 /** Checks the length of the pixel data against frames and format before any allocation. */
 void
-RequirePixels(DcmDataset & dataset, const DicomSegmentationFile & file)
+RequirePixels(DcmFileFormat & format, const DicomSegmentationFile & file)
 {
-  const DcmXfer syntax(dataset.getOriginalXfer());
-  if (syntax.isEncapsulated())
+  DcmDataset &        dataset = *format.getDataset();
+  const DcmXfer       syntax(dataset.getOriginalXfer());
+  const DicomEncoding encoding = DicomEncodingOf(format);
+  if (!encoding.isSupported || (IsCompressed(format) && !HasWholeBytes(file) && !encoding.hasDeflatedFrames))
   {
-    throw std::runtime_error(std::string("is compressed as ") + syntax.getXferName() +
-                             ", which is not supported; decompress it");
+    throw std::runtime_error("is compressed as " + encoding.name + ", which is not supported; decompress it");
   }
   DcmElement * pixels = nullptr;
   dataset.findAndGetElement(DCM_PixelData, pixels);
   const bool          isDeflated = syntax.getStreamCompression() == ESC_zlib;
-  const std::uint64_t limit = std::filesystem::file_size(file.path) * (isDeflated ? MaximumDeflateRatio : 1);
-  if (!pixels || std::min<std::uint64_t>(pixels->getLength(dataset.getOriginalXfer()), limit) < BytesOfPixels(file))
+  const std::uint64_t ratio = IsCompressed(format) ? MaximumFrameRatio : isDeflated ? MaximumDeflateRatio : 1;
+  const std::uint64_t limit = ratio * std::filesystem::file_size(file.path);
+  const std::uint64_t length = !pixels                ? 0
+                               : IsCompressed(format) ? limit
+                                                      : pixels->getLength(dataset.getOriginalXfer());
+  if (std::min(length, limit) < BytesOfPixels(file))
   {
     throw std::runtime_error("is truncated within its pixels");
   }
@@ -258,11 +278,47 @@ ParseSegmentation(const std::string & path, std::size_t, char *)
     TakeBackground(dataset, file);
   }
   ReadFrames(dataset, file);
-  RequirePixels(dataset, file);
+  RequirePixels(format, file);
   ByteWriter                    writer;
   const DicomSegmentationFile & whole = file;
   TransmitSegments(writer, whole);
   return writer.GetBytes();
+}
+
+/** Frames of single bits start at a byte when compressed, but not in a segmentation that is not. */
+void
+AppendBits(const std::vector<char> & frame, std::size_t first, std::size_t count, char * bits)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const int bit = (frame[i / 8] >> (i % 8)) & 1;
+    bits[(first + i) / 8] = static_cast<char>(bits[(first + i) / 8] | bit << ((first + i) % 8));
+  }
+}
+
+void
+DecodeFrames(DcmFileFormat & format, std::size_t bytes, char * shared)
+{
+  DicomSegmentationFile file;
+  ReadPixelFormat(*format.getDataset(), file);
+  file.frames.resize(1);
+  const std::size_t frameBytes = BytesOfPixels(file);
+  const std::size_t pixels = std::size_t(file.columns) * file.rows;
+  const auto        frames = static_cast<unsigned int>(NumbersOf(*format.getDataset(), DCM_NumberOfFrames, 1).front());
+  std::vector<char> decoded(frameBytes);
+  std::fill(shared, shared + bytes, '\0');
+  for (unsigned int frame = 0; frame < frames; ++frame)
+  {
+    DecodeDicomFrame(format, frame, frameBytes, decoded.data());
+    if (HasWholeBytes(file))
+    {
+      std::copy(decoded.begin(), decoded.end(), shared + frame * frameBytes);
+    }
+    else
+    {
+      AppendBits(decoded, frame * pixels, pixels, shared);
+    }
+  }
 }
 
 std::string
@@ -270,6 +326,11 @@ CopySegmentPixels(const std::string & path, std::size_t bytes, char * shared)
 {
   DcmFileFormat format;
   LoadDicomObject(format, path, segmentationClasses);
+  if (IsCompressed(format))
+  {
+    DecodeFrames(format, bytes, shared);
+    return {};
+  }
   DcmDataset & dataset = *format.getDataset();
   DcmElement * pixels = nullptr;
   // Accepts any VR, because pixels of up to 8 bits are OW if the encoding does not specify a VR.

@@ -4,7 +4,10 @@
 #include "shapetonExceptions.h"
 #include "shapetonFileBytes.h"
 
+#include <ctime>
 #include <functional>
+#include <iomanip>
+#include <sstream>
 
 namespace
 {
@@ -18,19 +21,19 @@ ReportWithTwoGroups()
   DicomMeasurementReport report;
   report.procedure = { "25045-6", "LN", "CT unspecified body region" };
   report.region = { "71854001", "SCT", "Colon" };
-  report.segmentation = { UID_SegmentationStorage, "2.25.7", "2.25.8" };
   report.comments = { "a remark" };
   DicomMeasurementGroup group;
   group.trackingID = "candidate 1";
   group.trackingUID = "2.25.9";
   group.finding = { "52988006", "SCT", "Lesion" };
   group.segment = 3;
+  group.segmentation = { UID_SegmentationStorage, "2.25.7", "2.25.8" };
   group.center = { 1.5, -2.25, 3.0 };
   group.measurements = { { { "81827009", "SCT", "Diameter" }, "7.5", { "mm", "UCUM", "mm" }, {} } };
   report.groups.push_back(group);
   group.trackingID = "no segment";
   group.segment = 0;
-  group.center.reset();
+  group.center = { 1000.0, 0.0, 0.0 }; // outside the series
   report.groups.push_back(group);
   return report;
 }
@@ -48,12 +51,33 @@ TEST(DicomReport, PointsComeBack)
   const DicomSource source = SourceOf(ObliqueFixture(), folder);
   WriteDicomMeasurements(source, ReportWithTwoGroups(), HeaderOfTest(), folder + "/sr.dcm");
   const auto points = ReadDicomReportPoints(folder + "/sr.dcm", source);
-  ASSERT_EQ(points.size(), 1u);
+  ASSERT_EQ(points.size(), 2u); // once each, although the first is also written in pixels
   EXPECT_EQ(points[0].name, "candidate 1");
   ASSERT_EQ(points[0].places.size(), 1u);
   EXPECT_EQ(points[0].places[0][0], 1.5);
   EXPECT_EQ(points[0].places[0][1], -2.25);
   EXPECT_EQ(points[0].places[0][2], 3.0);
+  EXPECT_EQ(points[1].name, "no segment");
+  EXPECT_EQ(points[1].places[0][0], 1000.0);
+}
+
+TEST(DicomReport, CentersAreInPixelsOfASliceBeforeTheyAreInSpace)
+{
+  const std::string      folder = TestFolder();
+  const DicomSource      source = SourceOf(ObliqueFixture(), folder);
+  DicomMeasurementReport report = ReportWithTwoGroups();
+  const auto             place = source.grid->TransformIndexToPhysicalPoint<double>({ 2, 4, 3 });
+  report.groups[0].center = { place[0], place[1], place[2] };
+  WriteDicomMeasurements(source, report, HeaderOfTest(), folder + "/sr.dcm");
+  DcmFileFormat file = Loaded(folder + "/sr.dcm");
+  EXPECT_EQ(ValueOf(file, DCM_GraphicData), "2.5\\4.5"); // the first center: pixels count from the corner
+  const std::string text = ReadFileBytes(folder + "/sr.dcm");
+  const std::size_t pixel = text.find("SCOORD\x40");
+  const std::size_t image = text.find(source.series.slices[3].sopInstanceUID, pixel);
+  const std::size_t space = text.find("SCOORD3D\x40");
+  EXPECT_LT(pixel, image);
+  EXPECT_LT(image, space);
+  EXPECT_EQ(text.find("SCOORD\x40", space), std::string::npos) << "the point outside the series has no pixel";
 }
 
 TEST(DicomReport, PlacesInPixelsComeBackWithinTheirSlice)
@@ -121,7 +145,70 @@ TEST(DicomReport, OfAPersonNamesNoProgramForItsMeasurements)
   EXPECT_FALSE(Contains(bytes, "Device Observer"));
   EXPECT_TRUE(Contains(bytes, "Colon Overall Assessment"));
   EXPECT_TRUE(Contains(bytes, "6041008"));
-  EXPECT_EQ(ReadDicomReportPoints(folder + "/sr.dcm", source).size(), 1u);
+  EXPECT_EQ(ReadDicomReportPoints(folder + "/sr.dcm", source).size(), 2u);
+}
+
+TEST(DicomReport, NamesItsAlgorithmOncePerGroupOrForTheNumbersOfTheProgram)
+{
+  const auto count = [](const std::string & text, const std::string & part) {
+    int found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    {
+      ++found;
+    }
+    return found;
+  };
+  const std::string      folder = TestFolder();
+  const DicomSource      source = SourceOf(ObliqueFixture(), folder);
+  DicomMeasurementReport report = ReportWithTwoGroups();
+  for (DicomMeasurementGroup & group : report.groups)
+  {
+    group.measurements.push_back(group.measurements[0]);
+  }
+  WriteDicomMeasurements(source, report, HeaderOfTest(), folder + "/sr.dcm");
+  EXPECT_EQ(count(ReadFileBytes(folder + "/sr.dcm"), "Algorithm Name"), 2);
+  report.groups[0].measurements[1].isByObserver = true;
+  WriteDicomMeasurements(source, report, HeaderOfTest(), folder + "/sr.dcm");
+  EXPECT_EQ(count(ReadFileBytes(folder + "/sr.dcm"), "Algorithm Name"), 1);
+  EXPECT_EQ(count(ReadFileBytes(folder + "/sr.dcm"), "Diameter: measured by Shapeton Test 1.0"), 1);
+}
+
+TEST(DicomReport, IdentifiesPrivateCodesOnly)
+{
+  const std::string      folder = TestFolder();
+  const DicomSource      source = SourceOf(ObliqueFixture(), folder);
+  DicomMeasurementReport report = ReportWithTwoGroups();
+  WriteDicomMeasurements(source, report, HeaderOfTest(), folder + "/sr.dcm");
+  EXPECT_FALSE(Loaded(folder + "/sr.dcm").getDataset()->tagExists(DCM_CodingSchemeIdentificationSequence));
+  report.groups[0].finding = { "X", "99SHAPETON", "Something" };
+  report.groups[1].finding = report.groups[0].finding;
+  WriteDicomMeasurements(source, report, HeaderOfTest(), folder + "/sr.dcm");
+  DcmFileFormat        file = Loaded(folder + "/sr.dcm");
+  DcmSequenceOfItems * schemes = nullptr;
+  ASSERT_TRUE(file.getDataset()->findAndGetSequence(DCM_CodingSchemeIdentificationSequence, schemes).good());
+  EXPECT_EQ(schemes->card(), 1u);
+  EXPECT_EQ(ValueOf(file, DCM_CodingSchemeResponsibleOrganization), "Shapeton");
+}
+
+TEST(DicomReport, HasTheCurrentDateOfItsTimeZoneOnRequest)
+{
+  const std::string folder = TestFolder();
+  const DicomSource source = SourceOf(ObliqueFixture(), folder, "+1400");
+  DicomResultHeader header = HeaderOfTest();
+  header.dates = DicomResultDates::Now;
+  const std::time_t before = std::time(nullptr);
+  WriteDicomMeasurements(source, ReportWithTwoGroups(), header, folder + "/sr.dcm");
+  const std::time_t after = std::time(nullptr);
+  DcmFileFormat     file = Loaded(folder + "/sr.dcm");
+  EXPECT_EQ(ValueOf(file, DCM_StudyDate), "20010203");
+  EXPECT_EQ(ValueOf(file, DCM_TimezoneOffsetFromUTC), "+1400");
+  std::tm parts{};
+  std::istringstream(ValueOf(file, DCM_ContentDate) + ValueOf(file, DCM_ContentTime)) >>
+    std::get_time(&parts, "%Y%m%d%H%M%S");
+  const std::time_t stated = timegm(&parts) - 14 * 3600;
+  EXPECT_LE(before, stated);
+  EXPECT_LE(stated, after);
+  EXPECT_EQ(ValueOf(file, DCM_InstanceCreationDate), ValueOf(file, DCM_ContentDate));
 }
 
 TEST(DicomReport, RefusesInvalidPersonNames)

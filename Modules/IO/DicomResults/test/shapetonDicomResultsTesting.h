@@ -8,7 +8,7 @@ namespace shapeton
 {
 /** The series of a fixture with patient data, saved and read as a source. */
 inline DicomSource
-SourceOf(const DicomFixture & fixture, const std::string & folder)
+SourceOf(const DicomFixture & fixture, const std::string & folder, const char * timeZone = "+0100")
 {
   auto files = fixture.MakeSeries();
   for (const auto & file : files)
@@ -21,6 +21,7 @@ SourceOf(const DicomFixture & fixture, const std::string & folder)
     SetText(*file, DCM_StudyDate, "20010203");
     SetText(*file, DCM_AcquisitionDate, "20010204");
     SetText(*file, DCM_AcquisitionTime, "101112");
+    SetText(*file, DCM_TimezoneOffsetFromUTC, timeZone);
     SetText(*file, DCM_InstitutionName, "not to be taken over");
   }
   SaveDicom(files, folder);

@@ -4,7 +4,10 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <random>
+#include <set>
+#include <stdexcept>
 
 namespace
 {
@@ -58,14 +61,14 @@ ValuesOf(const DicomLabelImage * image)
 /** A file with two segments, and one that overlaps them: source, labels and path. */
 struct Written
 {
-  explicit Written(const DicomFixture & fixture, bool isDeflated = false)
+  explicit Written(const DicomFixture & fixture, DicomSegmentationFormat format = DicomSegmentationFormat::Binary)
     : folder(TestFolder())
     , source(SourceOf(fixture, folder))
     , labels(RandomLabels(source, 1))
     , others(RandomLabels(source, 2))
     , path(folder + "/seg.dcm")
   {
-    segmentation = WriteDicomSegmentation(source, this->Segments(), HeaderOfTest(), path, isDeflated);
+    segmentation = WriteDicomSegmentation(source, this->Segments(), HeaderOfTest(), path, format);
   }
 
   std::vector<DicomSegment>
@@ -111,9 +114,117 @@ TEST(DicomSegmentation, ComesBackFromAnObliqueSeries) { ExpectRoundTrip(Written(
 
 TEST(DicomSegmentation, ComesBackDeflated)
 {
-  const Written written(ObliqueFixture(), true);
+  const Written written(ObliqueFixture(), DicomSegmentationFormat::DeflatedBinary);
   EXPECT_EQ(DcmXfer(Loaded(written.path).getDataset()->getOriginalXfer()).getXfer(), EXS_DeflatedLittleEndianExplicit);
   ExpectRoundTrip(written);
+}
+
+TEST(DicomSegmentation, LabelMapsComeBack)
+{
+  const std::string folder = TestFolder();
+  const DicomSource source = SourceOf(ObliqueFixture(), folder);
+  for (const unsigned short count : { 2, 300 }) // 8 and 16 bits
+  {
+    const auto        labels = Labels(source);
+    const std::size_t voxels = labels->GetLargestPossibleRegion().GetNumberOfPixels();
+    for (std::size_t i = 0; i < voxels; ++i)
+    {
+      labels->GetBufferPointer()[i] = static_cast<unsigned short>(i * 11 % (count + 1u));
+    }
+    std::vector<DicomSegment> segments;
+    std::vector<int>          numbers;
+    for (unsigned short k = 1; k <= count; ++k)
+    {
+      segments.push_back(Segment("segment " + std::to_string(k), labels, k));
+      numbers.push_back(k);
+    }
+    for (const auto format : { DicomSegmentationFormat::LabelMap, DicomSegmentationFormat::DeflatedLabelMap })
+    {
+      const std::string path = folder + "/map.seg";
+      WriteDicomSegmentation(source, segments, HeaderOfTest(), path, format);
+      DcmFileFormat file = Loaded(path);
+      EXPECT_EQ(ValueOf(file, DCM_SegmentationType), "LABELMAP");
+      EXPECT_EQ(ValueOf(file, DCM_BitsAllocated), count > 255 ? "16" : "8");
+      EXPECT_EQ(ValueOf(file, DCM_PixelPaddingValue), "0");
+      EXPECT_EQ(ValueOf(file, DCM_NumberOfFrames), "6");
+      EXPECT_EQ(file.getDataset()->getOriginalXfer(),
+                format == DicomSegmentationFormat::LabelMap ? EXS_RLELossless : EXS_DeflatedLittleEndianExplicit);
+      const DicomSegmentationFile header = ReadDicomSegmentation(path);
+      ASSERT_EQ(header.segments.size(), count); // no segment of the background
+      EXPECT_EQ(ValuesOf(ReadDicomSegments(header, numbers, source).labels), ValuesOf(labels));
+    }
+  }
+}
+
+TEST(DicomSegmentation, HasOtherUIDsInEachFormat)
+{
+  const std::string     folder = TestFolder();
+  const DicomSource     source = SourceOf(ObliqueFixture(), folder);
+  const auto            labels = RandomLabels(source, 1);
+  std::set<std::string> instances, series;
+  for (const auto format : { DicomSegmentationFormat::Binary,
+                             DicomSegmentationFormat::DeflatedBinary,
+                             DicomSegmentationFormat::LabelMap,
+                             DicomSegmentationFormat::DeflatedLabelMap })
+  {
+    const auto written =
+      WriteDicomSegmentation(source, { Segment("one", labels, 1) }, HeaderOfTest(), folder + "/x.seg", format);
+    instances.insert(written.instance.sopInstanceUID);
+    series.insert(written.instance.seriesUID);
+  }
+  EXPECT_EQ(instances.size(), 4u);
+  EXPECT_EQ(series.size(), 4u);
+}
+
+TEST(DicomSegmentation, ALabelMapCannotOverlap)
+{
+  const Written written(ObliqueFixture());
+  EXPECT_THROW(WriteDicomSegmentation(
+                 written.source, written.Segments(), HeaderOfTest(), written.path, DicomSegmentationFormat::LabelMap),
+               std::invalid_argument);
+}
+
+/** By brute force: of all voxels of a label, the center is the one nearest to their mean. */
+TEST(DicomSegmentation, CentersAreTheVoxelsNearestToTheCentroid)
+{
+  const Written written(ObliqueFixture());
+  const auto &  labels = written.labels;
+  for (const std::size_t k : { 0, 2 }) // segments "one" and "two"
+  {
+    const auto                         label = static_cast<unsigned short>(k == 0 ? 1 : 2);
+    std::vector<itk::Point<double, 3>> places;
+    itk::Vector<double, 3>             sum(0.0);
+    const auto                         size = labels->GetLargestPossibleRegion().GetSize();
+    for (std::size_t i = 0; i < size[0] * size[1] * size[2]; ++i)
+    {
+      if (labels->GetBufferPointer()[i] == label)
+      {
+        places.push_back(
+          labels->TransformIndexToPhysicalPoint<double>(labels->ComputeIndex(static_cast<itk::OffsetValueType>(i))));
+        sum += places.back().GetVectorFromOrigin();
+      }
+    }
+    const itk::Point<double, 3> centroid(sum / static_cast<double>(places.size()));
+    double                      least = std::numeric_limits<double>::infinity();
+    for (const auto & place : places)
+    {
+      least = std::min(least, place.EuclideanDistanceTo(centroid));
+    }
+    const itk::Point<double, 3> center(written.segmentation.centers[k].data());
+    EXPECT_NEAR(center.EuclideanDistanceTo(centroid), least, 1e-9);
+    EXPECT_EQ(labels->GetPixel(labels->TransformPhysicalPointToIndex(center)), label);
+  }
+}
+
+TEST(DicomSegmentation, HasTheBodyPartOfItsHeader)
+{
+  const Written     written(ObliqueFixture());
+  DicomResultHeader header = HeaderOfTest();
+  header.bodyPart = "COLON";
+  WriteDicomSegmentation(written.source, written.Segments(), header, written.path);
+  DcmFileFormat file = Loaded(written.path);
+  EXPECT_EQ(ValueOf(file, DCM_BodyPartExamined), "COLON");
+  EXPECT_EQ(ValueOf(file, DCM_TimezoneOffsetFromUTC), "+0100");
 }
 
 TEST(DicomSegmentation, ComesBackFromFramesOfOneFile)

@@ -4,6 +4,7 @@
 #include "ShapetonVolumeFilesExport.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -61,10 +62,24 @@ struct DicomEncoding
   bool isSupported{ false };
   /** The transfer syntax is unknown to DCMTK; the parsed data set may be wrong. */
   bool isUnknown{ false };
+  /** Deflated Image Frame Compression (Supplement 244). */
+  bool hasDeflatedFrames{ false };
 };
 
 ShapetonVolumeFiles_EXPORT DicomEncoding
 DicomEncodingOf(DcmFileFormat & file);
+
+/** Loads a file; values of more than `maximumEagerValue` bytes stay on disk until they are accessed. Also parses
+ * Deflated Image Frame Compression, which DCMTK 3.6.7 does not know; the data set then states RLE as its transfer
+ * syntax, and DicomEncodingOf() states the true one. Returns the fault; empty if there is none. */
+ShapetonVolumeFiles_EXPORT std::string
+LoadDicomFile(DcmFileFormat & file, const std::string & path, unsigned int maximumEagerValue);
+
+/** Decodes a frame, from 0, of a loaded file into exactly `bytes` bytes. Native frames of single bits are not
+ * supported. Returns the bits of a decoded pixel, or 0 if they are defined by the header: JPEG 2000 streams encode
+ * numbers, sometimes with more bits than Bits Stored; other encodings store words. Throws std::runtime_error. */
+ShapetonVolumeFiles_EXPORT std::uint16_t
+                           DecodeDicomFrame(DcmFileFormat & file, unsigned int frame, std::size_t bytes, char * pixels);
 
 /** Label Map Segmentation Storage (Supplement 243), missing in DCMTK 3.6.7. */
 constexpr const char * LabelMapSegmentationStorageUID = "1.2.840.10008.5.1.4.1.1.66.7";

@@ -6,6 +6,7 @@
 #include "shapetonPrintable.h"
 
 #include "dcmtk/config/osconfig.h"
+#include "dcmtk/dcmdata/dcistrmf.h"
 #include "dcmtk/dcmdata/dctk.h"
 #include "dcmtk/oflog/oflog.h"
 
@@ -98,11 +99,34 @@ DicomEncodingOf(DcmFileFormat & file)
 {
   const std::string stated = Trimmed(BytesOf(*file.getMetaInfo(), DCM_TransferSyntaxUID));
   DicomEncoding     encoding;
+  if (stated == DeflatedFramesUID)
+  {
+    return { "Deflated Image Frame Compression", true, false, true };
+  }
   encoding.isUnknown = !stated.empty() && DcmXfer(stated.c_str()).getXfer() == EXS_Unknown;
   const DcmXfer syntax(file.getDataset()->getOriginalXfer());
   encoding.name = encoding.isUnknown ? NameOfNewTransferSyntax(stated) : std::string(syntax.getXferName());
   encoding.isSupported = !encoding.isUnknown && IsSupported(syntax.getXfer());
   return encoding;
+}
+
+std::string
+LoadDicomFile(DcmFileFormat & file, const std::string & path, unsigned int maximumEagerValue)
+{
+  OFCondition status = file.loadFile(path.c_str(), EXS_Unknown, EGL_noChange, maximumEagerValue, ERM_autoDetect);
+  if (DicomEncodingOf(file).hasDeflatedFrames)
+  {
+    constexpr offile_off_t preamble = 132, groupLength = 12; // bytes; the second is the first attribute
+    Uint32                 length = 0;
+    file.getMetaInfo()->findAndGetUint32(DCM_FileMetaInformationGroupLength, length);
+    DcmInputFileStream stream(path.c_str(), preamble + groupLength + static_cast<offile_off_t>(length));
+    DcmDataset &       dataset = *file.getDataset();
+    dataset.clear();
+    dataset.transferInit();
+    status = dataset.read(stream, EXS_RLELossless, EGL_noChange, maximumEagerValue); // encapsulated in the same way
+    dataset.transferEnd();
+  }
+  return status.bad() ? status.text() : std::string();
 }
 
 DicomText

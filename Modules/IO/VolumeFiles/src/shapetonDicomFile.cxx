@@ -567,20 +567,19 @@ ParseDicomFile(const std::string & path)
     return file;
   }
   DcmFileFormat     format;
-  const OFCondition status =
-    format.loadFile(path.c_str(), EXS_Unknown, EGL_noChange, MaximumEagerValue, ERM_autoDetect);
+  const std::string fault = LoadDicomFile(format, path, MaximumEagerValue);
   DcmDataset &      dataset = *format.getDataset();
   const std::string object = ObjectName(format, dataset);
   const bool        isImage = dataset.tagExists(DCM_Rows) && dataset.tagExists(DCM_Columns);
   if (isImage)
   {
     ReadIdentity(format, dataset, file);
-    ReadImage(dataset, file, status.bad());
+    ReadImage(dataset, file, !fault.empty());
   }
-  else if (status.bad())
+  else if (!fault.empty())
   {
     file.kind = DicomFile::Kind::damaged;
-    file.what = std::string("the file is truncated within its header, or malformed (") + status.text() + ")";
+    file.what = std::string("the file is truncated within its header, or malformed (") + fault + ")";
   }
   else if (!object.empty() || signature == Signature::file)
   {

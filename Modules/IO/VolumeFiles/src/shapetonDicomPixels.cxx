@@ -16,6 +16,7 @@
 #include "gdcmImage.h"
 #include "gdcmSequenceOfFragments.h"
 #include "gdcmTrace.h"
+#include "itk_zlib.h"
 
 #include <algorithm>
 #include <atomic>
@@ -39,21 +40,21 @@ struct OpenFile
   std::unique_ptr<DcmFileFormat> format;
 };
 
-DcmDataset &
+DcmFileFormat &
 Open(const std::string & path, OpenFile & file)
 {
   if (file.path != path || !file.format)
   {
     file.format = std::make_unique<DcmFileFormat>();
     file.path = path;
-    const OFCondition status = file.format->loadFile(path.c_str());
-    if (status.bad())
+    const std::string fault = LoadDicomFile(*file.format, path, DCM_MaxReadLength);
+    if (!fault.empty())
     {
       file.format.reset();
-      throw std::runtime_error(std::string("it is truncated or malformed (") + status.text() + ")");
+      throw std::runtime_error("it is truncated or malformed (" + fault + ")");
     }
   }
-  return *file.format->getDataset();
+  return *file.format;
 }
 
 void
@@ -233,42 +234,45 @@ DecodeFragments(DcmDataset & dataset, const std::vector<Fragment> & fragments, s
   return image.GetPixelFormat().GetBitsStored();
 }
 
-/** Returns the bits of a decoded pixel, or 0 if they are defined by the header. JPEG 2000 streams encode numbers,
- * sometimes with more bits than Bits Stored; other encodings store words. */
-std::uint16_t
-DecodeFrame(OpenFile & file, const std::string & path, unsigned int frame, std::size_t bytes, char * pixels)
+/** Inflates a frame (RFC 1951) into exactly this number of bytes, so a false header cannot allocate more. */
+void
+InflateFragments(const std::vector<Fragment> & fragments, std::size_t bytes, char * pixels)
 {
-  DcmDataset & dataset = Open(path, file);
-  DcmElement * element = nullptr;
-  dataset.findAndGetElement(DCM_PixelData, element);
-  auto * const pixelData = dynamic_cast<DcmPixelData *>(element);
-  if (!pixelData)
+  std::string deflated;
+  for (const Fragment & fragment : fragments)
   {
-    throw std::runtime_error("it has no pixel data");
+    deflated.append(fragment.data, fragment.size);
   }
-  const DcmXfer syntax(dataset.getOriginalXfer());
-  if (!syntax.isEncapsulated())
+  z_stream stream{};
+  if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) // negative: without a header
   {
-    ReadNativeFrame(dataset, *pixelData, frame, bytes, pixels);
-    return 0;
+    throw std::runtime_error("its compressed pixels cannot be decoded");
   }
+  stream.next_in = reinterpret_cast<Bytef *>(&deflated[0]);
+  stream.avail_in = static_cast<uInt>(deflated.size());
+  stream.next_out = reinterpret_cast<Bytef *>(pixels);
+  stream.avail_out = static_cast<uInt>(bytes);
+  const int status = inflate(&stream, Z_FINISH);
+  inflateEnd(&stream);
+  if (status != Z_STREAM_END || stream.avail_out != 0)
+  {
+    throw std::runtime_error("its compressed pixels differ in size from the header, or cannot be decoded");
+  }
+}
+
+/** The compressed pixels of a file. */
+DcmPixelSequence &
+SequenceOf(DcmPixelData & pixelData)
+{
   DcmPixelSequence *                 sequence = nullptr;
   E_TransferSyntax                   storedSyntax = EXS_Unknown;
   const DcmRepresentationParameter * parameters = nullptr;
-  pixelData->getOriginalRepresentationKey(storedSyntax, parameters);
-  if (pixelData->getEncapsulatedRepresentation(storedSyntax, parameters, sequence).bad() || !sequence)
+  pixelData.getOriginalRepresentationKey(storedSyntax, parameters);
+  if (pixelData.getEncapsulatedRepresentation(storedSyntax, parameters, sequence).bad() || !sequence)
   {
     throw std::runtime_error("its compressed pixels are missing");
   }
-  Sint32 frames = 1;
-  dataset.findAndGetSint32(DCM_NumberOfFrames, frames);
-  const auto count = static_cast<std::size_t>(std::max<Sint32>(frames, 1));
-  if (frame >= count)
-  {
-    throw std::runtime_error("it has no frame " + std::to_string(frame + 1));
-  }
-  const std::uint16_t bits = DecodeFragments(dataset, SelectFragments(*sequence, count, frame), bytes, pixels);
-  return syntax.getXfer() == EXS_JPEG2000 || syntax.getXfer() == EXS_JPEG2000LosslessOnly ? bits : std::uint16_t(0);
+  return *sequence;
 }
 
 // ---- in this process ----
@@ -365,6 +369,40 @@ ReadSlice(ContainedProcess & process, const DicomSlice & slice, std::size_t pixe
 }
 } // namespace
 
+std::uint16_t
+DecodeDicomFrame(DcmFileFormat & file, unsigned int frame, std::size_t bytes, char * pixels)
+{
+  DcmDataset & dataset = *file.getDataset();
+  DcmElement * element = nullptr;
+  dataset.findAndGetElement(DCM_PixelData, element);
+  auto * const pixelData = dynamic_cast<DcmPixelData *>(element);
+  if (!pixelData)
+  {
+    throw std::runtime_error("it has no pixel data");
+  }
+  const DcmXfer syntax(dataset.getOriginalXfer());
+  if (!syntax.isEncapsulated())
+  {
+    ReadNativeFrame(dataset, *pixelData, frame, bytes, pixels);
+    return 0;
+  }
+  Sint32 frames = 1;
+  dataset.findAndGetSint32(DCM_NumberOfFrames, frames);
+  const auto count = static_cast<std::size_t>(std::max<Sint32>(frames, 1));
+  if (frame >= count)
+  {
+    throw std::runtime_error("it has no frame " + std::to_string(frame + 1));
+  }
+  const auto fragments = SelectFragments(SequenceOf(*pixelData), count, frame);
+  if (DicomEncodingOf(file).hasDeflatedFrames)
+  {
+    InflateFragments(fragments, bytes, pixels);
+    return 0;
+  }
+  const std::uint16_t bits = DecodeFragments(dataset, fragments, bytes, pixels);
+  return syntax.getXfer() == EXS_JPEG2000 || syntax.getXfer() == EXS_JPEG2000LosslessOnly ? bits : std::uint16_t(0);
+}
+
 ContainedService
 MakeDicomPixelService()
 {
@@ -379,7 +417,7 @@ MakeDicomPixelService()
     ByteReader              reader(request);
     reader & path & frame & bytes;
     ByteWriter              response;
-    response &              DecodeFrame(*file, path, frame, bytes, shared);
+    response &              DecodeDicomFrame(Open(path, *file), frame, bytes, shared);
     return response.GetBytes();
   };
 }

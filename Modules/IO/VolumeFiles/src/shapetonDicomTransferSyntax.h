@@ -9,6 +9,9 @@
 
 namespace shapeton
 {
+/** Deflated Image Frame Compression (Supplement 244), missing in DCMTK 3.6.7. */
+constexpr const char * DeflatedFramesUID = "1.2.840.10008.1.2.8.1";
+
 /** True for encodings with readable pixels: native ones by DCMTK, compressed ones by GDCM. */
 inline bool
 IsSupported(E_TransferSyntax syntax)
@@ -47,7 +50,6 @@ inline std::string
 NameOfNewTransferSyntax(const std::string & uid)
 {
   static const std::map<std::string, std::string> names{
-    { "1.2.840.10008.1.2.8.1", "Deflated Image Frame Compression" },
     { "1.2.840.10008.1.2.4.110", "JPEG XL Lossless" },
     { "1.2.840.10008.1.2.4.111", "JPEG XL JPEG Recompression" },
     { "1.2.840.10008.1.2.4.112", "JPEG XL" },

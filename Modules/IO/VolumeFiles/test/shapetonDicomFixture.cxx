@@ -1,6 +1,11 @@
 #include "shapetonDicomFixture.h"
 
+#include "itk_zlib.h"
+
 #include "dcmtk/dcmdata/dcostrmb.h"
+#include "dcmtk/dcmdata/dcpixel.h"
+#include "dcmtk/dcmdata/dcpixseq.h"
+#include "dcmtk/dcmdata/dcpxitem.h"
 #include "dcmtk/dcmdata/dcrledrg.h"
 #include "dcmtk/dcmdata/dcrleerg.h"
 
@@ -9,6 +14,7 @@
 #include "gdcmTrace.h"
 #include "gdcmWriter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -460,6 +466,99 @@ CompressDicom(const std::string & path, const std::string & syntax)
   {
     throw std::runtime_error("cannot write " + path);
   }
+}
+
+void
+CompressSegmentation(const std::string & path, const std::string & syntax)
+{
+  const auto change = [&](const OFString & sopClass) {
+    DcmFileFormat file;
+    OFString      before;
+    Check(file.loadFile(path.c_str()), "load");
+    file.loadAllDataIntoMemory();
+    file.getDataset()->findAndGetOFString(DCM_SOPClassUID, before);
+    SetText(file, DCM_SOPClassUID, sopClass.c_str());
+    Check(file.saveFile(path.c_str(), file.getDataset()->getOriginalXfer()), "save");
+    return before;
+  };
+  const OFString sopClass = change(UID_MultiframeGrayscaleWordSecondaryCaptureImageStorage);
+  CompressDicom(path, syntax);
+  change(sopClass);
+}
+
+namespace
+{
+/** Frame number `frame` of single bits, moved to the start of a byte. */
+std::string
+BitsOfFrame(const std::string & all, std::size_t frame, std::size_t pixels)
+{
+  std::string bits((pixels + 7) / 8, '\0');
+  for (std::size_t i = 0; i < pixels; ++i)
+  {
+    const std::size_t from = frame * pixels + i;
+    const int         bit = (all[from / 8] >> (from % 8)) & 1;
+    bits[i / 8] = static_cast<char>(bits[i / 8] | bit << (i % 8));
+  }
+  return bits;
+}
+
+/** RFC 1951. */
+std::string
+Deflated(std::string bytes)
+{
+  std::string deflated(bytes.size() + 100, '\0');
+  z_stream    stream{};
+  deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, -MAX_WBITS, MAX_MEM_LEVEL, Z_DEFAULT_STRATEGY);
+  stream.next_in = reinterpret_cast<Bytef *>(&bytes[0]);
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef *>(&deflated[0]);
+  stream.avail_out = static_cast<uInt>(deflated.size());
+  const int status = deflate(&stream, Z_FINISH);
+  deflated.resize(stream.total_out);
+  deflateEnd(&stream);
+  if (status != Z_STREAM_END)
+  {
+    throw std::runtime_error("cannot deflate");
+  }
+  return deflated;
+}
+} // namespace
+
+void
+DeflateDicomFrames(const std::string & path)
+{
+  DcmFileFormat file;
+  Check(file.loadFile(path.c_str()), "load");
+  DcmDataset & dataset = *file.getDataset();
+  Uint16       rows = 0, columns = 0, bits = 0;
+  Sint32       frames = 1;
+  DcmElement * pixels = nullptr;
+  Check(dataset.findAndGetUint16(DCM_Rows, rows), "rows");
+  Check(dataset.findAndGetUint16(DCM_Columns, columns), "columns");
+  Check(dataset.findAndGetUint16(DCM_BitsAllocated, bits), "bits");
+  dataset.findAndGetSint32(DCM_NumberOfFrames, frames); // 0 if missing
+  Check(dataset.findAndGetElement(DCM_PixelData, pixels), "pixels");
+  std::string all(pixels->getLength(), '\0');
+  Check(pixels->getPartialValue(&all[0], 0, pixels->getLength()), "read");
+  auto * const   sequence = new DcmPixelSequence(DCM_PixelSequenceTag);
+  auto * const   table = new DcmPixelItem(DCM_PixelItemTag);
+  DcmOffsetList  offsets;
+  const unsigned pixelsOfFrame = unsigned{ rows } * columns;
+  sequence->insert(table);
+  for (Sint32 i = 0; i < std::max<Sint32>(frames, 1); ++i)
+  {
+    const auto        frame = static_cast<std::size_t>(i);
+    const std::size_t bytes = std::size_t{ pixelsOfFrame } * bits / 8;
+    std::string       deflated =
+      Deflated(bits == 1 ? BitsOfFrame(all, frame, pixelsOfFrame) : all.substr(frame * bytes, bytes));
+    Check(sequence->storeCompressedFrame(
+            offsets, reinterpret_cast<Uint8 *>(&deflated[0]), static_cast<Uint32>(deflated.size()), 0),
+          "store");
+  }
+  Check(table->createOffsetTable(offsets), "table");
+  dynamic_cast<DcmPixelData &>(*pixels).putOriginalRepresentation(EXS_RLELossless, nullptr, sequence);
+  Check(file.saveFile(path.c_str(), EXS_RLELossless), "save"); // encapsulated in the same way
+  StateTransferSyntax(path, "1.2.840.10008.1.2.8.1");
 }
 
 void

@@ -147,6 +147,14 @@ SaveDicom(const DicomFixture::Files & files,
 void
 CompressDicom(const std::string & path, const std::string & syntax);
 
+/** The same for a segmentation, which GDCM does not take for an image. */
+void
+CompressSegmentation(const std::string & path, const std::string & syntax);
+
+/** Compresses the frames of an uncompressed file in place, as in Deflated Image Frame Compression. */
+void
+DeflateDicomFrames(const std::string & path);
+
 /** Truncates a file after `bytes` bytes. */
 void
 Truncate(const std::string & path, std::size_t bytes);

@@ -1,3 +1,4 @@
+#include "shapetonDicomAttributes.h"
 #include "shapetonVolumeTesting.h"
 
 #include "shapetonDicomSeriesScan.h"
@@ -154,6 +155,37 @@ TEST(VolumeReader, EncodingsAgreeBitForBit)
       shapeton::CompressDicom(entry.path().string(), encoding.first);
     }
     check(encoding.second);
+  }
+  const std::string deflated = folder + "/deflatedFrames";
+  fs::create_directory(deflated);
+  SaveDicom(fixture.MakeSeries(), deflated);
+  for (const auto & entry : fs::directory_iterator(deflated))
+  {
+    shapeton::DeflateDicomFrames(entry.path().string());
+  }
+  check("deflatedFrames");
+}
+
+TEST(VolumeReader, DeflatedFramesThatDifferFromTheirHeaderAreRefused)
+{
+  const std::string folder = TestFolder();
+  auto              files = DicomFixture().MakeSeries();
+  SaveDicom(files, folder);
+  const std::string path = folder + "/im0003.dcm";
+  shapeton::DeflateDicomFrames(path);
+  for (const std::size_t change : { 0, 1 }) // a larger frame than stored, then a smaller one
+  {
+    DcmFileFormat     file;
+    const std::string fault = shapeton::LoadDicomFile(file, path, 4096);
+    Uint16            rows = 0;
+    ASSERT_EQ(fault, "");
+    EXPECT_EQ(shapeton::DicomEncodingOf(file).name, "Deflated Image Frame Compression");
+    ASSERT_TRUE(file.getDataset()->findAndGetUint16(DCM_Rows, rows).good());
+    const std::size_t bytes = std::size_t{ rows } * 7 * 2;
+    std::string       pixels(bytes + 4, '\0');
+    EXPECT_NO_THROW(shapeton::DecodeDicomFrame(file, 0, bytes, &pixels[0]));
+    EXPECT_THROW(shapeton::DecodeDicomFrame(file, 0, change == 0 ? bytes + 2 : bytes - 2, &pixels[0]),
+                 std::runtime_error);
   }
 }
 

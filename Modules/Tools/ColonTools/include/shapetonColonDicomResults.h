@@ -2,6 +2,7 @@
 #define shapetonColonDicomResults_h
 
 #include "ShapetonColonToolsExport.h"
+#include "shapetonDicomSegmentation.h"
 #include "shapetonHtmlReport.h"
 #include "shapetonProgress.h"
 #include "shapetonRemarks.h"
@@ -26,16 +27,17 @@ struct ColonDicomReader
 /** Options for writing the results of an examination. \ingroup ShapetonColonTools */
 struct ColonDicomOptions
 {
-  /** If true, the segmentation is written in Deflated Explicit VR Little Endian. */
-  bool             isDeflated{ false };
-  ColonDicomReader reader;
+  DicomSegmentationFormat segmentation{ DicomSegmentationFormat::Binary };
+  DicomResultDates        dates{ DicomResultDates::Source };
+  ColonDicomReader        reader;
   /** Progress receiver; its stages are "Reading" and the file names. */
   Progress progress;
 };
 
-/** Writes the results of VirtualColonoscopy for one series as DICOM objects: seg.dcm (lumen, folds, heads of
- * candidates, segments of the colon), sr.dcm (TID 1500), cad.dcm (Colon CAD SR), sc.dcm (the flat colon), stl.dcm (the
- * wall); with a reader, also sr-reader.dcm (TID 1500: accepted polyps, and the category that the reader entered).
+/** Writes the results of VirtualColonoscopy for one series as DICOM objects: seg.dcm (lumen, heads of
+ * candidates), seg-anatomy.dcm (segments of the colon, terminal ileum, folds), sr.dcm (TID 1500), cad.dcm (Colon CAD
+ * SR), sc.dcm (the flat colon), stl.dcm (the wall); with a reader, also sr-reader.dcm (TID 1500: accepted polyps, and
+ * the category that the reader entered).
  *
  * \param exam the folder of the run, or its folder `second`.
  * \param source the folder with the series that the run read. Its UID, its grid, and its digest in the record of the

@@ -51,13 +51,48 @@ ReadReading(const ColonDicomReader & reader)
   return reading;
 }
 
-/** The objects refer to the run, not to the program that wrote them. Series numbers are consecutive. */
-DicomResultHeader
-HeaderOf(const ColonExamination & exam, int number, const std::string & what)
+/** Headers of the objects of an examination. They name the run, not the program that wrote them. */
+class Headers
 {
-  constexpr int     seriesNumber = 9000;
-  const std::string version = exam.quality.value("/provenance/version"_json_pointer, std::string("unknown"));
-  return { "VirtualColonoscopy", version, seriesNumber + number, "Research: " + what };
+public:
+  Headers(const ColonExamination & exam, DicomResultDates dates)
+    : m_Version(exam.quality.value("/provenance/version"_json_pointer, std::string("unknown"))), m_Dates(dates)
+  {}
+
+  /** Series numbers are consecutive. */
+  DicomResultHeader
+  Make(int number, const std::string & what) const
+  {
+    constexpr int firstSeries = 9000;
+    return { "VirtualColonoscopy", m_Version, firstSeries + number, "Research: " + what, "COLON", m_Dates };
+  }
+
+private:
+  std::string      m_Version;
+  DicomResultDates m_Dates;
+};
+
+/** Writes both segmentations. */
+void
+WriteSegments(const DicomSource &       series,
+              const std::string &       folder,
+              const Headers &           headers,
+              const ColonDicomOptions & options,
+              const OutputPath &        outputPath,
+              ColonSegmentsAsDicom &    segments)
+{
+  constexpr int anatomy = 6; // added after the other series
+  options.progress("seg.dcm", 0.4);
+  segments.WriteFindings(
+    series, headers.Make(0, "lumen and candidates"), outputPath(folder + "/seg.dcm"), options.segmentation);
+  options.progress("seg-anatomy.dcm", 0.6);
+  if (segments.HasAnatomy())
+  {
+    segments.WriteAnatomy(series,
+                          headers.Make(anatomy, "anatomy of the colon"),
+                          outputPath(folder + "/seg-anatomy.dcm"),
+                          options.segmentation);
+  }
 }
 
 /** Writes the wall, and the flat colon if it exists. */
@@ -65,6 +100,7 @@ void
 WritePictures(ColonExamination &  exam,
               const DicomSource & series,
               const std::string & folder,
+              const Headers &     headers,
               const OutputPath &  outputPath)
 {
   if (exam.Has("flattening/flat.png", "no picture of the flat colon"))
@@ -72,7 +108,7 @@ WritePictures(ColonExamination &  exam,
     WriteDicomPicture(
       series,
       ReadImage<Picture>(exam.PathOf("flattening/flat.png"), itk::PNGImageIO::New(), "run VirtualColonoscopy again"),
-      HeaderOf(exam, 3, "flat colon"),
+      headers.Make(3, "flat colon"),
       outputPath(folder + "/sc.dcm"));
   }
   if (exam.Has("segmentation/wall-simplified.vtp", "no surface of the wall"))
@@ -81,7 +117,7 @@ WritePictures(ColonExamination &  exam,
     WriteDicomSurface(series,
                       ReadSurface(exam.PathOf("segmentation/wall-simplified.vtp")).mesh,
                       wall,
-                      HeaderOf(exam, 4, "wall of the colon"),
+                      headers.Make(4, "wall of the colon"),
                       outputPath(folder + "/stl.dcm"));
   }
 }
@@ -98,25 +134,24 @@ WriteColonDicomResults(const std::string &       exam,
   const std::optional<ColonReading> reading = ReadReading(options.reader);
   ColonExamination                  examination = ReadColonExamination(exam);
   const DicomSource                 series = ReadSourceOf(examination, source);
-  options.progress("seg.dcm", 0.4);
-  ColonSegmentsAsDicom segments(examination);
-  segments.Write(
-    series, HeaderOf(examination, 0, "colon segmentation"), outputPath(folder + "/seg.dcm"), options.isDeflated);
+  const Headers                     headers(examination, options.dates);
+  ColonSegmentsAsDicom              segments(examination);
+  WriteSegments(series, folder, headers, options, outputPath, segments);
   options.progress("sr.dcm", 0.9);
   WriteDicomMeasurements(series,
                          MeasurementsOfColon(examination, segments),
-                         HeaderOf(examination, 1, "colon measurements"),
+                         headers.Make(1, "colon measurements"),
                          outputPath(folder + "/sr.dcm"));
   if (reading)
   {
     constexpr int seriesOfReading = 5; // the first number without another object
     WriteDicomMeasurements(series,
                            MeasurementsOfReader(*reading, options.reader.position, segments),
-                           HeaderOf(examination, seriesOfReading, "reading of the colon"),
+                           headers.Make(seriesOfReading, "reading of the colon"),
                            outputPath(folder + "/sr-reader.dcm"));
   }
   options.progress("cad.dcm", 0.92);
-  const DicomResultHeader cad = HeaderOf(examination, 2, "colon CAD");
+  const DicomResultHeader cad = headers.Make(2, "colon CAD");
   WriteDicomReport(series,
                    DicomReportKind::ColonCAD,
                    CadReportOfColon(examination, segments, series, cad),
@@ -124,7 +159,7 @@ WriteColonDicomResults(const std::string &       exam,
                    cad,
                    outputPath(folder + "/cad.dcm"));
   options.progress("sc.dcm, stl.dcm", 0.94);
-  WritePictures(examination, series, folder, outputPath);
+  WritePictures(examination, series, folder, headers, outputPath);
   options.progress("Done", 1.0);
   return examination.missing;
 }

@@ -26,14 +26,17 @@ Add(DicomMeasurementGroup &  group,
 }
 
 DicomMeasurementGroup
-GroupOf(const DicomSegment & segment, const ColonSegmentsAsDicom & segments)
+GroupOf(const DicomSegment & segment, const ColonSegmentsAsDicom::Place & place)
 {
   DicomMeasurementGroup group;
   group.trackingID = segment.trackingID;
   group.trackingUID = segment.trackingUID;
   group.finding = segment.type;
   group.site = segment.region;
-  group.segment = segments.NumberOf(segment.trackingUID);
+  group.segment = place.number;
+  group.segmentation = place.instance;
+  group.center = place.center;
+  Add(group, volume, place.volume, ml);
   return group;
 }
 
@@ -45,7 +48,9 @@ GroupOf(const PolypCandidate & candidate, const ColonSegmentsAsDicom & segments)
   group.trackingUID = segments.TrackingUIDOfCandidate(candidate);
   group.finding = lesion;
   group.site = CodeOfSegment(candidate.segment);
-  group.segment = segments.NumberOf(group.trackingUID);
+  const ColonSegmentsAsDicom::Place head = segments.PlaceOf(group.trackingUID);
+  group.segment = head.number;
+  group.segmentation = head.instance;
   group.center = { candidate.position[0], candidate.position[1], candidate.position[2] };
   Add(group, diameter, candidate.diameter, mm, maximum);
   Add(group, height, candidate.height, mm);
@@ -54,7 +59,7 @@ GroupOf(const PolypCandidate & candidate, const ColonSegmentsAsDicom & segments)
   Add(group, certainty, 100.0 * candidate.score, percent);
   if (group.segment > 0)
   {
-    Add(group, volume, 1000.0 * segments.VolumeOf(group.trackingUID), mm3);
+    Add(group, volume, 1000.0 * head.volume, mm3);
   }
   group.comments.emplace_back(CandidateNote);
   if (!candidate.remark.empty())
@@ -103,7 +108,6 @@ MeasurementsOfColon(const ColonExamination & exam, const ColonSegmentsAsDicom & 
   DicomMeasurementReport report;
   report.procedure = ct;
   report.region = colon;
-  report.segmentation = segments.Instance();
   report.comments.emplace_back(DicomResearchNote);
   for (const PolypCandidate & candidate : exam.candidates)
   {
@@ -111,11 +115,10 @@ MeasurementsOfColon(const ColonExamination & exam, const ColonSegmentsAsDicom & 
   }
   for (const DicomSegment & segment : segments.Segments())
   {
-    const DicomMeasurementGroup whole = GroupOf(segment, segments);
-    if (whole.segment > 0 && !(segment.type == lesion))
+    const ColonSegmentsAsDicom::Place place = segments.PlaceOf(segment.trackingUID);
+    if (place.number > 0 && !(segment.type == lesion))
     {
-      report.groups.push_back(whole);
-      Add(report.groups.back(), volume, segments.VolumeOf(segment.trackingUID), ml);
+      report.groups.push_back(GroupOf(segment, place));
       AddExtent(exam, report.groups.back());
     }
   }

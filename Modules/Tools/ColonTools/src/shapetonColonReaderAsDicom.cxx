@@ -64,7 +64,9 @@ GroupOf(const ReaderLesion & lesion, const ColonSegmentsAsDicom & segments)
                                        : segments.TrackingUIDAt(group.trackingID, lesion.place);
   group.finding = polyp;
   group.site = CodeOfSegment(lesion.segment);
-  group.segment = segments.NumberOf(group.trackingUID);
+  const ColonSegmentsAsDicom::Place place = segments.PlaceOf(group.trackingUID);
+  group.segment = place.number;
+  group.segmentation = place.instance;
   group.center = { lesion.place[0], lesion.place[1], lesion.place[2] };
   AddMeasurements(lesion, group);
   AddMorphology(lesion, group);
@@ -125,7 +127,6 @@ MeasurementsOfReader(const ColonReading & reading, std::size_t position, const C
   DicomMeasurementReport   report;
   report.procedure = ct;
   report.region = colon;
-  report.segmentation = segments.Instance();
   report.observer = reading.observer;
   report.completion = why.empty() ? DicomCompletion::Complete : DicomCompletion::Partial;
   report.evaluations = { CategoryOf(colonAssessment, assessment.colonic),

@@ -2,6 +2,7 @@
 
 #include "shapetonColonLandmarkPictures.h"
 #include "shapetonColonTerms.h"
+#include "shapetonColorTable.h"
 #include "shapetonDicomText.h"
 #include "shapetonLumenAlong.h"
 #include "shapetonNumberText.h"
@@ -19,10 +20,13 @@ namespace
 constexpr unsigned short ileumLabel = 3;
 constexpr unsigned short foldLabel = 4;
 
+/** Labels of the anatomy after those of the segments of the colon, 1 to 6. */
+constexpr unsigned short ileumOfAnatomy = 7;
+constexpr unsigned short foldsOfAnatomy = 8;
+
 constexpr std::array<unsigned char, 3> colorOfGas{ 89, 153, 230 };
 constexpr std::array<unsigned char, 3> colorOfFluid{ 242, 217, 77 };
 constexpr std::array<unsigned char, 3> colorOfIleum{ 150, 110, 90 };
-constexpr std::array<unsigned char, 3> colorOfHeads{ 200, 60, 60 };
 constexpr std::array<unsigned char, 3> colorOfFolds{ 190, 140, 200 };
 
 /** Tissue within this distance of a face belongs to its fold. */
@@ -74,6 +78,15 @@ PaintNear(const Eigen::Matrix3d & corners, double step, VoxelPainter & painter)
   }
 }
 
+std::array<unsigned char, 3>
+ColorOfCandidate(int number)
+{
+  constexpr double greatest = 255.0;
+  const auto       color = ColorOfLabel(number);
+  const auto       byte = [](double share) { return static_cast<unsigned char>(std::lround(greatest * share)); };
+  return { byte(color[0]), byte(color[1]), byte(color[2]) };
+}
+
 LumenMaskImage::Pointer
 ColonMask(const DicomLabelImage * lumen)
 {
@@ -89,23 +102,50 @@ ColonMask(const DicomLabelImage * lumen)
   return mask;
 }
 
+/** Labels without any voxel on this grid. */
+DicomLabelImage::Pointer
+NoLabels(const DicomLabelImage * grid)
+{
+  const auto labels = DicomLabelImage::New();
+  labels->CopyInformation(grid);
+  labels->SetRegions(grid->GetBufferedRegion());
+  labels->Allocate(true);
+  return labels;
+}
 } // namespace
 
-ColonSegmentsAsDicom::ColonSegmentsAsDicom(const ColonExamination & exam) : m_Exam(exam), m_Parts(exam.lumen)
+ColonSegmentsAsDicom::ColonSegmentsAsDicom(const ColonExamination & exam) : m_Exam(exam)
 {
+  m_Findings.labels = exam.lumen;
+  this->AddColonSegments();
   this->AddLumen();
   this->AddHeads(); // before folds, so a polyp on a fold remains a polyp
   this->AddFolds();
-  this->AddColonSegments();
 }
 
 void
 ColonSegmentsAsDicom::AddLumen()
 {
   using namespace colonterms;
-  this->Add("gas", substance, gas, "gas", m_Parts, 1, colorOfGas);
-  this->Add("fluid", substance, fluid, "fluid", m_Parts, 2, colorOfFluid);
-  this->Add("terminal ileum", anatomy, ileum, "ileum", m_Parts, ileumLabel, colorOfIleum);
+  this->Add(m_Findings, "gas", substance, gas, "gas", 1, colorOfGas);
+  this->Add(m_Findings, "fluid", substance, fluid, "fluid", 2, colorOfFluid);
+  this->MoveToAnatomy(ileumLabel, ileumOfAnatomy);
+  this->Add(m_Anatomy, "terminal ileum", anatomy, ileum, "ileum", ileumOfAnatomy, colorOfIleum);
+}
+
+void
+ColonSegmentsAsDicom::MoveToAnatomy(unsigned short from, unsigned short to)
+{
+  unsigned short * const findings = m_Findings.labels->GetBufferPointer();
+  unsigned short * const anatomy = m_Anatomy.labels->GetBufferPointer();
+  const std::size_t      voxels = m_Findings.labels->GetBufferedRegion().GetNumberOfPixels();
+  for (std::size_t i = 0; i < voxels; ++i)
+  {
+    if (findings[i] == from)
+    {
+      anatomy[i] = to;
+    }
+  }
 }
 
 void
@@ -116,8 +156,8 @@ ColonSegmentsAsDicom::AddHeads()
     return;
   }
   const auto *      heads = m_Exam.heads->GetBufferPointer();
-  auto *            parts = m_Parts->GetBufferPointer();
-  const std::size_t voxels = m_Parts->GetBufferedRegion().GetNumberOfPixels();
+  auto *            parts = m_Findings.labels->GetBufferPointer();
+  const std::size_t voxels = m_Findings.labels->GetBufferedRegion().GetNumberOfPixels();
   for (std::size_t i = 0; i < voxels; ++i)
   {
     if (heads[i] != 0 && parts[i] == 0)
@@ -127,15 +167,15 @@ ColonSegmentsAsDicom::AddHeads()
   }
   for (const PolypCandidate & candidate : m_Exam.candidates)
   {
-    this->Add("candidate " + std::to_string(candidate.number),
+    this->Add(m_Findings,
+              "candidate " + std::to_string(candidate.number),
               colonterms::abnormal,
               colonterms::lesion,
               {},
-              m_Parts,
               foldLabel + candidate.number,
-              colorOfHeads);
-    m_Segments.back().region = colonterms::CodeOfSegment(candidate.segment);
-    m_Segments.back().trackingUID = this->TrackingUIDOfCandidate(candidate);
+              ColorOfCandidate(candidate.number));
+    m_Findings.segments.back().region = colonterms::CodeOfSegment(candidate.segment);
+    m_Findings.segments.back().trackingUID = this->TrackingUIDOfCandidate(candidate);
   }
 }
 
@@ -146,9 +186,9 @@ ColonSegmentsAsDicom::AddFolds()
   {
     return;
   }
-  const auto & spacing = m_Parts->GetSpacing();
+  const auto & spacing = m_Findings.labels->GetSpacing();
   const double step = 0.5 * std::min({ spacing[0], spacing[1], spacing[2] });
-  VoxelPainter painter(m_Parts, foldLabel);
+  VoxelPainter painter(m_Findings.labels, foldLabel);
   for (std::size_t face = 0; face < m_Exam.folds.size(); ++face)
   {
     if (m_Exam.folds[face] != 0)
@@ -161,7 +201,8 @@ ColonSegmentsAsDicom::AddFolds()
       PaintNear(corners, step, painter);
     }
   }
-  this->Add("haustral folds", colonterms::anatomy, colonterms::fold, "folds", m_Parts, foldLabel, colorOfFolds);
+  this->MoveToAnatomy(foldLabel, foldsOfAnatomy);
+  this->Add(m_Anatomy, "haustral folds", colonterms::anatomy, colonterms::fold, "folds", foldsOfAnatomy, colorOfFolds);
 }
 
 void
@@ -169,31 +210,32 @@ ColonSegmentsAsDicom::AddColonSegments()
 {
   if (m_Exam.segments.empty())
   {
+    m_Anatomy.labels = NoLabels(m_Exam.lumen);
     return;
   }
-  m_ColonSegments = LabelLumenAlong(ColonMask(m_Exam.lumen), m_Exam.centerline, [&](double arcLength) {
+  m_Anatomy.labels = LabelLumenAlong(ColonMask(m_Exam.lumen), m_Exam.centerline, [&](double arcLength) {
     const ColonSegmentExtent * const segment = FindSegment(m_Exam.segments, arcLength);
     return segment != nullptr ? static_cast<unsigned short>(segment->label) : 0;
   });
   for (const ColonSegmentExtent & segment : m_Exam.segments)
   {
     const auto color = ColorOfSegment(segment.label);
-    this->Add(segment.name,
+    this->Add(m_Anatomy,
+              segment.name,
               colonterms::anatomy,
               colonterms::CodeOfSegment(segment.label),
               segment.name,
-              m_ColonSegments,
               segment.label,
               { { color[0], color[1], color[2] } });
   }
 }
 
 void
-ColonSegmentsAsDicom::Add(const std::string &                  name,
+ColonSegmentsAsDicom::Add(File &                               file,
+                          const std::string &                  name,
                           const DicomCode &                    category,
                           const DicomCode &                    type,
                           const std::string &                  role,
-                          const DicomLabelImage *              labels,
                           int                                  label,
                           const std::array<unsigned char, 3> & color)
 {
@@ -206,9 +248,9 @@ ColonSegmentsAsDicom::Add(const std::string &                  name,
   segment.trackingID = name;
   segment.trackingUID = this->UIDOf(role);
   segment.color = color;
-  segment.labels = labels;
+  segment.labels = file.labels;
   segment.label = static_cast<unsigned short>(label);
-  m_Segments.push_back(segment);
+  file.segments.push_back(segment);
 }
 
 std::string
@@ -230,36 +272,58 @@ ColonSegmentsAsDicom::TrackingUIDAt(const std::string & kind, const Eigen::Vecto
 }
 
 void
-ColonSegmentsAsDicom::Write(const DicomSource &       source,
-                            const DicomResultHeader & header,
-                            const std::string &       path,
-                            bool                      isDeflated)
+ColonSegmentsAsDicom::WriteFindings(const DicomSource &       source,
+                                    const DicomResultHeader & header,
+                                    const std::string &       path,
+                                    DicomSegmentationFormat   format)
 {
-  m_Written = WriteDicomSegmentation(source, m_Segments, header, path, isDeflated);
+  m_Findings.written = WriteDicomSegmentation(source, m_Findings.segments, header, path, format);
 }
 
-std::ptrdiff_t
+bool
+ColonSegmentsAsDicom::HasAnatomy() const
+{
+  const unsigned short * const first = m_Anatomy.labels->GetBufferPointer();
+  const unsigned short * const last = first + m_Anatomy.labels->GetBufferedRegion().GetNumberOfPixels();
+  return std::any_of(first, last, [](unsigned short label) { return label != 0; });
+}
+
+void
+ColonSegmentsAsDicom::WriteAnatomy(const DicomSource &       source,
+                                   const DicomResultHeader & header,
+                                   const std::string &       path,
+                                   DicomSegmentationFormat   format)
+{
+  m_Anatomy.written = WriteDicomSegmentation(source, m_Anatomy.segments, header, path, format);
+}
+
+std::vector<DicomSegment>
+ColonSegmentsAsDicom::Segments() const
+{
+  std::vector<DicomSegment> all = m_Findings.segments;
+  all.insert(all.end(), m_Anatomy.segments.begin(), m_Anatomy.segments.end());
+  return all;
+}
+
+ColonSegmentsAsDicom::Place
 ColonSegmentsAsDicom::PlaceOf(const std::string & trackingUID) const
 {
-  const auto found = std::find_if(m_Segments.begin(), m_Segments.end(), [&](const DicomSegment & segment) {
-    return segment.trackingUID == trackingUID;
-  });
-  return found == m_Segments.end() ? -1 : found - m_Segments.begin();
-}
-
-int
-ColonSegmentsAsDicom::NumberOf(const std::string & trackingUID) const
-{
-  const std::ptrdiff_t place = this->PlaceOf(trackingUID);
-  return place < 0 ? 0 : m_Written.numbers[static_cast<std::size_t>(place)];
-}
-
-double
-ColonSegmentsAsDicom::VolumeOf(const std::string & trackingUID) const
-{
-  const std::ptrdiff_t place = this->PlaceOf(trackingUID);
-  const auto &         spacing = m_Parts->GetSpacing();
-  const double         voxel = spacing[0] * spacing[1] * spacing[2] / 1000.0;
-  return place < 0 ? 0.0 : voxel * static_cast<double>(m_Written.voxels[static_cast<std::size_t>(place)]);
+  const auto & spacing = m_Findings.labels->GetSpacing();
+  const double voxel = spacing[0] * spacing[1] * spacing[2] / 1000.0; // ml
+  for (const File * const file : { &m_Findings, &m_Anatomy })
+  {
+    const auto found = std::find_if(file->segments.begin(), file->segments.end(), [&](const DicomSegment & segment) {
+      return segment.trackingUID == trackingUID;
+    });
+    const auto k = static_cast<std::size_t>(found - file->segments.begin());
+    if (k < file->written.numbers.size()) // a file that was not written has none
+    {
+      return { file->written.instance,
+               file->written.numbers[k],
+               voxel * static_cast<double>(file->written.voxels[k]),
+               file->written.centers[k] };
+    }
+  }
+  return {};
 }
 } // namespace shapeton

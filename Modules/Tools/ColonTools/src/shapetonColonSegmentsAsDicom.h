@@ -6,42 +6,63 @@
 namespace shapeton
 {
 /** \class ColonSegmentsAsDicom
- * \brief Assigns the structures of an examination to DICOM segments and their numbers.
+ * \brief Assigns the structures of an examination to two DICOM segmentations without overlap, since viewers such as
+ * OHIF lose voxels of overlapping segments.
  *
- * Lumen, terminal ileum, folds and heads of candidates are disjoint. The segments of the colon divide the same lumen
- * by position along the colon. */
+ * The findings are gas, fluid and heads of candidates. The anatomy is the segments of the colon, which divide the same
+ * lumen by position along the colon, the terminal ileum and the folds. */
 class ColonSegmentsAsDicom
 {
 public:
   explicit ColonSegmentsAsDicom(const ColonExamination & exam);
 
-  void
-  Write(const DicomSource & source, const DicomResultHeader & header, const std::string & path, bool isDeflated);
+  /** A segment in its file. */
+  struct Place
+  {
+    DicomInstance instance;
+    /** 0 for a segment without voxels. */
+    int number{ 0 };
+    /** ml. */
+    double volume{ 0.0 };
+    /** In the segment, LPS, mm. */
+    std::array<double, 3> center{};
+  };
 
-  const DicomInstance &
-  Instance() const
-  {
-    return m_Written.instance;
-  }
-  const std::vector<DicomSegment> &
-  Segments() const
-  {
-    return m_Segments;
-  }
+  void
+  WriteFindings(const DicomSource &       source,
+                const DicomResultHeader & header,
+                const std::string &       path,
+                DicomSegmentationFormat   format);
+  /** Whether any voxel belongs to the anatomy. */
+  bool
+  HasAnatomy() const;
+  void
+  WriteAnatomy(const DicomSource &       source,
+               const DicomResultHeader & header,
+               const std::string &       path,
+               DicomSegmentationFormat   format);
+
+  /** All segments, findings first. */
+  std::vector<DicomSegment>
+  Segments() const;
   /** UID that identifies a candidate in all objects. */
   std::string
   TrackingUIDOfCandidate(const PolypCandidate & candidate) const;
   /** UID that identifies a structure of this kind at a place (LPS, mm) of the series. */
   std::string
   TrackingUIDAt(const std::string & kind, const Eigen::Vector3d & place) const;
-  /** Segment number in the file for a tracking UID; 0 if there is none. */
-  int
-  NumberOf(const std::string & trackingUID) const;
-  /** Volume in ml. */
-  double
-  VolumeOf(const std::string & trackingUID) const;
+  /** The written segment with a tracking UID; number 0 if there is none. */
+  Place
+  PlaceOf(const std::string & trackingUID) const;
 
 private:
+  struct File
+  {
+    DicomLabelImage::Pointer  labels;
+    std::vector<DicomSegment> segments;
+    DicomSegmentation         written;
+  };
+
   void
   AddLumen();
   void
@@ -51,23 +72,21 @@ private:
   void
   AddColonSegments();
   void
-  Add(const std::string &                  name,
+  MoveToAnatomy(unsigned short from, unsigned short to);
+  void
+  Add(File &                               file,
+      const std::string &                  name,
       const DicomCode &                    category,
       const DicomCode &                    type,
       const std::string &                  role,
-      const DicomLabelImage *              labels,
       int                                  label,
       const std::array<unsigned char, 3> & color);
   std::string
   UIDOf(const std::string & role) const;
-  std::ptrdiff_t
-  PlaceOf(const std::string & trackingUID) const;
 
-  const ColonExamination &  m_Exam;
-  DicomLabelImage::Pointer  m_Parts;         ///< lumen, ileum, folds, heads of candidates
-  DicomLabelImage::Pointer  m_ColonSegments; ///< segments of the colon
-  std::vector<DicomSegment> m_Segments;
-  DicomSegmentation         m_Written;
+  const ColonExamination & m_Exam;
+  File                     m_Findings;
+  File                     m_Anatomy;
 };
 } // namespace shapeton
 
