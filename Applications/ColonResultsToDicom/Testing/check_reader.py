@@ -54,7 +54,8 @@ def check_candidate(group, row, segmentation):
 
 def check_finding(group):
     check(code_of(group, "Finding Site") == "32713005", "finding: cecum")
-    check(list(next(contents(group, "Center")).GraphicData) == [10.0, 20.0, -30.5], "finding: center")
+    center = list(contents(group, "Center"))[-1]
+    check(list(center.GraphicData) == [10.0, 20.0, -30.5], "finding: center")
     check(not list(contents(group, "Polyp size, largest dimension")), "finding: no size was entered")
 
 

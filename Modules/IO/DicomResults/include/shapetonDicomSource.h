@@ -48,7 +48,7 @@ struct DicomResultHeader
   int         seriesNumber{ 0 };
   /** At most 64 characters. */
   std::string seriesDescription;
-  /** Body Part Examined, a term of DICOM PS3.16 Annex L such as "COLON", for images and surfaces; empty for none. */
+  /** Body Part Examined, a term of DICOM PS3.16 Annex L such as "COLON", for images; empty for none. */
   std::string      bodyPart{};
   DicomResultDates dates{ DicomResultDates::Source };
 };

@@ -132,7 +132,7 @@ DicomResultObject::DicomResultObject(const DicomSource &       source,
     .Text(DCM_ManufacturerModelName, header.tool)
     .Text(DCM_DeviceSerialNumber, "0")
     .Text(DCM_SoftwareVersions, header.version);
-  if (!header.bodyPart.empty() && modality != "SR") // not an attribute of reports
+  if (!header.bodyPart.empty() && modality != "SR" && modality != "M3D") // not an attribute of reports and surfaces
   {
     this->Root().Text(DCM_BodyPartExamined, header.bodyPart);
   }
