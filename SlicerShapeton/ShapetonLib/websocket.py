@@ -32,6 +32,8 @@ class WebSocket:
             f"GET {place.path} HTTP/1.1\r\nHost: {place.netloc}\r\nOrigin: http://{place.netloc}\r\nUpgrade: websocket\r\n"
             f"Connection: Upgrade\r\nSec-WebSocket-Key: {self._key}\r\nSec-WebSocket-Version: 13\r\n\r\n".encode()
         )
+        self._held = bytearray()  # messages wait until the server has accepted the connection
+        self._isAccepted = False
         self._parser = self._parse()
         self._wanted = next(self._parser)
         self._socket = socket.socket(socket.AF_INET6 if ":" in place.hostname else socket.AF_INET)
@@ -88,11 +90,14 @@ class WebSocket:
             size = struct.pack("!BQ", 0x80 | 127, length)
         masks = (mask * (length // 4 + 1))[:length]
         masked = int.from_bytes(payload, "big") ^ int.from_bytes(masks, "big")
-        self._out += struct.pack("!B", 0x80 | opcode) + size + mask + masked.to_bytes(length, "big")
+        out = self._out if self._isAccepted else self._held
+        out += struct.pack("!B", 0x80 | opcode) + size + mask + masked.to_bytes(length, "big")
 
     def _parse(self):
         """Yields the buffers into which the following bytes are read."""
         yield from self._parseAnswer()
+        self._isAccepted = True
+        self._out += self._held
         message, kind = bytearray(), None
         while True:
             head = yield from self._take(2)

@@ -63,6 +63,14 @@ class WebSocketTest(unittest.TestCase):
         self.assertIn(f"GET /token/live HTTP/1.1\r\nHost: 127.0.0.1:{self.port}\r\n", self.request)
         self.assertIn(f"Origin: http://127.0.0.1:{self.port}\r\n", self.request)
 
+    def testMessagesWaitForTheHandshake(self):
+        self.client.send("early")
+        self.shakeHands()
+        self.assertTrue(self.request.endswith("\r\n\r\n"))
+        self.receive(0)
+        self.client.poll()
+        self.assertEqual(self.sent(), (1, b"early"))
+
     def testMessagesOfAllLengthsArriveBothWays(self):
         self.shakeHands()
         for length in (0, 1, 125, 126, 65535, 65536, 3000000):

@@ -269,7 +269,7 @@ struct LiveSession::Impl
       isComputingHeat = true;
       const Reset reset{ isComputingHeat };
       Tell("objects", 0.0);
-      objects.Find(heat, [this](double part) { Tell("objects", part); });
+      objects.Find(files.AsWritten(heat), [this](double part) { Tell("objects", part); });
       areObjectsWanted = false;
       return;
     }

@@ -8,6 +8,7 @@
 #include "shapetonHeatObjectTable.h"
 #include "shapetonHeatResultFiles.h"
 #include "shapetonParticleResultFiles.h"
+#include "shapetonOperatingSystem.h"
 #include "shapetonSavedTransferFunction.h"
 #include "shapetonShapeAnalysis.h"
 #include "shapetonToolVolumes.h"
@@ -270,8 +271,7 @@ SessionFiles::WriteObjects(const SavedResult & result)
     this->AddInput(commandLine);
     commandLine.AddInput("heatVolume", ReadVolume(commandLine.GetString("heatVolume")).identity);
     HeatObjectTable(*result.objects, numbers, m_Volume.image, { std::to_string(result.timeStep) }).Write(tableFile);
-    WriteVolume(
-      result.objects->labels.GetPointer(), labelsFile, ProvenanceMetadata(commandLine.GetProvenance()));
+    WriteVolume(result.objects->labels.GetPointer(), labelsFile, ProvenanceMetadata(commandLine.GetProvenance()));
   });
   this->NoteCommand("HeatObjects", { heat, labels, table }, m_ReadingArguments);
   return { labels, table };
@@ -293,6 +293,33 @@ SessionFiles::WriteLines(const SavedResult & result, double unit)
   m_Lines.push_back("cat > \"$results\"/" + InQuotes(json) + " << 'END'\n" + bytes + "END");
   this->NoteCommand("HeatTransferFunction", { VolumeNameOf(result), property, Flag("from"), json }, {});
   return { json, property };
+}
+
+SessionFiles::HeatType::Pointer
+SessionFiles::AsWritten(const HeatType * heat) const
+{
+  auto written = HeatType::New();
+  written->Graft(heat);
+  auto voxel = HeatType::New(); // has the axes, spacing and origin of the heat
+  voxel->CopyInformation(heat);
+  voxel->SetRegions(HeatType::SizeType{ { 1, 1, 1 } });
+  voxel->Allocate(true);
+  const std::string path = (m_Folder.GetPath() / (".grid-" + std::to_string(ProcessNumber()) + ".nrrd")).string();
+  try
+  {
+    WriteVolume(voxel.GetPointer(), path);
+    VolumeReadOptions reading;
+    reading.allowSingleSlice = true;
+    const Volume volume = ReadVolume(path, reading);
+    written->SetSpacing(volume.image->GetSpacing());
+    written->SetOrigin(volume.image->GetOrigin());
+    written->SetDirection(volume.image->GetDirection());
+  }
+  catch (const Exception &)
+  {} // nothing can be saved in this folder
+  std::error_code ignored;
+  fs::remove(path, ignored);
+  return written;
 }
 
 std::string

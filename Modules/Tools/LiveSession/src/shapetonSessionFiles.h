@@ -57,6 +57,10 @@ public:
   Save(const SavedResult & result, const ParticleDiffusionOptions & options, const HeatType * heat);
   ///@}
 
+  /** The same voxels on the grid that a tool reads from the saved file, which is rounded. */
+  HeatType::Pointer
+  AsWritten(const HeatType * heat) const;
+
   /** Writes a start region and returns its name. */
   std::string
   SaveMask(const StartMask * mask);
