@@ -144,6 +144,8 @@ class LivePanel:
     # ---- the session ----
     def _poll(self):
         session = self.session
+        if session is None:  # ended while a message was shown
+            return
         before = session.state
         try:
             with slicer.util.tryWithErrorDisplay("The session reports an error."):
@@ -200,7 +202,7 @@ class LivePanel:
 def ballsOf(node, radius):
     """Balls at the points of a node; in a region of interest, the largest ball at its center."""
     center, size = [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]
-    if node.IsA("vtkMRMLMarkupsROINode"):
+    if isinstance(node, slicer.vtkMRMLMarkupsROINode):
         node.GetCenterWorld(center)
         node.GetSizeWorld(size)
         return [(center, min(size) / 2.0)]

@@ -448,8 +448,7 @@ TEST(LiveSession, TheToolsRepeatItsObjectsByteByByte)
   fixture.Finish();
   fixture.Do(R"({"do": "select", "object": 1})"); // is not a part of the saved files
   const Json saved = fixture.Do(R"({"do": "save", "name": "a", "labels": true, "objects": true})");
-  EXPECT_EQ(saved["files"],
-            (Json{ "a-heat.nrrd", "a-labels.nrrd", "a-objects.nrrd", "a-objects.csv", "a.sh" }));
+  EXPECT_EQ(saved["files"], (Json{ "a-heat.nrrd", "a-labels.nrrd", "a-objects.nrrd", "a-objects.csv", "a.sh" }));
   const auto  labels = shapeton::ReadVolume(fixture.input.GetFolder() / "a-objects.nrrd").image;
   const Json  objects = fixture.Do(R"({"do": "objects", "choose": false})")["objects"];
   const auto  voxels = static_cast<std::ptrdiff_t>(labels->GetBufferedRegion().GetNumberOfPixels());

@@ -34,7 +34,8 @@ RandomCommand(std::mt19937 & random)
     case 9:
       return R"({"do": "density"})";
     case 10:
-      return R"({"do": "save", "name": "r)" + number(3) + R"(", "labels": true, "objects": )" + (random() % 2 ? "true}" : "false}");
+      return R"({"do": "save", "name": "r)" + number(3) + R"(", "labels": true, "objects": )" +
+             (random() % 2 ? "true}" : "false}");
     case 11:
       return R"({"do": "objects", "choose": false})";
     case 12:
@@ -48,8 +49,8 @@ RandomCommand(std::mt19937 & random)
 inline std::string
 RandomMessage(std::mt19937 & random)
 {
-  std::string  text = RandomCommand(random);
-  const auto   at = random() % text.size();
+  std::string   text = RandomCommand(random);
+  const auto    at = random() % text.size();
   constexpr int letters = 96; // printable ASCII
   switch (random() % 3)
   {

@@ -335,7 +335,8 @@ private:
         EXPECT_TRUE(m_Client->Ask(basetest::RandomMessage(m_Random)).contains("kind"));
         break;
       case 1:
-        EXPECT_EQ(m_Client->Ask(m_Random() % 2 ? R"({"do": "view", "whole": true})" : R"({"do": "view", "whole": false})")["done"],
+        EXPECT_EQ(m_Client->Ask(m_Random() % 2 ? R"({"do": "view", "whole": true})"
+                                               : R"({"do": "view", "whole": false})")["done"],
                   "view");
         break;
       case 2:

@@ -128,9 +128,6 @@ class vtkMRMLMarkupsNode(vtk.vtkObject):
     def __init__(self):
         self._kind, self._points = "vtkMRMLMarkupsFiducialNode", []
 
-    def IsA(self, kind):
-        return kind == self._kind
-
     def GetNumberOfControlPoints(self):
         return len(self._points)
 
