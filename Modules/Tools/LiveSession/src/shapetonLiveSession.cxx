@@ -161,6 +161,11 @@ struct LiveSession::Impl
     {
       error = failure.what();
     }
+    catch (const InputError & failure) // no object can be found
+    {
+      error = failure.what();
+      isChoiceWanted = areObjectsWanted = false;
+    }
     catch (const std::bad_alloc &)
     {
       error = "not enough memory; use fewer shapetons";
@@ -580,6 +585,7 @@ struct LiveSession::Impl
     if (steps != heatSteps || heatState == HeatState::None)
     {
       heatSteps = steps;
+      error.clear();
       DropHeat();
       files.Note("heat after " + std::to_string(steps) + " time steps");
       ++changes;
@@ -599,6 +605,7 @@ struct LiveSession::Impl
     }
     RequireParameter(shown == Shown::Heat, "objects are those of heat; show the heat first");
     areObjectsWanted = isChoiceWanted || !objects.AreFound();
+    error.clear();
   }
 
   /** {"object": N}, with 0 for none, or {"point": [x, y, z]}. */

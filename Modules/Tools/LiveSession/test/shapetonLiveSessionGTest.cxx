@@ -517,6 +517,22 @@ TEST(LiveSession, AWholeFrameHasAllVoxelsAndTheLabelsOfObjects)
   EXPECT_EQ(selected.header["state"]["selected"], 1);
 }
 
+TEST(LiveSession, ReportsAHeatWithoutObjects)
+{
+  Fixture fixture;
+  fixture.Do(R"({"do": "set", "p": 0})"); // no edge, thus no heat
+  fixture.Do(R"({"do": "heat", "timeSteps": 10})");
+  fixture.Finish();
+  fixture.Do(R"({"do": "objects", "choose": false})");
+  fixture.Finish();
+  EXPECT_NE(fixture.session.GetState()["error"], "");
+  EXPECT_TRUE(fixture.session.GetState()["objects"].is_null());
+  fixture.Do(R"({"do": "heat", "timeSteps": 20})");
+  fixture.Finish();
+  EXPECT_EQ(fixture.session.GetState()["error"], "");
+  EXPECT_EQ(fixture.session.GetState()["quality"], "exact");
+}
+
 TEST(LiveSession, ObjectsAreFoundAndSelected)
 {
   Fixture fixture(3);

@@ -37,7 +37,7 @@ RandomCommand(std::mt19937 & random)
       return R"({"do": "save", "name": "r)" + number(3) + R"(", "labels": true, "objects": )" +
              (random() % 2 ? "true}" : "false}");
     case 11:
-      return R"({"do": "objects", "choose": false})";
+      return random() % 8 ? R"({"do": "objects", "choose": false})" : R"({"do": "objects", "choose": true})";
     case 12:
       return R"({"do": "select", "object": )" + number(3) + "}";
     default:
