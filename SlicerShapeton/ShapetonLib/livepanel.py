@@ -10,7 +10,7 @@ class LivePanel:
     """A timer polls the session, because Slicer's event loop blocks Python threads. A field that is changed steers the
     session; a change in the session is written into its field."""
 
-    interval = 50  # ms
+    interval = 20  # ms
 
     def __init__(self, layout, volume, folder):
         """volume(): the chosen node; folder(): where the session reads and writes."""
