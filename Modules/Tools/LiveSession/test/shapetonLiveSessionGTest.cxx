@@ -583,7 +583,7 @@ TEST(LiveSession, SurvivesAThousandRandomCommands)
   fixture.Do(R"({"do": "speed", "stepsPerSecond": 0})");
   fixture.Do(R"({"do": "start", "region": "everywhere"})");
   fixture.Do(R"({"do": "set", "p": 3, "distance": 0.1, "shapetons": 777, "smoothing": 0, "placement": "uniform",
-                 "pathRule": "endpoint", "seed": 5})");
+                 "pathRule": "endpoint", "seed": 5, "intensityWindow": [0, 103]})"); // it may have been chosen
   fixture.Do(R"({"do": "density"})");
   fixture.Do(R"({"do": "pause"})");
   fixture.Do(R"({"do": "step", "steps": 20})");
@@ -592,6 +592,7 @@ TEST(LiveSession, SurvivesAThousandRandomCommands)
   auto walk = fixture.input.Settings().walk;
   walk.p = 3.0;
   walk.distance = 0.1;
+  walk.intensityWindow = { { 0.0, 103.0 } };
   walk.shapetons = 777;
   walk.seed = 5;
   ExpectSameVoxels(shapeton::ReadVolume(fixture.input.GetFolder() / "last-density.nrrd").image,
