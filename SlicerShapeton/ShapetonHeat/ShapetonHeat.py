@@ -1,8 +1,10 @@
 import qt
 import slicer
 from slicer.ScriptedLoadableModule import ScriptedLoadableModule, ScriptedLoadableModuleWidget
+from slicer.util import VTKObservationMixin
 
 from ShapetonLib.heat import HeatLogic, Line
+from ShapetonLib.livepanel import LivePanel
 from ShapetonLib.runpanel import RunPanel, section, volumeSelector
 
 
@@ -14,7 +16,8 @@ class ShapetonHeat(ScriptedLoadableModule):
         parent.contributors = ["The Shapeton developers"]
         parent.helpText = (
             "Computes a shape descriptor of every voxel of a volume by heat diffusion, and renders selected lines of "
-            "the heat histogram. For research use; not a diagnosis."
+            "the heat histogram. A live session shows shapetons, heat and objects while they are computed. For research "
+            "use; not a diagnosis."
         )
         parent.acknowledgementText = "Shapeton, Apache License 2.0."
 
@@ -49,7 +52,11 @@ class LineTable:
         return Line(float(lower), float(upper), color, float(opacity))
 
 
-class ShapetonHeatWidget(ScriptedLoadableModuleWidget):
+class ShapetonHeatWidget(ScriptedLoadableModuleWidget, VTKObservationMixin):
+    def __init__(self, parent=None):
+        ScriptedLoadableModuleWidget.__init__(self, parent)
+        VTKObservationMixin.__init__(self)
+
     def setup(self):
         ScriptedLoadableModuleWidget.setup(self)
         self.logic = HeatLogic()
@@ -71,10 +78,18 @@ class ShapetonHeatWidget(ScriptedLoadableModuleWidget):
         lines.addRow(self.histogram)
         self.lines = LineTable(lines)
         lines.addRow(self._button("Render the selected lines", self.onRender))
+        live = section(self.layout, "Live session")
+        self.live = LivePanel(live, self.volume.currentNode, lambda: self.panel.folder)
         self.layout.addStretch(1)
+        self.addObserver(slicer.mrmlScene, slicer.vtkMRMLScene.StartCloseEvent, self.onSceneClose)
 
     def cleanup(self):
+        self.removeObservers()
         self.panel.cancel()
+        self.live.cleanup()
+
+    def onSceneClose(self, caller, event):
+        self.live.cleanup()
 
     def onApply(self):
         node = self.volume.currentNode()

@@ -62,6 +62,10 @@ class ToolRun:
         self.canceled = True
         self._process.terminate()
 
+    def kill(self):
+        """Ends a tool that does not react to cancel()."""
+        self._process.kill()
+
     def requireSuccess(self):
         """Raises RuntimeError with the tool's message if the finished tool failed."""
         if self._process.returncode != 0:

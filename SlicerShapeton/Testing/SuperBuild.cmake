@@ -37,7 +37,7 @@ run(${CMAKE_COMMAND} -S ${source} -B ${WORK_DIR}/inner -G Ninja -DSlicerShapeton
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/inner --target package)
 file(ARCHIVE_EXTRACT INPUT ${WORK_DIR}/inner/SlicerShapeton.tar.gz DESTINATION ${WORK_DIR}/package)
 set(modules ${WORK_DIR}/package/SlicerShapeton/lib/Slicer-5.9/qt-scripted-modules)
-foreach(file ShapetonHeat.py ShapetonColonoscopy.py ShapetonLib/toolrun.py Resources/Icons/ShapetonHeat.svg)
+foreach(file ShapetonHeat.py ShapetonColonoscopy.py ShapetonLib/toolrun.py ShapetonLib/livesession.py Resources/Icons/ShapetonHeat.svg)
   if(NOT EXISTS ${modules}/${file})
     message(FATAL_ERROR "the package does not contain ${modules}/${file}")
   endif()

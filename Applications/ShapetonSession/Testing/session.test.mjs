@@ -158,6 +158,8 @@ test('a second page sees the same session', async () => {
 
 test('the saved script repeats the saved files', async () => {
   await page.until(() => session.state0.quality === 'exact');
+  await press('list');
+  await page.until(() => session.state0.objects > 0);
   await enter('name', 'warm');
   await page.evaluate(() => { document.getElementById('labels').checked = true; });
   await press('save');
@@ -170,7 +172,8 @@ test('the saved script repeats the saved files', async () => {
   mkdirSync(`${WORK}/again`);
   const { status, stderr } = spawnSync('sh', [`${RESULTS}/warm.sh`, `${WORK}/again`], { env, encoding: 'utf8' });
   assert.deepEqual({ status, stderr }, { status: 0, stderr: '' });
-  for (const name of ['warm-heat.nrrd', 'warm-density.nrrd', 'warm-labels.nrrd', 'warm.json', 'warm.vp']) {
+  const volumes = ['heat', 'density', 'labels', 'objects'].map((what) => `warm-${what}.nrrd`);
+  for (const name of [...volumes, 'warm-objects.csv', 'warm.json', 'warm.vp']) {
     assert.ok(readFileSync(`${RESULTS}/${name}`).equals(readFileSync(`${WORK}/again/${name}`)), name);
   }
   assert.deepEqual(page.errors, []);

@@ -57,6 +57,12 @@ class QObject:
     pass
 
 
+class QTimer(Widget):
+    @staticmethod
+    def singleShot(milliseconds, slot):
+        slot()
+
+
 class QSettings:
     def setValue(self, key, value):
         import slicer
@@ -73,4 +79,4 @@ class QEvent:
 
 
 QLabel = QComboBox = QFormLayout = QVBoxLayout = QProgressBar = QPushButton = QScrollArea = Widget
-QSpinBox = QLineEdit = QTimer = QPainter = QPen = QColor = Widget
+QSpinBox = QDoubleSpinBox = QLineEdit = QPainter = QPen = QColor = Widget

@@ -26,6 +26,9 @@ struct SessionViewer
   std::array<std::int64_t, 3> slices{ { -1, -1, -1 } }; ///< indices of the gray slices
   std::vector<std::size_t>    bricks;                   ///< checksums of the bricks
   std::uint64_t               histogram{ 0 };           ///< version of the histogram
+  /** Receives all voxels and the labels of the objects, instead of slices, bricks and histogram. */
+  bool          isWhole{ false };
+  std::uint64_t objects{ 0 }; ///< version of the objects
 };
 
 /** Settings of LiveSession. \ingroup ShapetonLiveSession */
@@ -44,7 +47,8 @@ struct LiveSessionSettings
  * of a page; no network and no threads of its own.
  *
  * The owner calls Do() for each command and Work() as often as it returns true. Frames contain what a viewer lacks: the
- * state, three slices, changed bricks of a reduced volume, and the histogram.
+ * state, three slices, changed bricks of a reduced volume, and the histogram; or, for another program, all voxels and
+ * the labels of the objects.
  *
  * A change of an option or of the start region starts the walk again, so that the visits always belong to one set of
  * options. Therefore the files of a session equal those of ShapetonDiffusion and CumulativeHeatDiffusion, and the saved

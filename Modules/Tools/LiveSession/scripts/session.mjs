@@ -113,8 +113,9 @@ class Session extends HeatExplorer {
 
   async saveToFolder() {
     const lines = linesFor(this.lines.filter((line) => line.isOn));
+    const objects = this.state0.shown === 'heat' && this.state0.objects !== null;
     byId('saved').textContent = 'saving';
-    const answer = await this.ask({ do: 'save', name: byId('name').value, labels: byId('labels').checked, lines });
+    const answer = await this.ask({ do: 'save', name: byId('name').value, labels: byId('labels').checked, lines, objects });
     byId('saved').textContent = answer ? `saved ${answer.files.join(', ')}` : this.message;
     if (answer) this.isSaved = true;
   }

@@ -161,6 +161,11 @@ struct LiveSession::Impl
     {
       error = failure.what();
     }
+    catch (const InputError & failure) // no object can be found
+    {
+      error = failure.what();
+      isChoiceWanted = areObjectsWanted = false;
+    }
     catch (const std::bad_alloc &)
     {
       error = "not enough memory; use fewer shapetons";
@@ -269,7 +274,7 @@ struct LiveSession::Impl
       isComputingHeat = true;
       const Reset reset{ isComputingHeat };
       Tell("objects", 0.0);
-      objects.Find(heat, [this](double part) { Tell("objects", part); });
+      objects.Find(files.AsWritten(heat), [this](double part) { Tell("objects", part); });
       areObjectsWanted = false;
       return;
     }
@@ -453,10 +458,11 @@ struct LiveSession::Impl
   Json
   Save(const Json & command)
   {
-    RequireKeys(command, { "name", "labels", "lines" });
+    RequireKeys(command, { "name", "labels", "lines", "objects" });
     SavedResult result;
     result.name = ResultNameOf(command, "name");
-    for (const char * ending : { "-density.nrrd", "-heat.nrrd", "-labels.nrrd", ".json", ".vp", ".sh" })
+    for (const char * ending :
+         { "-density.nrrd", "-heat.nrrd", "-labels.nrrd", "-objects.nrrd", "-objects.csv", ".json", ".vp", ".sh" })
     {
       files.GetFolder().PathOf(result.name + ending); // before anything is written
     }
@@ -465,6 +471,11 @@ struct LiveSession::Impl
     if (command.contains("lines") && !command["lines"].empty())
     {
       result.lines = TransferFunctionOf(command["lines"], "the command");
+    }
+    if (FlagOf(command, "objects"))
+    {
+      result.objects = objects.GetList();
+      RequireParameter(result.isHeat && result.objects, "no objects have been found yet; find them first");
     }
     std::vector<std::string> names;
     if (result.isHeat)
@@ -574,6 +585,7 @@ struct LiveSession::Impl
     if (steps != heatSteps || heatState == HeatState::None)
     {
       heatSteps = steps;
+      error.clear();
       DropHeat();
       files.Note("heat after " + std::to_string(steps) + " time steps");
       ++changes;
@@ -593,6 +605,7 @@ struct LiveSession::Impl
     }
     RequireParameter(shown == Shown::Heat, "objects are those of heat; show the heat first");
     areObjectsWanted = isChoiceWanted || !objects.AreFound();
+    error.clear();
   }
 
   /** {"object": N}, with 0 for none, or {"point": [x, y, z]}. */
@@ -816,6 +829,39 @@ struct LiveSession::Impl
     }
   }
 
+  Json
+  Info() const
+  {
+    HeatExplorerContent content;
+    content.title = "Shapeton session";
+    content.gray = volume.image;
+    content.window = gray;
+    Json info = InfoOf(content, std::numeric_limits<std::size_t>::max());
+    info["stride"] = stride;
+    info["brickLength"] = brickLength;
+    return info;
+  }
+
+  /** All values, and the labels of the objects if they have changed. */
+  void
+  AddWhole(SessionViewer & viewer, SessionFrame & frame) const
+  {
+    if (IsShowable() && viewer.version != version)
+    {
+      frame.header["volume"] = Info()["volume"];
+      const auto values = GetShown().Values();
+      frame.Add(values.data(), values.size());
+      viewer.version = version;
+    }
+    viewer.isPlaceNew = false;
+    if (objects.AreFound() && viewer.objects != objects.GetVersion())
+    {
+      frame.header["objects"] = objects.List();
+      frame.Add(objects.GetList()->labels->GetBufferPointer(), size[0] * size[1] * size[2]);
+      viewer.objects = objects.GetVersion();
+    }
+  }
+
   std::string
   Update(SessionViewer & viewer)
   {
@@ -823,7 +869,11 @@ struct LiveSession::Impl
     frame.header["kind"] = "update";
     frame.header["state"] = State();
     viewer.stateVersion = stateVersion;
-    if (IsShowable() && (viewer.version != version || viewer.isPlaceNew))
+    if (viewer.isWhole)
+    {
+      AddWhole(viewer, frame);
+    }
+    else if (IsShowable() && (viewer.version != version || viewer.isPlaceNew))
     {
       AddSlices(viewer, frame);
       if (viewer.version != version)
@@ -966,14 +1016,7 @@ LiveSession::IsComputingHeat() const
 Json
 LiveSession::GetInfo() const
 {
-  HeatExplorerContent content;
-  content.title = "Shapeton session";
-  content.gray = m_Impl->volume.image;
-  content.window = m_Impl->gray;
-  Json info = InfoOf(content, std::numeric_limits<std::size_t>::max());
-  info["stride"] = m_Impl->stride;
-  info["brickLength"] = brickLength;
-  return info;
+  return m_Impl->Info();
 }
 
 Json

@@ -5,15 +5,19 @@
 #include "shapetonCsvTable.h"
 #include "shapetonExceptions.h"
 #include "shapetonFileBytes.h"
+#include "shapetonHeatObjectTable.h"
 #include "shapetonHeatResultFiles.h"
 #include "shapetonParticleResultFiles.h"
+#include "shapetonOperatingSystem.h"
 #include "shapetonSavedTransferFunction.h"
 #include "shapetonShapeAnalysis.h"
 #include "shapetonToolVolumes.h"
+#include "shapetonVolumeReader.h"
 #include "shapetonVolumeWriter.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 
 namespace shapeton
 {
@@ -230,11 +234,47 @@ SessionFiles::Save(const SavedResult & result, const ParticleDiffusionOptions & 
   });
   this->NoteCommand("CumulativeHeatDiffusion", inResults, arguments);
   auto names = VolumeNamesOf(result);
+  for (const std::string & name : this->WriteObjects(result))
+  {
+    names.push_back(name);
+  }
   for (const std::string & name : this->WriteLines(result, 1.0))
   {
     names.push_back(name);
   }
   return names;
+}
+
+std::vector<std::string>
+SessionFiles::WriteObjects(const SavedResult & result)
+{
+  if (!result.objects)
+  {
+    return {};
+  }
+  const std::string heat = VolumeNameOf(result);
+  const std::string labels = result.name + "-objects.nrrd";
+  const std::string table = result.name + "-objects.csv";
+  Arguments         all{ m_Input };
+  for (const std::string & name : { heat, labels, table })
+  {
+    all.push_back(m_Folder.PathOf(name).string());
+  }
+  all.insert(all.end(), m_ReadingArguments.begin(), m_ReadingArguments.end());
+  std::vector<int> numbers(result.objects->objects.size());
+  std::iota(numbers.begin(), numbers.end(), 1);
+  this->RunTool(HeatObjectsXML, "HeatObjects", all, [&](CommandLine & commandLine) {
+    const std::string output = commandLine.GetString("labels");
+    const std::string labelsFile = commandLine.Output(output);
+    const std::string tableFile = commandLine.OutputOf("table");
+    commandLine.RecordRun(output + ".run.json");
+    this->AddInput(commandLine);
+    commandLine.AddInput("heatVolume", ReadVolume(commandLine.GetString("heatVolume")).identity);
+    HeatObjectTable(*result.objects, numbers, m_Volume.image, { std::to_string(result.timeStep) }).Write(tableFile);
+    WriteVolume(result.objects->labels.GetPointer(), labelsFile, ProvenanceMetadata(commandLine.GetProvenance()));
+  });
+  this->NoteCommand("HeatObjects", { heat, labels, table }, m_ReadingArguments);
+  return { labels, table };
 }
 
 std::vector<std::string>
@@ -253,6 +293,33 @@ SessionFiles::WriteLines(const SavedResult & result, double unit)
   m_Lines.push_back("cat > \"$results\"/" + InQuotes(json) + " << 'END'\n" + bytes + "END");
   this->NoteCommand("HeatTransferFunction", { VolumeNameOf(result), property, Flag("from"), json }, {});
   return { json, property };
+}
+
+SessionFiles::HeatType::Pointer
+SessionFiles::AsWritten(const HeatType * heat) const
+{
+  auto written = HeatType::New();
+  written->Graft(heat);
+  auto voxel = HeatType::New(); // has the axes, spacing and origin of the heat
+  voxel->CopyInformation(heat);
+  voxel->SetRegions(HeatType::SizeType{ { 1, 1, 1 } });
+  voxel->Allocate(true);
+  const std::string path = (m_Folder.GetPath() / (".grid-" + std::to_string(ProcessNumber()) + ".nrrd")).string();
+  try
+  {
+    WriteVolume(voxel.GetPointer(), path);
+    VolumeReadOptions reading;
+    reading.allowSingleSlice = true;
+    const Volume volume = ReadVolume(path, reading);
+    written->SetSpacing(volume.image->GetSpacing());
+    written->SetOrigin(volume.image->GetOrigin());
+    written->SetDirection(volume.image->GetDirection());
+  }
+  catch (const Exception &)
+  {} // nothing can be saved in this folder
+  std::error_code ignored;
+  fs::remove(path, ignored);
+  return written;
 }
 
 std::string

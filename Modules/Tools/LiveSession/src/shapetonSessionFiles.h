@@ -1,6 +1,7 @@
 #ifndef shapetonSessionFiles_h
 #define shapetonSessionFiles_h
 
+#include "shapetonHeatObjects.h"
 #include "shapetonLiveSession.h"
 #include "shapetonShapeTransferFunction.h"
 #include "shapetonStartRegion.h"
@@ -14,7 +15,8 @@ namespace shapeton
 {
 class CommandLine;
 
-/** What is saved under one name: NAME-density.nrrd or NAME-heat.nrrd, NAME-labels.nrrd, NAME.json and NAME.vp. */
+/** What is saved under one name: NAME-density.nrrd or NAME-heat.nrrd, NAME-labels.nrrd, NAME.json and NAME.vp; for
+ * objects of heat, NAME-objects.nrrd and NAME-objects.csv. */
 struct SavedResult
 {
   std::string                          name; ///< in the folder
@@ -23,6 +25,7 @@ struct SavedResult
   bool                                 wantLabels{ false };
   std::string                          mask; ///< file name; empty for none
   std::optional<ShapeTransferFunction> lines;
+  const HeatObjectList *               objects{ nullptr }; ///< of the heat; null for none
 };
 
 /** \class SessionFiles
@@ -54,6 +57,10 @@ public:
   Save(const SavedResult & result, const ParticleDiffusionOptions & options, const HeatType * heat);
   ///@}
 
+  /** The same voxels on the grid that a tool reads from the saved file, which is rounded. */
+  HeatType::Pointer
+  AsWritten(const HeatType * heat) const;
+
   /** Writes a start region and returns its name. */
   std::string
   SaveMask(const StartMask * mask);
@@ -74,6 +81,9 @@ private:
   RunTool(const char * xml, const std::string & tool, const Arguments & arguments, const Body & body) const;
   void
   AddInput(CommandLine & commandLine) const;
+  /** Writes the objects of the heat, which has been written. */
+  std::vector<std::string>
+  WriteObjects(const SavedResult & result);
   std::vector<std::string>
   WriteLines(const SavedResult & result, double unit);
   void

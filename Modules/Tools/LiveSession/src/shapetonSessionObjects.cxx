@@ -13,6 +13,7 @@ SessionObjects::Find(const HeatType * heat, const Progress & progress)
   this->Clear();
   m_List = FindHeatObjects({ heat }, {}, progress);
   m_Heat = heat;
+  ++m_Version;
 }
 
 void
@@ -21,6 +22,7 @@ SessionObjects::Clear()
   this->Deselect();
   m_List.reset();
   m_Heat = nullptr;
+  ++m_Version;
 }
 
 Json

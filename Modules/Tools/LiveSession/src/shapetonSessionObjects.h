@@ -53,6 +53,20 @@ public:
   void
   Deselect();
 
+  /** The objects and their labels; null if none are found. */
+  const HeatObjectList *
+  GetList() const
+  {
+    return m_List ? &*m_List : nullptr;
+  }
+
+  /** Changes with the objects. */
+  std::uint64_t
+  GetVersion() const
+  {
+    return m_Version;
+  }
+
   /** Number of the selected object; 0 for none. */
   int
   GetSelected() const
@@ -80,6 +94,7 @@ private:
   int                           m_Selected{ 0 };
   StartMask::Pointer            m_Mask;
   HeatType::Pointer             m_SelectedHeat;
+  std::uint64_t                 m_Version{ 1 };
 };
 } // namespace shapeton
 

@@ -329,6 +329,7 @@ struct SessionServer::Impl::Connection : std::enable_shared_from_this<Connection
     stream.next_layer().expires_never();
     stream.set_option(timeout);
     stream.read_message_max(greatestMessage);
+    stream.auto_fragment(false); // pieces of 4 KB would delay clients without a browser
     stream.async_accept(parser->get(), [self = shared_from_this()](beast::error_code error) {
       if (!error)
       {
@@ -370,19 +371,27 @@ struct SessionServer::Impl::Connection : std::enable_shared_from_this<Connection
     }
     else
     {
-      Answer(command, [&] { return SetPlace(command); });
+      Answer(command, [&] { return SetView(command); });
     }
     Read();
   }
 
   Json
-  SetPlace(const Json & command)
+  SetView(const Json & command)
   {
-    RequireKeys(command, { "place" });
-    const auto place = PointOf(command, "place");
-    for (unsigned int axis = 0; axis < 3; ++axis)
+    RequireKeys(command, { "place", "whole" });
+    if (command.contains("whole"))
     {
-      viewer.place[axis] = static_cast<std::size_t>(std::max(0.0, place[axis]));
+      viewer = SessionViewer();
+      viewer.isWhole = FlagOf(command, "whole");
+    }
+    if (command.contains("place") || !command.contains("whole"))
+    {
+      const auto place = PointOf(command, "place");
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        viewer.place[axis] = static_cast<std::size_t>(std::max(0.0, place[axis]));
+      }
     }
     viewer.isPlaceNew = true;
     return { { "done", "view" } };

@@ -126,6 +126,23 @@ ShownVolume::Reduced(std::size_t stride) const
   return bins;
 }
 
+std::vector<float>
+ShownVolume::Values() const
+{
+  std::vector<float> values(m_Size[0] * m_Size[1] * m_Size[2]);
+  ParallelFor(m_Size[2], [&](std::size_t z) {
+    float * value = values.data() + z * m_Size[0] * m_Size[1];
+    for (std::size_t y = 0; y < m_Size[1]; ++y)
+    {
+      for (std::size_t x = 0; x < m_Size[0]; ++x)
+      {
+        *value++ = this->GetValue(x, y, z);
+      }
+    }
+  });
+  return values;
+}
+
 HeatBins
 ShownVolume::Slice(unsigned int axis, std::size_t at) const
 {

@@ -29,6 +29,10 @@ public:
   HeatBins
   Slice(unsigned int axis, std::size_t at) const;
 
+  /** The values of all voxels, in [0, 1]. */
+  std::vector<float>
+  Values() const;
+
   /** The value of a voxel, in [0, 1]. */
   float
   GetValue(std::size_t x, std::size_t y, std::size_t z) const;

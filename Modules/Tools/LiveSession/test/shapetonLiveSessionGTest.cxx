@@ -5,6 +5,7 @@
 #include "shapetonJson.h"
 #include "shapetonLiveSession.h"
 #include "shapetonParticleDiffusionImageFilter.h"
+#include "shapetonRandomCommands.h"
 #include "shapetonSessionTestVolume.h"
 
 #include <gtest/gtest.h>
@@ -367,50 +368,13 @@ TEST(LiveSession, ReportsAWalkThatCannotStart)
   EXPECT_EQ(fixture.session.GetState()["step"], 60);
 }
 
-/** A command chosen by the generator; some are wrong. */
-std::string
-RandomCommand(std::mt19937 & random)
-{
-  const auto number = [&](int most) { return std::to_string(random() % most); };
-  switch (random() % 14)
-  {
-    case 0:
-      return R"({"do": "pause"})";
-    case 1:
-      return R"({"do": "resume"})";
-    case 2:
-      return R"({"do": "step", "steps": )" + number(5) + "}";
-    case 3:
-      return R"({"do": "speed", "stepsPerSecond": )" + number(2000) + "}";
-    case 4:
-      return R"({"do": "set", "p": )" + number(60) + R"(, "distance": 0.)" + number(10) + "}";
-    case 5:
-      return R"({"do": "set", "shapetons": )" + number(3000) + R"(, "seed": )" + number(100) + "}";
-    case 6:
-      return R"({"do": "set", "placement": "initialHeat", "pathRule": "traversal", "smoothing": )" + number(3) + "}";
-    case 7:
-      return R"({"do": "start", "region": "balls", "balls": [[)" + number(20) + "," + number(20) + ",20,4]]}";
-    case 8:
-      return R"({"do": "heat", "timeSteps": )" + number(20000) + "}";
-    case 9:
-      return R"({"do": "density"})";
-    case 10:
-      return R"({"do": "save", "name": "r)" + number(3) + R"(", "labels": true})";
-    case 11:
-      return R"({"do": "objects", "choose": false})";
-    case 12:
-      return R"({"do": "select", "object": )" + number(3) + "}";
-    default:
-      return R"({"do": "start", "region": "everywhere"})";
-  }
-}
-
 /** Runs the script of a session with the tools; returns the exit status, or -1 if the tools have not been built. */
 int
 RunScript(const std::string & script, const std::string & results)
 {
   if (!std::filesystem::exists(std::string(SHAPETON_TOOLS) + "/ShapetonDiffusion") ||
       !std::filesystem::exists(std::string(SHAPETON_TOOLS) + "/CumulativeHeatDiffusion") ||
+      !std::filesystem::exists(std::string(SHAPETON_TOOLS) + "/HeatObjects") ||
       !std::filesystem::exists(std::string(SHAPETON_TOOLS) + "/HeatTransferFunction"))
   {
     return -1;
@@ -473,6 +437,102 @@ TEST(LiveSession, TheToolsRepeatItsFilesByteByByte)
                     "third.vp" });
 }
 
+TEST(LiveSession, TheToolsRepeatItsObjectsByteByByte)
+{
+  Fixture fixture(3);
+  fixture.Finish();
+  EXPECT_NE(ErrorOf(fixture, R"({"do": "save", "name": "a", "objects": true})").find("find them first"),
+            std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(fixture.input.GetFolder() / "a.sh"));
+  fixture.Do(R"({"do": "objects", "choose": true})");
+  fixture.Finish();
+  fixture.Do(R"({"do": "select", "object": 1})"); // is not a part of the saved files
+  const Json saved = fixture.Do(R"({"do": "save", "name": "a", "labels": true, "objects": true})");
+  EXPECT_EQ(saved["files"], (Json{ "a-heat.nrrd", "a-labels.nrrd", "a-objects.nrrd", "a-objects.csv", "a.sh" }));
+  const auto  labels = shapeton::ReadVolume(fixture.input.GetFolder() / "a-objects.nrrd").image;
+  const Json  objects = fixture.Do(R"({"do": "objects", "choose": false})")["objects"];
+  const auto  voxels = static_cast<std::ptrdiff_t>(labels->GetBufferedRegion().GetNumberOfPixels());
+  const float last = static_cast<float>(objects.size());
+  EXPECT_EQ(std::count(labels->GetBufferPointer(), labels->GetBufferPointer() + voxels, last),
+            objects.back()["voxels"]); // the smallest object has no other in it
+  const std::string results = fixture.input.GetFolder() / "results";
+  const int         status = RunScript(fixture.input.GetFolder() / "a.sh", results);
+  if (status < 0)
+  {
+    GTEST_SKIP() << "the tools have not been built";
+  }
+  EXPECT_EQ(status, 0);
+  ExpectSameFiles(fixture.input.GetFolder() / "",
+                  results + "/",
+                  { "a-heat.nrrd", "a-labels.nrrd", "a-objects.nrrd", "a-objects.csv" });
+}
+
+TEST(LiveSession, AWholeFrameHasAllVoxelsAndTheLabelsOfObjects)
+{
+  Fixture                 fixture(3);
+  shapeton::SessionViewer viewer;
+  viewer.isWhole = true;
+  fixture.Finish();
+  const auto  voxels = std::size_t{ 72 } * 60 * 66;
+  const Frame density(fixture.session.Update(viewer));
+  ASSERT_EQ(density.arrays.size(), voxels * sizeof(float));
+  fixture.Do(R"({"do": "save", "name": "w"})");
+  const auto  visits = shapeton::ReadVolume(fixture.input.GetFolder() / "w-density.nrrd").image;
+  const float greatest = *std::max_element(visits->GetBufferPointer(), visits->GetBufferPointer() + voxels);
+  double      error = 0.0;
+  for (std::size_t i = 0; i < voxels; ++i)
+  {
+    float value = 0.0F;
+    std::memcpy(&value, density.arrays.data() + sizeof(value) * i, sizeof(value));
+    error = std::max(error, std::abs(value - static_cast<double>(visits->GetBufferPointer()[i]) / greatest));
+  }
+  EXPECT_LT(error, 1e-6);
+  const auto & grid = density.header["volume"];
+  const auto   origin = fixture.input.PointOf({ { 0, 0, 0 } });
+  EXPECT_EQ(grid["size"], (Json{ 72, 60, 66 }));
+  EXPECT_EQ(grid["origin"], (Json{ origin[0], origin[1], origin[2] }));
+
+  Frame state(fixture.session.Update(viewer)); // of the saved files
+  EXPECT_TRUE(state.arrays.empty());
+  EXPECT_FALSE(fixture.session.IsNewFor(viewer));
+
+  fixture.Do(R"({"do": "objects", "choose": true})");
+  fixture.Finish();
+  const Frame heat(fixture.session.Update(viewer));
+  ASSERT_EQ(heat.arrays.size(), voxels * (sizeof(float) + sizeof(unsigned short)));
+  EXPECT_EQ(heat.header["objects"], fixture.Do(R"({"do": "objects", "choose": false})")["objects"]);
+  fixture.Do(R"({"do": "save", "name": "o", "objects": true})");
+  const auto  labels = shapeton::ReadVolume(fixture.input.GetFolder() / "o-objects.nrrd").image;
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < voxels; ++i)
+  {
+    unsigned short label = 0;
+    std::memcpy(&label, heat.arrays.data() + sizeof(float) * voxels + sizeof(label) * i, sizeof(label));
+    wrong += label != labels->GetBufferPointer()[i];
+  }
+  EXPECT_EQ(wrong, 0U);
+  fixture.Do(R"({"do": "select", "object": 1})");
+  const Frame selected(fixture.session.Update(viewer));
+  EXPECT_FALSE(selected.header.contains("objects"));
+  EXPECT_EQ(selected.header["state"]["selected"], 1);
+}
+
+TEST(LiveSession, ReportsAHeatWithoutObjects)
+{
+  Fixture fixture;
+  fixture.Do(R"({"do": "set", "p": 0})"); // no edge, thus no heat
+  fixture.Do(R"({"do": "heat", "timeSteps": 10})");
+  fixture.Finish();
+  fixture.Do(R"({"do": "objects", "choose": false})");
+  fixture.Finish();
+  EXPECT_NE(fixture.session.GetState()["error"], "");
+  EXPECT_TRUE(fixture.session.GetState()["objects"].is_null());
+  fixture.Do(R"({"do": "heat", "timeSteps": 20})");
+  fixture.Finish();
+  EXPECT_EQ(fixture.session.GetState()["error"], "");
+  EXPECT_EQ(fixture.session.GetState()["quality"], "exact");
+}
+
 TEST(LiveSession, ObjectsAreFoundAndSelected)
 {
   Fixture fixture(3);
@@ -509,7 +569,7 @@ TEST(LiveSession, SurvivesAThousandRandomCommands)
   int                     accepted = 0;
   for (int i = 0; i < 1000; ++i)
   {
-    accepted += ErrorOf(fixture, RandomCommand(random)).empty();
+    accepted += ErrorOf(fixture, basetest::RandomCommand(random)).empty();
     for (auto pieces = random() % 3; pieces > 0; --pieces)
     {
       fixture.session.Work();
@@ -523,7 +583,7 @@ TEST(LiveSession, SurvivesAThousandRandomCommands)
   fixture.Do(R"({"do": "speed", "stepsPerSecond": 0})");
   fixture.Do(R"({"do": "start", "region": "everywhere"})");
   fixture.Do(R"({"do": "set", "p": 3, "distance": 0.1, "shapetons": 777, "smoothing": 0, "placement": "uniform",
-                 "pathRule": "endpoint", "seed": 5})");
+                 "pathRule": "endpoint", "seed": 5, "intensityWindow": [0, 103]})"); // it may have been chosen
   fixture.Do(R"({"do": "density"})");
   fixture.Do(R"({"do": "pause"})");
   fixture.Do(R"({"do": "step", "steps": 20})");
@@ -532,6 +592,7 @@ TEST(LiveSession, SurvivesAThousandRandomCommands)
   auto walk = fixture.input.Settings().walk;
   walk.p = 3.0;
   walk.distance = 0.1;
+  walk.intensityWindow = { { 0.0, 103.0 } };
   walk.shapetons = 777;
   walk.seed = 5;
   ExpectSameVoxels(shapeton::ReadVolume(fixture.input.GetFolder() / "last-density.nrrd").image,

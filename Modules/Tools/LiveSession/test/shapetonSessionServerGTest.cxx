@@ -1,4 +1,5 @@
 #include "shapetonExceptions.h"
+#include "shapetonRandomCommands.h"
 #include "shapetonSessionClient.h"
 #include "shapetonSessionServer.h"
 #include "shapetonSessionTestVolume.h"
@@ -6,8 +7,12 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iostream>
 #include <memory>
+#include <random>
 #include <thread>
 
 namespace
@@ -283,5 +288,95 @@ TEST(SessionServer, EndsAfterItsLastPage)
   }
   served.Join();
   EXPECT_THROW(SessionClient again(served.url), boost::system::system_error);
+}
+
+/** Resident memory of this process in MB. */
+double
+ResidentMemory()
+{
+  constexpr double pagesPerMB = 256.0; // of 4096 bytes
+  std::ifstream    file("/proc/self/statm");
+  double           total = 0.0;
+  double           resident = 0.0;
+  file >> total >> resident;
+  return resident / pagesPerMB;
+}
+
+/** Sends random messages for a while, as a page that is now and then closed and opened again. */
+class RandomPage
+{
+public:
+  RandomPage(const Served & served, unsigned int seed) : m_Served(served), m_Random(seed) {}
+
+  /** Returns the number of messages. */
+  int
+  Run(double seconds)
+  {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+    int        messages = 0;
+    for (; std::chrono::steady_clock::now() < end; ++messages)
+    {
+      if (!m_Client || m_Random() % 100 == 0)
+      {
+        m_Client = std::make_unique<SessionClient>(m_Served.url);
+      }
+      this->SendOne();
+    }
+    return messages;
+  }
+
+private:
+  void
+  SendOne()
+  {
+    switch (m_Random() % 8)
+    {
+      case 0:
+        EXPECT_TRUE(m_Client->Ask(basetest::RandomMessage(m_Random)).contains("kind"));
+        break;
+      case 1:
+        EXPECT_EQ(m_Client->Ask(m_Random() % 2 ? R"({"do": "view", "whole": true})"
+                                               : R"({"do": "view", "whole": false})")["done"],
+                  "view");
+        break;
+      case 2:
+        m_Client->Ask(R"({"do": "picture", "azimuth": 30, "elevation": 20, "zoom": 1, "width": 64, "height": 64,
+          "quality": 80, "lines": [{"lower": 0.1, "upper": 1, "color": "#ff0000", "opacity": 1}]})");
+        break;
+      case 3:
+        m_Client->Send(R"({"do": "ready"})"); // the frame comes before one of the next answers
+        break;
+      case 4:
+        basetest::Get(m_Served.url, "/" + m_Served.url.token.substr(m_Random() % 3) + "/", m_Served.url.Host());
+        break;
+      default:
+        m_Client->Ask(basetest::RandomCommand(m_Random));
+    }
+  }
+
+  const Served &                 m_Served;
+  std::mt19937                   m_Random;
+  std::unique_ptr<SessionClient> m_Client;
+};
+
+/** SHAPETON_RANDOM_SECONDS is the duration, by default 20 s. The first tenth fills caches. */
+TEST(SessionServer, SurvivesRandomCommandsWithoutGrowth)
+{
+  const char * const given = std::getenv("SHAPETON_RANDOM_SECONDS");
+  const double       seconds = given ? std::stod(given) : 20.0;
+  Served             served;
+  RandomPage         page(served, 62);
+  int                messages = page.Run(seconds / 10.0);
+  const double       start = ResidentMemory();
+  messages += page.Run(0.45 * seconds);
+  const double middle = ResidentMemory();
+  messages += page.Run(0.45 * seconds);
+  const double end = ResidentMemory();
+  std::cout << messages << " messages; resident memory at start, middle, end: " << start << ", " << middle << ", "
+            << end << " MB" << std::endl;
+  constexpr double most = 64.0; // MB; the script grows by a line for each change
+  EXPECT_LT(end - start, most);
+  SessionClient client(served.url);
+  EXPECT_EQ(client.Ask(R"({"do": "pause"})")["done"], "pause");
 }
 } // namespace

@@ -6,26 +6,38 @@ StandInNamesWhatSlicerHas searches each name in Slicer's sources."""
 import os
 import tempfile
 
+import vtk
+
 # Declarations in Slicer of the names in the stub.
 api = {
     "Base/Python/slicer/util.py": [
         "exportNode", "loadVolume", "loadLabelVolume", "loadColorTable", "loadModel", "loadMarkups", "loadNodesFromFile",
         "loadTable", "settingsValue", "startupEnvironment", "tryWithErrorDisplay", "tempDirectory", "setSliceViewerLayers",
-        "VTKObservationMixin", "addObserver", "removeObservers",
+        "VTKObservationMixin", "addObserver", "removeObservers", "updateVolumeFromArray", "arrayFromVolume",
+        "updateTableFromArray",
     ],
     "Base/Python/slicer/ScriptedLoadableModule.py": [
         "ScriptedLoadableModule", "ScriptedLoadableModuleWidget", "setup", "cleanup",
     ],
     "Libs/MRML/Core/vtkMRMLNode.h": ["GetID", "SetName", "GetName"],
     "Libs/MRML/Core/vtkMRMLTransformableNode.h": ["GetParentTransformNode"],
-    "Libs/MRML/Core/vtkMRMLDisplayableNode.h": ["GetDisplayNode"],
+    "Libs/MRML/Core/vtkMRMLDisplayableNode.h": ["GetDisplayNode", "CreateDefaultDisplayNodes"],
+    "Libs/MRML/Core/vtkMRMLVolumeNode.h": ["SetIJKToRASMatrix"],
+    "Libs/MRML/Core/vtkMRMLColorNode.h": ["SetTypeToUser"],
+    "Libs/MRML/Core/vtkMRMLColorTableNode.h": ["SetNumberOfColors", "SetColor"],
+    "Libs/MRML/Core/vtkMRMLMarkupsNode.h": [
+        "GetNumberOfControlPoints", "GetNthControlPointPositionWorld", "PointPositionDefinedEvent",
+    ],
+    "Libs/MRML/Core/vtkMRMLMarkupsROINode.h": ["GetCenterWorld", "GetSizeWorld"],
     "Libs/MRML/Core/vtkMRMLDisplayNode.h": [
         "SetOpacity", "SetActiveScalar", "SetAndObserveColorNodeID", "SetScalarRangeFlag", "SetScalarVisibility",
         "SetVisibility", "UseColorNodeScalarRange",
     ],
-    "Libs/MRML/Core/vtkMRMLScene.h": ["GetFirstNodeByClass"],
+    "Libs/MRML/Core/vtkMRMLScene.h": [
+        "GetFirstNodeByClass", "AddNewNodeByClass", "IsNodePresent", "RemoveNode", "StartCloseEvent",
+    ],
     "Libs/MRML/Core/vtkMRMLCrosshairNode.h": ["SetCrosshairRAS", "GetCursorPositionRAS", "CursorPositionModifiedEvent"],
-    "Modules/Loadable/Markups/Logic/vtkSlicerMarkupsLogic.h": ["JumpSlicesToLocation"],
+    "Modules/Loadable/Markups/Logic/vtkSlicerMarkupsLogic.h": ["JumpSlicesToLocation", "SetActiveList", "StartPlaceMode"],
     "Modules/Loadable/VolumeRendering/Logic/vtkSlicerVolumeRenderingLogic.h": [
         "GetFirstVolumeRenderingDisplayNode", "CreateDefaultVolumeRenderingNodes", "AddVolumePropertyFromFile",
     ],
@@ -75,8 +87,67 @@ class Node:
     def GetDisplayNode(self):
         return self._display
 
+    def CreateDefaultDisplayNodes(self):
+        self._display = vtkMRMLDisplayNode()
+
     def GetParentTransformNode(self):
         return None
+
+
+class vtkMRMLVolumeNode(Node):
+    """A volume without a file."""
+
+    def __init__(self, kind):
+        Node.__init__(self, kind)
+        self._display = self._array = self._matrix = None
+
+    def SetIJKToRASMatrix(self, matrix):
+        self._matrix = matrix
+
+
+class vtkMRMLColorTableNode(Node):
+    def __init__(self):
+        Node.__init__(self, "vtkMRMLColorTableNode")
+        self._colors = []
+
+    def SetTypeToUser(self):
+        pass
+
+    def SetNumberOfColors(self, number):
+        self._colors = (self._colors + [None] * number)[:number]
+
+    def SetColor(self, entry, name, red, green, blue, opacity):
+        self._colors[entry] = (name, red, green, blue, opacity)
+
+
+class vtkMRMLMarkupsNode(vtk.vtkObject):
+    """Its observers are real ones."""
+
+    PointPositionDefinedEvent = vtk.vtkCommand.UserEvent + 1
+
+    def __init__(self):
+        self._kind, self._points = "vtkMRMLMarkupsFiducialNode", []
+
+    def GetNumberOfControlPoints(self):
+        return len(self._points)
+
+    def GetNthControlPointPositionWorld(self, index, place):
+        place[:] = self._points[index]
+
+    def _place(self, point):
+        self._points.append(point)
+        self.InvokeEvent(self.PointPositionDefinedEvent)
+
+
+class vtkMRMLMarkupsROINode(vtkMRMLMarkupsNode):
+    def __init__(self, center, size):
+        self._kind, self._center, self._size = "vtkMRMLMarkupsROINode", center, size
+
+    def GetCenterWorld(self, center):
+        center[:] = self._center
+
+    def GetSizeWorld(self, size):
+        size[:] = self._size
 
 
 class vtkMRMLCrosshairNode(Node):
@@ -96,17 +167,43 @@ class vtkMRMLCrosshairNode(Node):
         return True
 
 
+class vtkMRMLScene:
+    StartCloseEvent = 66000
+
+
 class _Scene:
     def __init__(self):
         self._crosshair = vtkMRMLCrosshairNode()
 
+        self._nodes = []
+
     def GetFirstNodeByClass(self, kind):
         return {"vtkMRMLCrosshairNode": self._crosshair}[kind]
+
+    def AddNewNodeByClass(self, kind, name):
+        makers = {"vtkMRMLColorTableNode": vtkMRMLColorTableNode, "vtkMRMLMarkupsFiducialNode": vtkMRMLMarkupsNode,
+                  "vtkMRMLTableNode": lambda: Node(kind)}
+        node = makers.get(kind, lambda: vtkMRMLVolumeNode(kind))()
+        node._name = name
+        self._nodes.append(node)
+        return node
+
+    def IsNodePresent(self, node):
+        return node in self._nodes
+
+    def RemoveNode(self, node):
+        self._nodes.remove(node)
 
 
 class _MarkupsLogic:
     def JumpSlicesToLocation(self, x, y, z, centered):
         self._place = (x, y, z)
+
+    def SetActiveList(self, node):
+        self._active = node
+
+    def StartPlaceMode(self, isPersistent):
+        self._isPersistent = isPersistent
 
 
 class _VolumeRenderingLogic:

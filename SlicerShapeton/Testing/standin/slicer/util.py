@@ -28,8 +28,22 @@ def tryWithErrorDisplay(message, waitCursor=False):
     yield  # Slicer shows the exception; tests need it raised
 
 
-def setSliceViewerLayers(background, label, labelOpacity):
+def setSliceViewerLayers(background=None, foreground=None, label=None, foregroundOpacity=None, labelOpacity=None):
     pass
+
+
+def updateVolumeFromArray(node, array):
+    node._array = array.copy()
+    node._updates = getattr(node, "_updates", 0) + 1
+
+
+def arrayFromVolume(node):
+    return node._array
+
+
+def updateTableFromArray(node, arrays, columnNames):
+    assert len(arrays) == len(columnNames)
+    node._columns = dict(zip(columnNames, arrays))
 
 
 def exportNode(node, path, properties):
