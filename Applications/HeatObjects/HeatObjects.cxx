@@ -92,9 +92,9 @@ SelectedObjects(const CommandLine & commandLine, const shapeton::HeatObjectList 
 
 /** Reduces the labels to one object, as 1. */
 void
-KeepObject(int object, const Heats & heats, shapeton::HeatObjectList & list)
+KeepObject(int object, shapeton::HeatObjectList & list)
 {
-  const auto mask = shapeton::MaskOfObject(list.objects, object, heats.Pointers());
+  const auto mask = shapeton::MaskOfObject(list, object);
   std::copy_n(mask->GetBufferPointer(), mask->GetBufferedRegion().GetNumberOfPixels(), list.labels->GetBufferPointer());
 }
 
@@ -124,7 +124,7 @@ ListObjects(CommandLine & commandLine)
   shapeton::HeatObjectTable(list, objects, volume.image, heats.names, heats.windows).Write(table);
   if (isSelected)
   {
-    KeepObject(objects[commandLine.GetInteger("climb")], heats, list);
+    KeepObject(objects[commandLine.GetInteger("climb")], list);
   }
   const std::string title = isSelected ? "selected object" : std::to_string(objects.size()) + " objects";
   shapeton::WriteVolume(list.labels.GetPointer(), labels, shapeton::ProvenanceMetadata(commandLine.GetProvenance()));

@@ -89,7 +89,7 @@ ValidatePhantoms(const ValidationSettings & settings, ValidationReport & report)
       source->Update();
       const SceneVolume volume = VolumeOf(source);
       const Found       found = FindObjects(volume.image, 0.5);
-      const auto        agreement = CompareObjects(found.list, { found.heat.GetPointer() }, volume.labels);
+      const auto        agreement = CompareObjects(found.list, volume.labels);
       const double      rand = RandIndex(found.list, volume.labels);
       const bool        isOne = agreement.diceOfLabel.size() == 1; // no partition
       table.AddRow({ name,
@@ -117,7 +117,7 @@ ValidateScenes(const ValidationSettings & settings, ValidationReport & report)
   {
     const SceneVolume volume = SampleScene(seed, side);
     const Found       all = FindObjects(volume.image, 0.0);
-    const auto        agreement = CompareObjects(all.list, { all.heat.GetPointer() }, volume.labels);
+    const auto        agreement = CompareObjects(all.list, volume.labels);
     for (std::size_t i = 0; i < all.list.objects.size(); ++i)
     {
       const double probability = all.list.objects[i].probability;
@@ -127,7 +127,7 @@ ValidateScenes(const ValidationSettings & settings, ValidationReport & report)
       whole += probability >= 0.5 && isWhole ? 1.0 : 0.0;
     }
     const auto list = FindHeatObjects({ all.heat.GetPointer() });
-    const auto ofList = CompareObjects(list, { all.heat.GetPointer() }, volume.labels);
+    const auto ofList = CompareObjects(list, volume.labels);
     labels += static_cast<double>(ofList.diceOfLabel.size());
     found += static_cast<double>(CountWhole(ofList.diceOfLabel));
     rand.push_back(RandIndex(list, volume.labels));
@@ -397,7 +397,7 @@ ValidateFoot(const ValidationSettings & settings, ValidationReport & report)
     byClick[bone] = 0.0;
     if (const int object = found.list.labels->GetBufferPointer()[voxel])
     {
-      const auto mask = MaskOfObject(found.list.objects, object, { found.heat.GetPointer() });
+      const auto mask = MaskOfObject(found.list, object);
       double     both = 0.0, sum = 0.0;
       for (std::size_t i = 0; i < labels.size(); ++i)
       {

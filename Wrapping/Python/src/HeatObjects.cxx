@@ -97,10 +97,10 @@ AddHeatObjects(py::module_ & module)
       "uint16: the number of the smallest object at each voxel; 0 for none.")
     .def(
       "mask",
-      [](const HeatObjects & found, int number) { return MaskOfObject(found.list.objects, number, found.Heats()); },
+      [](const HeatObjects & found, int number) { return MaskOfObject(found.list, number); },
       "number"_a,
       ReleaseGil(),
-      "uint8: 1 in an object, with those in it, otherwise 0. Reads the heat images again.");
+      "uint8: 1 in an object, with those in it, otherwise 0.");
 
   module.def("find_objects", Reporting(&FindObjects), ReleaseGil());
 }

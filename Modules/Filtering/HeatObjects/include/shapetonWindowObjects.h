@@ -13,7 +13,7 @@ namespace shapeton
  *   - is the core of a listed object: it is the only part of at least a tenth of it, so it does not divide it;
  *   - crosses the border of a listed object.
  * HeatObject::time is the window, from 0; heatCurve has the mean heat of this window only. `heats` has one volume per
- * window; MaskOfObject() uses the same. Throws as FindHeatObjects().
+ * window. Throws as FindHeatObjects().
  * \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT HeatObjectList
 FindWindowObjects(const std::vector<const itk::Image<float, 3> *> & heats,

@@ -3,6 +3,7 @@
 #include "shapetonExceptions.h"
 #include "shapetonParallelFor.h"
 #include "shapetonVolume.h"
+#include "shapetonWindowMerge.h"
 
 #include <algorithm>
 #include <limits>
@@ -128,31 +129,35 @@ FindCores(const Objects & found, const std::vector<Relation> & relations, const 
 struct Merged
 {
   Objects          objects;
+  std::vector<std::vector<VoxelRange>> ranges;
   std::vector<int> ofFirst, ofSecond; ///< new number of each old one; that of the next larger one if it is left out
 };
 
 /** Numbers of the objects by descending size, those of the first list before equal ones. */
 Merged
-Number(const Objects & first, const Objects & second, const std::vector<bool> & isNew)
+Number(const HeatObjectList & list, const HeatObjectList & found, const std::vector<bool> & isNew)
 {
   struct Source
   {
-    const HeatObject * object;
-    int *              number;
+    const HeatObject *              object;
+    const std::vector<VoxelRange> * ranges;
+    int *                           number;
   };
+  const Objects & first = list.objects;
+  const Objects & second = found.objects;
   Merged merged;
   merged.ofFirst.assign(first.size() + 1, 0);
   merged.ofSecond.assign(second.size() + 1, 0);
   std::vector<Source> sources;
   for (std::size_t i = 0; i < first.size(); ++i)
   {
-    sources.push_back({ &first[i], &merged.ofFirst[i + 1] });
+    sources.push_back({ &first[i], &list.ranges[i], &merged.ofFirst[i + 1] });
   }
   for (std::size_t i = 0; i < second.size(); ++i)
   {
     if (isNew[i])
     {
-      sources.push_back({ &second[i], &merged.ofSecond[i + 1] });
+      sources.push_back({ &second[i], &found.ranges[i], &merged.ofSecond[i + 1] });
     }
   }
   std::stable_sort(sources.begin(), sources.end(), [](const Source & a, const Source & b) {
@@ -163,6 +168,7 @@ Number(const Objects & first, const Objects & second, const std::vector<bool> & 
   for (const Source & source : sources)
   {
     merged.objects.push_back(*source.object);
+    merged.ranges.push_back(*source.ranges);
     *source.number = static_cast<int>(merged.objects.size());
   }
   for (std::size_t i = 0; i < second.size(); ++i)
@@ -205,9 +211,10 @@ SetParents(const HeatObjectList & first, const HeatObjectList & second, const Sh
   }
 }
 
-/** Adds the objects of a later window. */
-void
-Add(const HeatObjectList & found, HeatObjectList & list)
+} // namespace
+
+double
+AddWindowObjects(const HeatObjectList & found, HeatObjectList & list)
 {
   const Shared          shared = SharedVoxels(found, list);
   std::vector<Relation> relations;
@@ -220,7 +227,7 @@ Add(const HeatObjectList & found, HeatObjectList & list)
   {
     isNew[i] = !isNew[i] && !relations[i].isListed && !relations[i].isCrossing;
   }
-  Merged merged = Number(list.objects, found.objects, isNew);
+  Merged merged = Number(list, found, isNew);
   SetParents(list, found, SharedVoxels(list, found), relations, isNew, merged);
   auto * const       labels = list.labels->GetBufferPointer();
   const auto * const others = found.labels->GetBufferPointer();
@@ -228,8 +235,22 @@ Add(const HeatObjectList & found, HeatObjectList & list)
     labels[i] = static_cast<unsigned short>(std::max(merged.ofFirst[labels[i]], merged.ofSecond[others[i]]));
   });
   list.objects = std::move(merged.objects);
+  list.ranges = std::move(merged.ranges);
+  double added = 0.0;
+  for (std::size_t i = 0; i < isNew.size(); ++i)
+  {
+    added += isNew[i] ? found.objects[i].probability : 0.0;
+  }
+  return added;
 }
-} // namespace
+
+double
+SumOfProbabilities(const std::vector<HeatObject> & objects)
+{
+  return std::accumulate(objects.begin(), objects.end(), 0.0, [](double sum, const HeatObject & object) {
+    return sum + object.probability;
+  });
+}
 
 HeatObjectList
 FindWindowObjects(const std::vector<const itk::Image<float, 3> *> & heats,
@@ -260,7 +281,7 @@ FindWindowObjects(const std::vector<const itk::Image<float, 3> *> & heats,
     }
     else
     {
-      Add(found, list);
+      AddWindowObjects(found, list);
     }
   }
   return list;
