@@ -2,7 +2,9 @@
 #include "Conversions.h"
 #include "Options.h"
 
-#include "shapetonHeatObjects.h"
+#include "shapetonCumulativeHeatDiffusionImageFilter.h"
+#include "shapetonObjectParameters.h"
+#include "shapetonWindowObjects.h"
 
 namespace shapeton::python
 {
@@ -44,11 +46,39 @@ PlacedObjects(const HeatObjects & found)
 HeatObjects
 FindObjects(const std::vector<ImageType::Pointer> & heats,
             const Given<HeatObjectOptions> &        given,
+            bool                                    areWindows,
             const Progress &                        progress)
 {
   HeatObjects found{ {}, heats };
-  found.list = FindHeatObjects(found.Heats(), given.options, progress.Part("Finding objects", 0.0, 1.0));
+  const auto  find = areWindows ? &FindWindowObjects : &FindHeatObjects;
+  found.list = find(found.Heats(), given.options, progress.Part("Finding objects", 0.0, 1.0));
   return found;
+}
+
+/** ChooseObjectWindows() as arguments of diffuse_heat(). */
+std::vector<py::dict>
+WindowsOf(const ImageType::Pointer & image, const Progress & progress)
+{
+  std::vector<HeatParameterChoice> choices;
+  const auto                       filter = CumulativeHeatDiffusionImageFilter<ImageType>::New();
+  filter->SetInput(image);
+  filter->ChooseParametersBy(
+    [&choices](const auto &... arguments) {
+      choices = ChooseObjectWindows(arguments...);
+      return choices.front();
+    },
+    {},
+    progress.Part("Choosing windows", 0.0, 1.0));
+  const WithGil         gil;
+  std::vector<py::dict> windows;
+  for (const HeatParameterChoice & choice : choices)
+  {
+    windows.push_back(py::dict("intensity_window"_a = choice.intensityWindow,
+                               "p"_a = choice.p,
+                               "smoothing"_a = choice.smoothing,
+                               "time_steps"_a = choice.timeSteps));
+  }
+  return windows;
 }
 } // namespace
 
@@ -103,5 +133,6 @@ AddHeatObjects(py::module_ & module)
       "uint8: 1 in an object, with those in it, otherwise 0.");
 
   module.def("find_objects", Reporting(&FindObjects), ReleaseGil());
+  module.def("object_windows", Reporting(&WindowsOf), ReleaseGil());
 }
 } // namespace shapeton::python
