@@ -47,19 +47,10 @@ ChooseParameters(CommandLine & commandLine, const std::string & modality, Filter
   const auto names = shapeton::ReadGivenOptions(commandLine, options);
   const auto given = shapeton::GivenAmong(names, options);
   const auto progress = commandLine.PartOfProgress(0.0, shareOfChoice).Part("Choosing parameters", 0.0, 1.0);
-  std::vector<shapeton::HeatParameterChoice> choices;
-  if (commandLine.GetString("preset") == "objects")
-  {
-    const auto choose = [&choices](const auto &... arguments) {
-      choices = shapeton::ChooseObjectWindows(arguments...);
-      return choices.front();
-    };
-    filter->ChooseParametersBy(choose, given, progress);
-  }
-  else
-  {
-    choices = { filter->ChooseParameters(given, modality, progress) };
-  }
+  const auto choices =
+    commandLine.GetString("preset") == "objects"
+      ? shapeton::ChooseWindowsOf(filter, given, progress)
+      : std::vector<shapeton::HeatParameterChoice>{ filter->ChooseParameters(given, modality, progress) };
   for (const auto & [name, value] : shapeton::ChosenValues(choices.front()))
   {
     commandLine.AddProvenance("chosen." + name, value);

@@ -59,16 +59,9 @@ FindObjects(const std::vector<ImageType::Pointer> & heats,
 std::vector<py::dict>
 WindowsOf(const ImageType::Pointer & image, const Progress & progress)
 {
-  std::vector<HeatParameterChoice> choices;
-  const auto                       filter = CumulativeHeatDiffusionImageFilter<ImageType>::New();
+  const auto filter = CumulativeHeatDiffusionImageFilter<ImageType>::New();
   filter->SetInput(image);
-  filter->ChooseParametersBy(
-    [&choices](const auto &... arguments) {
-      choices = ChooseObjectWindows(arguments...);
-      return choices.front();
-    },
-    {},
-    progress.Part("Choosing windows", 0.0, 1.0));
+  const auto choices = ChooseWindowsOf(filter.GetPointer(), {}, progress.Part("Choosing windows", 0.0, 1.0));
   const WithGil         gil;
   std::vector<py::dict> windows;
   for (const HeatParameterChoice & choice : choices)

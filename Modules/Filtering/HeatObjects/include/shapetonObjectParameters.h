@@ -47,6 +47,23 @@ ChooseObjectParameters(const float *                           intensities,
                        const CumulativeHeatDiffusionSettings & settings,
                        const GivenHeatParameters &             given,
                        const Progress &                        progress = {});
+
+/** ChooseObjectWindows() for the input of a CumulativeHeatDiffusionImageFilter, which uses the first one.
+ * \ingroup ShapetonHeatObjects */
+template <typename TFilter>
+std::vector<HeatParameterChoice>
+ChooseWindowsOf(TFilter * filter, const GivenHeatParameters & given = {}, const Progress & progress = {})
+{
+  std::vector<HeatParameterChoice> choices;
+  filter->ChooseParametersBy(
+    [&choices](const auto &... arguments) {
+      choices = ChooseObjectWindows(arguments...);
+      return choices.front();
+    },
+    given,
+    progress);
+  return choices;
+}
 } // namespace shapeton
 
 #endif
