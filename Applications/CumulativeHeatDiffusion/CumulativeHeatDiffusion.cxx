@@ -8,7 +8,6 @@
 #include "shapetonHeatClassification.h"
 #include "shapetonHeatResultFiles.h"
 #include "shapetonHeatWindows.h"
-#include "shapetonObjectParameters.h"
 #include "shapetonExceptions.h"
 #include "shapetonToolDevice.h"
 #include "shapetonToolVolumes.h"
@@ -32,30 +31,6 @@ CheckUsage(const CommandLine & commandLine)
   shapeton::RequireParameter(!commandLine.IsGiven("snapshotSteps") || commandLine.IsGiven("snapshotFolder") ||
                                commandLine.IsGiven("report"),
                              "--snapshotSteps requires --snapshotFolder or --report, to store the heat");
-}
-
-/** Sets the parameters that are not given, unless the preset is the published one; returns the choices, the first of
- * which is used. */
-std::vector<shapeton::HeatParameterChoice>
-ChooseParameters(CommandLine & commandLine, const std::string & modality, FilterType * filter)
-{
-  if (commandLine.GetString("preset") == "published")
-  {
-    return {};
-  }
-  auto       options = filter->GetOptions();
-  const auto names = shapeton::ReadGivenOptions(commandLine, options);
-  const auto given = shapeton::GivenAmong(names, options);
-  const auto progress = commandLine.PartOfProgress(0.0, shareOfChoice).Part("Choosing parameters", 0.0, 1.0);
-  const auto choices =
-    commandLine.GetString("preset") == "objects"
-      ? shapeton::ChooseWindowsOf(filter, given, progress)
-      : std::vector<shapeton::HeatParameterChoice>{ filter->ChooseParameters(given, modality, progress) };
-  for (const auto & [name, value] : shapeton::ChosenValues(choices.front()))
-  {
-    commandLine.AddProvenance("chosen." + name, value);
-  }
-  return choices;
 }
 
 void
@@ -105,7 +80,7 @@ Diffuse(CommandLine & commandLine)
   shapeton::CheckOptions(filter->GetOptions());
   const shapeton::Volume volume = shapeton::ReadVolume(commandLine, "inputVolume");
   filter->SetInput(volume.image);
-  const auto choices = ChooseParameters(commandLine, volume.modality, filter);
+  const auto choices = shapeton::ChooseWindows(commandLine, volume.modality, shareOfChoice, filter);
   filter->SetWantInitialHeat(files.WantInitialHeat());
   filter->SetWantComponents(files.WantClasses());
   if (files.WantHistogram())
@@ -114,7 +89,8 @@ Diffuse(CommandLine & commandLine)
   }
   const auto   snapshotSteps = RequestSnapshots(commandLine, files, filter);
   const double start = choices.empty() ? 0.0 : shareOfChoice;
-  const double share = commandLine.IsGiven("windowFolder") ? shareOfRest / static_cast<double>(choices.size()) : 0.95 - start;
+  const double share =
+    commandLine.IsGiven("windowFolder") ? shareOfRest / static_cast<double>(choices.size()) : 0.95 - start;
   commandLine.Watch(filter, "Diffusing heat", start, share);
   filter->Update();
   const auto & result = filter->GetResult();

@@ -437,15 +437,15 @@ FindInWindows(const Image * image)
 void
 ValidateFoot(const ValidationSettings & settings, ValidationReport & report)
 {
-  const Volume          volume = ReadVolume(settings.dataFolder + "/scivis/foot.nii.gz");
-  const Image *         foot = volume.image;
-  const auto            bones = ReferenceBones(foot);
-  const VoxelGrid       grid = GridOf(foot);
-  const Found           found = FindObjects(foot, 0.5);
-  std::vector<int>      labels(bones->GetBufferPointer(), bones->GetBufferPointer() + grid.NumberOfVoxels());
-  const auto            clicks = Clicks(bones, grid);
-  const auto            byClick = DiceOfClicks(found.list, clicks, labels);
-  const Windows         windows = FindInWindows(foot);
+  const Volume     volume = ReadVolume(settings.dataFolder + "/scivis/foot.nii.gz");
+  const Image *    foot = volume.image;
+  const auto       bones = ReferenceBones(foot);
+  const VoxelGrid  grid = GridOf(foot);
+  const Found      found = FindObjects(foot, 0.5);
+  std::vector<int> labels(bones->GetBufferPointer(), bones->GetBufferPointer() + grid.NumberOfVoxels());
+  const auto       clicks = Clicks(bones, grid);
+  const auto       byClick = DiceOfClicks(found.list, clicks, labels);
+  const Windows    windows = FindInWindows(foot);
   const std::vector<std::pair<std::string, std::map<int, double>>> columns = {
     { "one click", byClick },
     { "one click, all windows", DiceOfClicks(windows.list, clicks, labels) },

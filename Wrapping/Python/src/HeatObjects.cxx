@@ -61,7 +61,7 @@ WindowsOf(const ImageType::Pointer & image, const Progress & progress)
 {
   const auto filter = CumulativeHeatDiffusionImageFilter<ImageType>::New();
   filter->SetInput(image);
-  const auto choices = ChooseWindowsOf(filter.GetPointer(), {}, progress.Part("Choosing windows", 0.0, 1.0));
+  const auto            choices = ChooseWindowsOf(filter.GetPointer(), {}, progress.Part("Choosing windows", 0.0, 1.0));
   const WithGil         gil;
   std::vector<py::dict> windows;
   for (const HeatParameterChoice & choice : choices)

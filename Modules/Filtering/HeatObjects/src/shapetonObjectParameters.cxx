@@ -98,9 +98,11 @@ ThresholdsOf(const ReducedVolume & copy, const std::vector<float> & sample, cons
   const auto bright = std::lower_bound(sample.begin(), sample.end(), static_cast<float>(classes[1]));
   const auto brightClasses = FindIntensityClasses({ bright, sample.end() });
   const auto brightest = std::lower_bound(sample.begin(), sample.end(), static_cast<float>(brightClasses[2]));
-  const auto brightestClasses = brightest == sample.end() ? brightClasses : FindIntensityClasses({ brightest, sample.end() });
+  const auto brightestClasses =
+    brightest == sample.end() ? brightClasses : FindIntensityClasses({ brightest, sample.end() });
   std::vector<std::pair<double, double>> all; // negative step and threshold
-  for (const double threshold : { classes[1], classes[2], 0.5 * (classes[0] + classes[3]), brightClasses[2], brightestClasses[1] })
+  for (const double threshold :
+       { classes[1], classes[2], 0.5 * (classes[0] + classes[3]), brightClasses[2], brightestClasses[1] })
   {
     all.emplace_back(-MeanStepAcross(copy, threshold), threshold);
   }
@@ -281,8 +283,8 @@ ChooseObjectWindows(const float *                           intensities,
     choice.windowReason = "the volume is constant: it has no objects";
     return { choice };
   }
-  const auto thresholds = ThresholdsOf(copy, sample, classes);
-  auto       trials = TryThresholds(copy, thresholds, contrast, settings, given, progress);
+  const auto                       thresholds = ThresholdsOf(copy, sample, classes);
+  auto                             trials = TryThresholds(copy, thresholds, contrast, settings, given, progress);
   std::vector<HeatParameterChoice> choices;
   HeatObjectList                   list = std::move(trials[0].objects);
   for (Trial & trial : trials)

@@ -40,8 +40,8 @@ using Shared = std::vector<std::map<int, double>>;
 Shared
 SharedVoxels(const HeatObjectList & a, const HeatObjectList & b)
 {
-  Shared      ofLabels(a.objects.size() + 1);
-  const auto  voxels = a.labels->GetBufferedRegion().GetNumberOfPixels();
+  Shared             ofLabels(a.objects.size() + 1);
+  const auto         voxels = a.labels->GetBufferedRegion().GetNumberOfPixels();
   const auto * const inA = a.labels->GetBufferPointer();
   const auto * const inB = b.labels->GetBufferPointer();
   for (std::size_t i = 0; i < voxels; ++i)
@@ -67,9 +67,9 @@ SharedVoxels(const HeatObjectList & a, const HeatObjectList & b)
 /** An object of a later window beside those that are listed. */
 struct Relation
 {
-  int  around{ 0 };          ///< the smallest listed object that contains it, from 1; 0: none
-  bool isListed{ false };    ///< shows a listed object
-  bool isCrossing{ false };  ///< crosses the border of a listed object
+  int  around{ 0 };         ///< the smallest listed object that contains it, from 1; 0: none
+  bool isListed{ false };   ///< shows a listed object
+  bool isCrossing{ false }; ///< crosses the border of a listed object
 };
 
 Relation
@@ -102,7 +102,8 @@ FindCores(const Objects & found, const std::vector<Relation> & relations, const 
   {
     if (found[i].parent > 0 && isLargePart(static_cast<int>(i + 1), relations[i].around))
     {
-      isDivided[found[i].parent - 1] = isDivided[found[i].parent - 1] || isLargePart(found[i].parent, relations[i].around);
+      isDivided[found[i].parent - 1] =
+        isDivided[found[i].parent - 1] || isLargePart(found[i].parent, relations[i].around);
     }
   }
   std::vector<int> smallestParts(listed.size(), 0); // of each listed object
@@ -128,7 +129,7 @@ FindCores(const Objects & found, const std::vector<Relation> & relations, const 
 /** One list of two: those of the first one, and some of the second one, with their new numbers. */
 struct Merged
 {
-  Objects          objects;
+  Objects                              objects;
   std::vector<std::vector<VoxelRange>> ranges;
   std::vector<int> ofFirst, ofSecond; ///< new number of each old one; that of the next larger one if it is left out
 };
@@ -145,7 +146,7 @@ Number(const HeatObjectList & list, const HeatObjectList & found, const std::vec
   };
   const Objects & first = list.objects;
   const Objects & second = found.objects;
-  Merged merged;
+  Merged          merged;
   merged.ofFirst.assign(first.size() + 1, 0);
   merged.ofSecond.assign(second.size() + 1, 0);
   std::vector<Source> sources;
@@ -183,8 +184,12 @@ Number(const HeatObjectList & list, const HeatObjectList & found, const std::vec
 
 /** Sets the parents: the larger ones have smaller numbers, so the parent is the greatest number around. */
 void
-SetParents(const HeatObjectList & first, const HeatObjectList & second, const Shared & sharedOfFirst,
-           const std::vector<Relation> & relations, const std::vector<bool> & isNew, Merged & merged)
+SetParents(const HeatObjectList &        first,
+           const HeatObjectList &        second,
+           const Shared &                sharedOfFirst,
+           const std::vector<Relation> & relations,
+           const std::vector<bool> &     isNew,
+           Merged &                      merged)
 {
   for (std::size_t i = 0; i < first.objects.size(); ++i)
   {

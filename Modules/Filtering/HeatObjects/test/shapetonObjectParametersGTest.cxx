@@ -123,8 +123,8 @@ TEST(ObjectParameters, AConstantVolumeHasNoObjects)
 TEST(ObjectParameters, ThereIsAWindowForEachScaleOfIntensity)
 {
   // A body of 300 with two bones of 1000: one threshold shows the body, another one the bones.
-  constexpr int   side = 48;
-  const VoxelGrid grid(side, side, side);
+  constexpr int                   side = 48;
+  const VoxelGrid                 grid(side, side, side);
   std::vector<float>              values(grid.NumberOfVoxels(), 0.0F);
   std::mt19937                    random(3);
   std::normal_distribution<float> noise(0.0F, 15.0F);
@@ -138,8 +138,8 @@ TEST(ObjectParameters, ThereIsAWindowForEachScaleOfIntensity)
     values[voxel] = (isBone ? 1000.0F : isIn(24, 14, 13) ? 300.0F : 0.0F) + noise(random);
   }
   CumulativeHeatDiffusionSettings settings;
-  const auto windows = ChooseObjectWindows(values.data(), { side, side, side }, settings, {});
-  const auto isThresholdIn = [&](double lower, double upper) {
+  const auto                      windows = ChooseObjectWindows(values.data(), { side, side, side }, settings, {});
+  const auto                      isThresholdIn = [&](double lower, double upper) {
     return std::any_of(windows.begin(), windows.end(), [&](const HeatParameterChoice & choice) {
       return choice.intensityWindow[0] > lower && choice.intensityWindow[1] < upper;
     });

@@ -54,13 +54,13 @@ FindAll(const std::vector<HeatImage::Pointer> & heats)
 std::uint64_t
 VoxelsOfMask(const HeatObjectList & list, int object)
 {
-  const auto          mask = MaskOfObject(list, object);
+  const auto                  mask = MaskOfObject(list, object);
   const unsigned char * const begin = mask->GetBufferPointer();
   return std::count(begin, begin + mask->GetBufferedRegion().GetNumberOfPixels(), 1);
 }
 
 const Box foot{ { { 5, 5, 5 } }, { { 31, 25, 25 } }, 0.5F };
-const Box bone{ { { 7, 8, 8 } }, { { 17, 20, 20 } }, 0.3F };  // 14 % of the foot
+const Box bone{ { { 7, 8, 8 } }, { { 17, 20, 20 } }, 0.3F }; // 14 % of the foot
 const Box other{ { { 19, 8, 8 } }, { { 29, 20, 20 } }, 0.4F };
 } // namespace
 

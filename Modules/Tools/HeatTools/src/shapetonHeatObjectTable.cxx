@@ -66,10 +66,10 @@ Columns(const std::vector<std::string> & names, bool hasWindows)
 } // namespace
 
 CsvTable
-HeatObjectTable(const HeatObjectList &           list,
-                const std::vector<int> &         objects,
-                const itk::Image<float, 3> *     image,
-                const std::vector<std::string> & names,
+HeatObjectTable(const HeatObjectList &                     list,
+                const std::vector<int> &                   objects,
+                const itk::Image<float, 3> *               image,
+                const std::vector<std::string> &           names,
                 const std::vector<std::array<double, 2>> & windows)
 {
   CsvTable   table(Columns(names, !windows.empty()));
@@ -77,10 +77,9 @@ HeatObjectTable(const HeatObjectList &           list,
   for (const int number : objects)
   {
     const HeatObject &       object = list.objects.at(number - 1);
-    std::vector<std::string> row{ std::to_string(number),
-                                  std::to_string(object.parent),
-                                  object.isWarm ? "warm" : "cold",
-                                  names.at(object.time) };
+    std::vector<std::string> row{
+      std::to_string(number), std::to_string(object.parent), object.isWarm ? "warm" : "cold", names.at(object.time)
+    };
     if (!windows.empty())
     {
       row.push_back(CsvTable::Number(windows.at(object.time)[0]));

@@ -1,10 +1,37 @@
 #include "shapetonHeatWindows.h"
 
+#include "shapetonAutomaticParameters.h"
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
+#include "shapetonObjectParameters.h"
+#include "shapetonReadOptions.h"
 
 namespace shapeton
 {
+std::vector<HeatParameterChoice>
+ChooseWindows(CommandLine &                                              commandLine,
+              const std::string &                                        modality,
+              double                                                     end,
+              CumulativeHeatDiffusionImageFilter<itk::Image<float, 3>> * filter)
+{
+  if (commandLine.GetString("preset") == "published")
+  {
+    return {};
+  }
+  auto       options = filter->GetOptions();
+  const auto names = ReadGivenOptions(commandLine, options);
+  const auto given = GivenAmong(names, options);
+  const auto progress = commandLine.PartOfProgress(0.0, end).Part("Choosing parameters", 0.0, 1.0);
+  const auto choices = commandLine.GetString("preset") == "objects"
+                         ? ChooseWindowsOf(filter, given, progress)
+                         : std::vector<HeatParameterChoice>{ filter->ChooseParameters(given, modality, progress) };
+  for (const auto & [name, value] : ChosenValues(choices.front()))
+  {
+    commandLine.AddProvenance("chosen." + name, value);
+  }
+  return choices;
+}
+
 void
 MakeWindowFolder(CommandLine & commandLine)
 {
@@ -20,10 +47,10 @@ MakeWindowFolder(CommandLine & commandLine)
 }
 
 void
-WriteHeatWindows(CommandLine &                                                 commandLine,
-                 const HeatResultFiles &                                       files,
-                 const std::vector<HeatParameterChoice> &                      windows,
-                 double                                                        start,
+WriteHeatWindows(CommandLine &                                              commandLine,
+                 const HeatResultFiles &                                    files,
+                 const std::vector<HeatParameterChoice> &                   windows,
+                 double                                                     start,
                  CumulativeHeatDiffusionImageFilter<itk::Image<float, 3>> * filter)
 {
   const std::string folder = commandLine.GetString("windowFolder");

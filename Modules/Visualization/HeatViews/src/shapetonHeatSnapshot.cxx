@@ -142,7 +142,8 @@ WindowInHeader(const std::string & path)
   text >> window[0] >> comma >> window[1];
   if (!text || comma != ',')
   {
-    throw InputError(path + " has no intensityWindow in its header: use a --windowFolder of CumulativeHeatDiffusion");
+    throw InputError(
+      path + " has no intensityWindow in its header: use a folder of windows written by CumulativeHeatDiffusion");
   }
   return window;
 }
