@@ -7,7 +7,7 @@
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonHeatClassification.h"
 #include "shapetonHeatResultFiles.h"
-#include "shapetonObjectParameters.h"
+#include "shapetonHeatWindows.h"
 #include "shapetonExceptions.h"
 #include "shapetonToolDevice.h"
 #include "shapetonToolVolumes.h"
@@ -19,6 +19,7 @@ namespace
 using shapeton::CommandLine;
 using ImageType = itk::Image<float, 3>;
 constexpr double shareOfChoice = 0.3; // of the time of a run
+constexpr double shareOfRest = 0.65;
 using FilterType = shapeton::CumulativeHeatDiffusionImageFilter<ImageType>;
 
 void
@@ -30,28 +31,6 @@ CheckUsage(const CommandLine & commandLine)
   shapeton::RequireParameter(!commandLine.IsGiven("snapshotSteps") || commandLine.IsGiven("snapshotFolder") ||
                                commandLine.IsGiven("report"),
                              "--snapshotSteps requires --snapshotFolder or --report, to store the heat");
-}
-
-/** Sets the parameters that are not given, unless the preset is the published one; returns the reasons. */
-shapeton::HeatReportContent::Facts
-ChooseParameters(CommandLine & commandLine, const std::string & modality, FilterType * filter)
-{
-  if (commandLine.GetString("preset") == "published")
-  {
-    return {};
-  }
-  auto       options = filter->GetOptions();
-  const auto names = shapeton::ReadGivenOptions(commandLine, options);
-  const auto given = shapeton::GivenAmong(names, options);
-  const auto progress = commandLine.PartOfProgress(0.0, shareOfChoice).Part("Choosing parameters", 0.0, 1.0);
-  const auto choice = commandLine.GetString("preset") == "objects"
-                        ? filter->ChooseParametersBy(shapeton::ChooseObjectParameters, given, progress)
-                        : filter->ChooseParameters(given, modality, progress);
-  for (const auto & [name, value] : shapeton::ChosenValues(choice))
-  {
-    commandLine.AddProvenance("chosen." + name, value);
-  }
-  return shapeton::ChoiceFacts(choice);
 }
 
 void
@@ -94,13 +73,14 @@ void
 Diffuse(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
+  shapeton::MakeWindowFolder(commandLine);
   const shapeton::HeatResultFiles files(commandLine);
   auto                            filter = FilterType::New();
   shapeton::ReadOptionsOf(commandLine, filter.GetPointer());
   shapeton::CheckOptions(filter->GetOptions());
   const shapeton::Volume volume = shapeton::ReadVolume(commandLine, "inputVolume");
   filter->SetInput(volume.image);
-  const auto reasons = ChooseParameters(commandLine, volume.modality, filter);
+  const auto choices = shapeton::ChooseWindows(commandLine, volume.modality, shareOfChoice, filter);
   filter->SetWantInitialHeat(files.WantInitialHeat());
   filter->SetWantComponents(files.WantClasses());
   if (files.WantHistogram())
@@ -108,8 +88,10 @@ Diffuse(CommandLine & commandLine)
     RequestHistogram(commandLine, filter);
   }
   const auto   snapshotSteps = RequestSnapshots(commandLine, files, filter);
-  const double start = reasons.empty() ? 0.0 : shareOfChoice;
-  commandLine.Watch(filter, "Diffusing heat", start, 0.95 - start);
+  const double start = choices.empty() ? 0.0 : shareOfChoice;
+  const double share =
+    commandLine.IsGiven("windowFolder") ? shareOfRest / static_cast<double>(choices.size()) : 0.95 - start;
+  commandLine.Watch(filter, "Diffusing heat", start, share);
   filter->Update();
   const auto & result = filter->GetResult();
   commandLine.AddRunFact("device", result.device);
@@ -124,7 +106,11 @@ Diffuse(CommandLine & commandLine)
     classification = shapeton::ClassifyHeat(filter->GetOutput(), result);
   }
   shapeton::HeatReportContent content = shapeton::MakeReportContent(result, volume.image, filter->GetOutput());
-  content.parameters.insert(content.parameters.end(), reasons.begin(), reasons.end());
+  if (!choices.empty())
+  {
+    const auto reasons = shapeton::ChoiceFacts(choices.front());
+    content.parameters.insert(content.parameters.end(), reasons.begin(), reasons.end());
+  }
   content.input = { { "Modality", volume.modality }, { "Identity", volume.identity } };
   content.provenance = commandLine.GetProvenance();
   content.warnings = commandLine.GetWarnings();
@@ -137,6 +123,7 @@ Diffuse(CommandLine & commandLine)
   {
     files.WriteInitialHeat(filter->GetInitialHeatOutput());
   }
+  shapeton::WriteHeatWindows(commandLine, files, choices, start, filter);
 }
 } // namespace
 

@@ -7,8 +7,10 @@
 #include "shapetonReadOptions.h"
 #include "shapetonToolVolumes.h"
 #include "shapetonVolumeWriter.h"
+#include "shapetonWindowObjects.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace
@@ -16,11 +18,13 @@ namespace
 using shapeton::CommandLine;
 using HeatImage = itk::Image<float, 3>;
 
-/** The heat volumes in which objects are searched, and the time steps that name them. */
+/** The heat volumes in which objects are searched, the time steps that name them, and their windows if they have
+ * different ones. */
 struct Heats
 {
-  std::vector<HeatImage::Pointer> images;
-  std::vector<std::string>        names;
+  std::vector<HeatImage::Pointer>    images;
+  std::vector<std::string>           names;
+  std::vector<std::array<double, 2>> windows;
 
   std::vector<const HeatImage *>
   Pointers() const
@@ -32,8 +36,10 @@ struct Heats
 Heats
 ReadHeats(CommandLine & commandLine, const HeatImage * image)
 {
-  Heats heats;
-  for (const auto & snapshot : shapeton::FindHeatSnapshots(commandLine.GetString("heatVolume")))
+  Heats             heats;
+  const std::string path = commandLine.GetString("heatVolume");
+  const auto        windows = shapeton::FindHeatWindows(path);
+  for (const auto & snapshot : windows.empty() ? shapeton::FindHeatSnapshots(path) : windows)
   {
     const shapeton::Volume heat = shapeton::ReadVolume(snapshot.path);
     commandLine.AddInput("heatVolume", heat.identity);
@@ -48,6 +54,10 @@ ReadHeats(CommandLine & commandLine, const HeatImage * image)
     }
     heats.images.push_back(heat.image);
     heats.names.push_back(snapshot.timeStep ? std::to_string(*snapshot.timeStep) : "unknown");
+    if (!windows.empty())
+    {
+      heats.windows.push_back(snapshot.intensityWindow.value());
+    }
   }
   return heats;
 }
@@ -57,8 +67,8 @@ Find(CommandLine & commandLine, const Heats & heats)
 {
   shapeton::HeatObjectOptions options;
   shapeton::ReadOptions(commandLine, options);
-  auto list = shapeton::FindHeatObjects(
-    heats.Pointers(), options, commandLine.PartOfProgress(0.2, 0.9).Part("Finding objects", 0.0, 1.0));
+  const auto find = heats.windows.empty() ? &shapeton::FindHeatObjects : &shapeton::FindWindowObjects;
+  auto list = find(heats.Pointers(), options, commandLine.PartOfProgress(0.2, 0.9).Part("Finding objects", 0.0, 1.0));
   if (list.objects.empty())
   {
     commandLine.Warn("no object was found: diffuse heat with the preset objects, or reduce --leastProbability");
@@ -82,9 +92,9 @@ SelectedObjects(const CommandLine & commandLine, const shapeton::HeatObjectList 
 
 /** Reduces the labels to one object, as 1. */
 void
-KeepObject(int object, const Heats & heats, shapeton::HeatObjectList & list)
+KeepObject(int object, shapeton::HeatObjectList & list)
 {
-  const auto mask = shapeton::MaskOfObject(list.objects, object, heats.Pointers());
+  const auto mask = shapeton::MaskOfObject(list, object);
   std::copy_n(mask->GetBufferPointer(), mask->GetBufferedRegion().GetNumberOfPixels(), list.labels->GetBufferPointer());
 }
 
@@ -111,10 +121,10 @@ ListObjects(CommandLine & commandLine)
   {
     objects = SelectedObjects(commandLine, list);
   }
-  shapeton::HeatObjectTable(list, objects, volume.image, heats.names).Write(table);
+  shapeton::HeatObjectTable(list, objects, volume.image, heats.names, heats.windows).Write(table);
   if (isSelected)
   {
-    KeepObject(objects[commandLine.GetInteger("climb")], heats, list);
+    KeepObject(objects[commandLine.GetInteger("climb")], list);
   }
   const std::string title = isSelected ? "selected object" : std::to_string(objects.size()) + " objects";
   shapeton::WriteVolume(list.labels.GetPointer(), labels, shapeton::ProvenanceMetadata(commandLine.GetProvenance()));

@@ -260,7 +260,7 @@ Run(int side, int rounds)
   const auto list = FindHeatObjects({ image }, options);
   for (int object = 1; object <= static_cast<int>(list.objects.size()) && object <= rounds; ++object)
   {
-    click.Measure([&] { MaskOfObject(list.objects, object, { image }); });
+    click.Measure([&] { MaskOfObject(list, object); });
     std::printf("  object of %llu voxels: %.4f s\n",
                 static_cast<unsigned long long>(list.objects[object - 1].voxels),
                 click.elapsed.back());

@@ -40,7 +40,7 @@ AddRegions(const SceneVolume & volume, const HeatParameterChoice & choice, Sampl
   HeatObjectOptions options;
   options.leastProbability = 0.0;
   const auto list = FindHeatObjects({ heat }, options);
-  const auto agreement = CompareObjects(list, { heat.GetPointer() }, volume.labels);
+  const auto agreement = CompareObjects(list, volume.labels);
   for (std::size_t i = 0; i < list.objects.size(); ++i)
   {
     samples.terms.push_back(ProbabilityTerms(list.objects[i]));

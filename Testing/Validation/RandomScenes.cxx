@@ -279,9 +279,7 @@ WholeObjects(const itk::Image<unsigned char, 3> * labels)
 } // namespace
 
 ObjectAgreement
-CompareObjects(const HeatObjectList &                            list,
-               const std::vector<const itk::Image<float, 3> *> & heats,
-               const itk::Image<unsigned char, 3> *              labels)
+CompareObjects(const HeatObjectList & list, const itk::Image<unsigned char, 3> * labels)
 {
   const auto wholes = WholeObjects(labels);
   const auto voxels = labels->GetBufferedRegion().GetNumberOfPixels();
@@ -301,7 +299,7 @@ CompareObjects(const HeatObjectList &                            list,
   agreement.diceOfLabel.assign(wholes.size(), 0.0);
   for (int object = 1; object <= static_cast<int>(list.objects.size()); ++object)
   {
-    const auto mask = MaskOfObject(list.objects, object, heats);
+    const auto mask = MaskOfObject(list, object);
     Counts     counts{};
     double     size = 0.0;
     for (std::size_t voxel = 0; voxel < voxels; ++voxel)

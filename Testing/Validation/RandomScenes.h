@@ -31,9 +31,7 @@ struct ObjectAgreement
 };
 
 ObjectAgreement
-CompareObjects(const shapeton::HeatObjectList &                  list,
-               const std::vector<const itk::Image<float, 3> *> & heats,
-               const itk::Image<unsigned char, 3> *              labels);
+CompareObjects(const shapeton::HeatObjectList & list, const itk::Image<unsigned char, 3> * labels);
 
 /** Dice of an object that counts as a whole one. */
 constexpr double wholeObject = 0.85;

@@ -42,6 +42,7 @@ from .heat import (
     diffuse_shapetons,
     find_objects,
     heat_histogram,
+    object_windows,
     recorded_steps,
     visit_density,
 )
@@ -77,6 +78,7 @@ __all__ = [
     "diffuse_heat",
     "diffuse_shapetons",
     "find_objects",
+    "object_windows",
     "heat_histogram",
     "list_series",
     "read_volume",

@@ -1178,7 +1178,7 @@ class HeatObjects:
         ...
 
     def mask(self, number: int) -> Image:
-        """uint8: 1 in an object, with those in it, otherwise 0. Reads the heat images again."""
+        """uint8: 1 in an object, with those in it, otherwise 0."""
         ...
 
     @property

@@ -2,7 +2,9 @@
 #include "Conversions.h"
 #include "Options.h"
 
-#include "shapetonHeatObjects.h"
+#include "shapetonCumulativeHeatDiffusionImageFilter.h"
+#include "shapetonObjectParameters.h"
+#include "shapetonWindowObjects.h"
 
 namespace shapeton::python
 {
@@ -44,11 +46,32 @@ PlacedObjects(const HeatObjects & found)
 HeatObjects
 FindObjects(const std::vector<ImageType::Pointer> & heats,
             const Given<HeatObjectOptions> &        given,
+            bool                                    areWindows,
             const Progress &                        progress)
 {
   HeatObjects found{ {}, heats };
-  found.list = FindHeatObjects(found.Heats(), given.options, progress.Part("Finding objects", 0.0, 1.0));
+  const auto  find = areWindows ? &FindWindowObjects : &FindHeatObjects;
+  found.list = find(found.Heats(), given.options, progress.Part("Finding objects", 0.0, 1.0));
   return found;
+}
+
+/** ChooseObjectWindows() as arguments of diffuse_heat(). */
+std::vector<py::dict>
+WindowsOf(const ImageType::Pointer & image, const Progress & progress)
+{
+  const auto filter = CumulativeHeatDiffusionImageFilter<ImageType>::New();
+  filter->SetInput(image);
+  const auto            choices = ChooseWindowsOf(filter.GetPointer(), {}, progress.Part("Choosing windows", 0.0, 1.0));
+  const WithGil         gil;
+  std::vector<py::dict> windows;
+  for (const HeatParameterChoice & choice : choices)
+  {
+    windows.push_back(py::dict("intensity_window"_a = choice.intensityWindow,
+                               "p"_a = choice.p,
+                               "smoothing"_a = choice.smoothing,
+                               "time_steps"_a = choice.timeSteps));
+  }
+  return windows;
 }
 } // namespace
 
@@ -97,11 +120,12 @@ AddHeatObjects(py::module_ & module)
       "uint16: the number of the smallest object at each voxel; 0 for none.")
     .def(
       "mask",
-      [](const HeatObjects & found, int number) { return MaskOfObject(found.list.objects, number, found.Heats()); },
+      [](const HeatObjects & found, int number) { return MaskOfObject(found.list, number); },
       "number"_a,
       ReleaseGil(),
-      "uint8: 1 in an object, with those in it, otherwise 0. Reads the heat images again.");
+      "uint8: 1 in an object, with those in it, otherwise 0.");
 
   module.def("find_objects", Reporting(&FindObjects), ReleaseGil());
+  module.def("object_windows", Reporting(&WindowsOf), ReleaseGil());
 }
 } // namespace shapeton::python

@@ -93,6 +93,30 @@ class HeatTest(TestCase):
             self.assertTrue(0.5 <= one.probability <= 1.0)
         self.assertEqual(len(shapeton.find_objects(heats, least_voxels=2000).objects), 1)
 
+    def test_windows_show_a_body_and_its_bones(self):
+        z, y, x = np.ogrid[:48, :48, :48]
+        def box(middle, half_x, half):
+            return (abs(x - middle) < half_x) & (abs(y - 24) < half) & (abs(z - 24) < half)
+        body, bones = box(24, 14, 13), [box(17, 5, 8), box(31, 5, 8)]
+        voxels = np.random.default_rng(3).normal(0.0, 15.0, (48, 48, 48)) + 300.0 * body + 700.0 * (bones[0] | bones[1])
+        image = shapeton.Image(voxels.astype(np.float32), (1.0, 1.0, 1.0), (0.0, 0.0, 0.0))
+        windows = shapeton.object_windows(image)
+        self.assertGreaterEqual(len(windows), 2)
+        heats = [shapeton.diffuse_heat(image, preset="objects", **window).heat for window in windows]
+        found = shapeton.find_objects(heats, windows=True, least_probability=0.2)
+        of_bones = [int(found.labels.array[24, 24, middle]) for middle in (17, 31)]
+        self.assertNotEqual(of_bones[0], of_bones[1])
+        for number, bone in zip(of_bones, bones):
+            one = found.objects[number - 1]
+            inside = found.mask(number).array == 1
+            self.assertGreater(2.0 * np.count_nonzero(inside & bone) / (np.count_nonzero(bone) + one.voxels), 0.75)
+            number = one.parent
+            while found.objects[number - 1].parent > 0:
+                number = found.objects[number - 1].parent
+            around = found.mask(number).array == 1
+            self.assertGreater(2.0 * np.count_nonzero(around & body) / (np.count_nonzero(around) + np.count_nonzero(body)), 0.85)
+            self.assertNotEqual(one.time, found.objects[number - 1].time)
+
     def test_wrong_objects_and_heats_are_rejected(self):
         image = balls()
         heat = shapeton.diffuse_heat(image, preset="objects", intensity_window=(200.0, 300.0), time_steps=1000).heat

@@ -75,6 +75,10 @@ public:
                      const GivenHeatParameters & given,
                      const Progress &            progress = {});
 
+  /** Sets window, p, smoothing and number of steps. */
+  void
+  UseParameters(const HeatParameterChoice & choice);
+
   /** Whether to find the components and their exact converged heat, see FindShapeComponents(), and the classes with
    * their coherence. Default off. */
   virtual void

@@ -58,6 +58,14 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::ChooseParametersBy(const Parame
   std::copy_n(this->GetInput()->GetSpacing().Begin(), 3, settings.spacing.begin());
   const HeatParameterChoice choice =
     choose(this->GetIntensities(converted), this->GetVolumeSize(), settings, given, progress);
+  this->UseParameters(choice);
+  return choice;
+}
+
+template <typename TInputImage>
+void
+CumulativeHeatDiffusionImageFilter<TInputImage>::UseParameters(const HeatParameterChoice & choice)
+{
   if (choice.intensityWindow[0] < choice.intensityWindow[1]) // not of a constant volume
   {
     this->SetIntensityWindow(choice.intensityWindow);
@@ -65,7 +73,6 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::ChooseParametersBy(const Parame
   this->SetP(choice.p);
   this->SetSmoothing(choice.smoothing);
   this->SetTimeSteps(choice.timeSteps);
-  return choice;
 }
 
 template <typename TInputImage>

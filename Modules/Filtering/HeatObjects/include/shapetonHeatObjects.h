@@ -41,6 +41,13 @@ struct HeatObject
   double probability{ 0.0 };
 };
 
+/** Voxels whose index in the volume is in [begin, end).
+ * \ingroup ShapetonHeatObjects */
+struct VoxelRange
+{
+  std::uint32_t begin, end;
+};
+
 /** Objects with their voxels.
  * \ingroup ShapetonHeatObjects */
 struct HeatObjectList
@@ -50,6 +57,8 @@ struct HeatObjectList
   std::vector<HeatObject> objects; ///< by descending volume, so each follows those that contain it
   /** The number, from 1, of the smallest object at each voxel; 0 for none. */
   LabelImage::Pointer labels;
+  /** The voxels of each object, with those of the objects in it; ascending. */
+  std::vector<std::vector<VoxelRange>> ranges;
 };
 
 /** Finds the stable nodes of the component trees (max-tree and min-tree) of one or several heat volumes of one grid: at
@@ -71,12 +80,10 @@ FindHeatObjects(const std::vector<const itk::Image<float, 3> *> & heats,
 ShapetonHeatObjects_EXPORT std::array<double, 4>
                            ProbabilityTerms(const HeatObject & object);
 
-/** The voxels of one object of the list, from 1, with those of the objects in it: 1 inside, 0 outside. `heats` are the
- * volumes in which it was found. Throws ParameterError. \ingroup ShapetonHeatObjects */
+/** The voxels of one object of the list, from 1, with those of the objects in it: 1 inside, 0 outside. Needs no search.
+ * Throws ParameterError. \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT itk::Image<unsigned char, 3>::Pointer
-                           MaskOfObject(const std::vector<HeatObject> &                   objects,
-                                        int                                               object,
-                                        const std::vector<const itk::Image<float, 3> *> & heats);
+                           MaskOfObject(const HeatObjectList & list, int object);
 } // namespace shapeton
 
 #endif

@@ -36,7 +36,7 @@ public:
   const std::vector<HeatObject> &
   GetObjects() const
   {
-    return m_Objects;
+    return m_List.objects;
   }
 
   /** MaskOfObject() of one of them, from 1; valid after Update(). Throws ParameterError. */
@@ -55,10 +55,7 @@ protected:
   GenerateData() override;
 
 private:
-  std::vector<const InputImageType *>
-  Heats() const;
-
-  std::vector<HeatObject> m_Objects;
+  HeatObjectList m_List;
 };
 } // namespace shapeton
 

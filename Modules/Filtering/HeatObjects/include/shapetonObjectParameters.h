@@ -5,6 +5,7 @@
 #include "ShapetonHeatObjectsExport.h"
 
 #include <array>
+#include <vector>
 
 namespace shapeton
 {
@@ -22,19 +23,47 @@ namespace shapeton
 ShapetonHeatObjects_EXPORT HeatParameterChoice
 ParametersAtThreshold(double threshold, double contrast, const std::array<double, 3> & spacing);
 
-/** The threshold and the time, of five from 3,000 to 300,000 steps, at which most objects are found: the sum of their
- * probabilities. Thresholds: the two between three intensity classes (Otsu 1979), the middle between the dark and the
- * bright class, and the upper one of what is brighter than the dark class, if neighbors on both sides of it differ by a
- * twentieth of the contrast and it is as far from the dark class. Of nearly equal ones, that with the strongest edges
- * is used. Volumes of more than 128^3 voxels are reduced for these trials. Values that are given are kept; with a given
- * window there is one threshold. The reasons are in words. Throws as DiffuseCumulativeHeat().
+/** Windows at several thresholds of intensity, as ParametersAtThreshold(), and for each the time, of five from 3,000 to
+ * 300,000 steps, at which most objects are found: the sum of their probabilities. Thresholds: the two between three
+ * intensity classes (Otsu 1979), the middle between the dark and the bright class, the upper one of what is brighter
+ * than the dark class, and the lower one of what is brighter than that, if neighbors on both sides of it differ by a
+ * twentieth of the contrast and it is as far from the dark class. The first one shows most objects; of nearly equal
+ * ones, that with the strongest edges. The others follow by descending number of objects; those that do not add one to
+ * the objects of the windows before, see FindWindowObjects(), are left out. Volumes of more than 128^3 voxels are
+ * reduced for these trials. Values that are given are kept; with a given window there is one threshold. The reasons are
+ * in words. Throws as DiffuseCumulativeHeat().
  * \ingroup ShapetonHeatObjects */
+ShapetonHeatObjects_EXPORT std::vector<HeatParameterChoice>
+                           ChooseObjectWindows(const float *                           intensities,
+                                               const std::array<std::size_t, 3> &      size,
+                                               const CumulativeHeatDiffusionSettings & settings,
+                                               const GivenHeatParameters &             given,
+                                               const Progress &                        progress = {});
+
+/** The first one of ChooseObjectWindows(). \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT HeatParameterChoice
 ChooseObjectParameters(const float *                           intensities,
                        const std::array<std::size_t, 3> &      size,
                        const CumulativeHeatDiffusionSettings & settings,
                        const GivenHeatParameters &             given,
                        const Progress &                        progress = {});
+
+/** ChooseObjectWindows() for the input of a CumulativeHeatDiffusionImageFilter, which uses the first one.
+ * \ingroup ShapetonHeatObjects */
+template <typename TFilter>
+std::vector<HeatParameterChoice>
+ChooseWindowsOf(TFilter * filter, const GivenHeatParameters & given = {}, const Progress & progress = {})
+{
+  std::vector<HeatParameterChoice> choices;
+  filter->ChooseParametersBy(
+    [&choices](const auto &... arguments) {
+      choices = ChooseObjectWindows(arguments...);
+      return choices.front();
+    },
+    given,
+    progress);
+  return choices;
+}
 } // namespace shapeton
 
 #endif

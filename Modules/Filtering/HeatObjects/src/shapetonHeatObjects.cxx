@@ -306,8 +306,25 @@ WithoutTwins(std::vector<Candidate> candidates, const HeatImage & image)
   return kept;
 }
 
+std::vector<VoxelRange>
+RangesOf(std::vector<Index> voxels)
+{
+  std::sort(voxels.begin(), voxels.end());
+  std::vector<VoxelRange> ranges;
+  for (const Index voxel : voxels)
+  {
+    if (ranges.empty() || ranges.back().end != voxel)
+    {
+      ranges.push_back({ voxel, voxel });
+    }
+    ++ranges.back().end;
+  }
+  ranges.shrink_to_fit();
+  return ranges;
+}
+
 HeatObjectList
-Nest(const std::vector<Candidate> & candidates, const HeatImage & image)
+Nest(std::vector<Candidate> candidates, const HeatImage & image)
 {
   HeatObjectList list;
   Nesting        nesting(image);
@@ -318,6 +335,8 @@ Nest(const std::vector<Candidate> & candidates, const HeatImage & image)
     nesting.Draw(candidate, list.objects.size());
   }
   list.labels = nesting.GetLabels();
+  list.ranges.resize(candidates.size());
+  ParallelFor(candidates.size(), [&](std::size_t i) { list.ranges[i] = RangesOf(std::move(candidates[i].voxels)); });
   return list;
 }
 } // namespace
@@ -356,25 +375,21 @@ FindHeatObjects(const std::vector<const HeatImage *> & heats,
 }
 
 itk::Image<unsigned char, 3>::Pointer
-MaskOfObject(const std::vector<HeatObject> & objects, int object, const std::vector<const HeatImage *> & heats)
+MaskOfObject(const HeatObjectList & list, int object)
 {
-  if (object < 1 || object > static_cast<int>(objects.size()))
+  if (object < 1 || object > static_cast<int>(list.objects.size()))
   {
     throw ParameterError("object " + std::to_string(object) + " is not in the list of " +
-                         std::to_string(objects.size()) + " objects");
+                         std::to_string(list.objects.size()) + " objects");
   }
-  const HeatObject &  found = objects[object - 1];
-  const Volumes       volumes = RequireOneGrid(heats);
-  const float * const heat = volumes.values.at(found.time);
-  const auto          mask = itk::Image<unsigned char, 3>::New();
-  mask->CopyInformation(heats[0]);
-  mask->SetRegions(heats[0]->GetBufferedRegion());
+  const auto mask = itk::Image<unsigned char, 3>::New();
+  mask->CopyInformation(list.labels);
+  mask->SetRegions(list.labels->GetBufferedRegion());
   mask->Allocate(true);
-  FillComponent(
-    volumes.grid,
-    found.seed,
-    [&](std::size_t voxel) { return found.isWarm ? heat[voxel] >= found.heat : heat[voxel] <= found.heat; },
-    mask->GetBufferPointer());
+  for (const VoxelRange & range : list.ranges[object - 1])
+  {
+    std::fill(mask->GetBufferPointer() + range.begin, mask->GetBufferPointer() + range.end, 1);
+  }
   return mask;
 }
 } // namespace shapeton

@@ -4,21 +4,10 @@
 
 namespace shapeton
 {
-std::vector<const HeatObjectsImageFilter::InputImageType *>
-HeatObjectsImageFilter::Heats() const
-{
-  std::vector<const InputImageType *> heats;
-  for (unsigned int i = 0; i < this->GetNumberOfIndexedInputs(); ++i)
-  {
-    heats.push_back(this->GetInput(i));
-  }
-  return heats;
-}
-
 itk::Image<unsigned char, 3>::Pointer
 HeatObjectsImageFilter::GetMask(int object) const
 {
-  return MaskOfObject(m_Objects, object, this->Heats());
+  return MaskOfObject(m_List, object);
 }
 
 void
@@ -40,9 +29,12 @@ HeatObjectsImageFilter::EnlargeOutputRequestedRegion(itk::DataObject * output)
 void
 HeatObjectsImageFilter::GenerateData()
 {
-  HeatObjectList list =
-    FindHeatObjects(this->Heats(), m_Options, Progress([this](double share) { ReportProgress(*this, share); }));
-  this->GraftOutput(list.labels);
-  m_Objects = std::move(list.objects);
+  std::vector<const InputImageType *> heats;
+  for (unsigned int i = 0; i < this->GetNumberOfIndexedInputs(); ++i)
+  {
+    heats.push_back(this->GetInput(i));
+  }
+  m_List = FindHeatObjects(heats, m_Options, Progress([this](double share) { ReportProgress(*this, share); }));
+  this->GraftOutput(m_List.labels);
 }
 } // namespace shapeton

@@ -4,6 +4,7 @@
 #include "shapetonIntensityClasses.h"
 #include "shapetonNumberText.h"
 #include "shapetonReducedVolume.h"
+#include "shapetonWindowMerge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,9 @@ constexpr double ClearlyMore = 1.05;
 /** Edges of objects have at least this share of the contrast between neighbors: blur over eight voxels still has it,
  * noise of a thirtieth of the contrast has not. */
 constexpr double LeastStep = 0.05;
+
+/** Another window is worth its time if it adds an object that is more probable than not. */
+constexpr double LeastAdded = 0.5;
 
 HeatParameterChoice
 Apply(const GivenHeatParameters & given, HeatParameterChoice choice)
@@ -85,15 +89,20 @@ MeanStepAcross(const ReducedVolume & copy, double threshold)
 
 /** The thresholds to try, those with the strongest edges first: the two between three intensity classes; the middle of
  * the dark and the bright class, for volumes of two intensities; and the upper one between three classes of what is
- * brighter than the dark one, in CT between soft tissue and bone. Without those in the texture of a class or beside the
+ * brighter than the dark one, in CT between soft tissue and bone; and the lower one of what is brighter than that one,
+ * in CT between spongy and compact bone. Without those in the texture of a class or beside the
  * dark one, if there are others. */
 std::vector<double>
 ThresholdsOf(const ReducedVolume & copy, const std::vector<float> & sample, const std::array<double, 4> & classes)
 {
   const auto bright = std::lower_bound(sample.begin(), sample.end(), static_cast<float>(classes[1]));
   const auto brightClasses = FindIntensityClasses({ bright, sample.end() });
+  const auto brightest = std::lower_bound(sample.begin(), sample.end(), static_cast<float>(brightClasses[2]));
+  const auto brightestClasses =
+    brightest == sample.end() ? brightClasses : FindIntensityClasses({ brightest, sample.end() });
   std::vector<std::pair<double, double>> all; // negative step and threshold
-  for (const double threshold : { classes[1], classes[2], 0.5 * (classes[0] + classes[3]), brightClasses[2] })
+  for (const double threshold :
+       { classes[1], classes[2], 0.5 * (classes[0] + classes[3]), brightClasses[2], brightestClasses[1] })
   {
     all.emplace_back(-MeanStepAcross(copy, threshold), threshold);
   }
@@ -115,14 +124,16 @@ ThresholdsOf(const ReducedVolume & copy, const std::vector<float> & sample, cons
   return thresholds;
 }
 
-/** Sum of the probabilities of the objects of a heat. */
-double
-CountObjects(const std::vector<float> & heat, const ReducedVolume & copy)
+/** A choice and the objects it shows on the copy. */
+struct Trial
 {
-  if (*std::max_element(heat.begin(), heat.end()) <= 0.0F)
-  {
-    return 0.0;
-  }
+  HeatParameterChoice choice;
+  HeatObjectList      objects;
+};
+
+HeatObjectList
+FindObjectsOf(const std::vector<float> & heat, const ReducedVolume & copy)
+{
   const auto image = itk::Image<float, 3>::New();
   image->SetRegions(itk::Image<float, 3>::SizeType{ { copy.size[0], copy.size[1], copy.size[2] } });
   image->SetSpacing(itk::Vector<double, 3>(copy.spacing.data()));
@@ -131,21 +142,30 @@ CountObjects(const std::vector<float> & heat, const ReducedVolume & copy)
   constexpr double  onCopy = 0.2; // objects have fewer voxels on a copy, and therefore a lower probability
   HeatObjectOptions options;
   options.leastProbability = onCopy;
-  double sum = 0.0;
-  for (const HeatObject & object : FindHeatObjects({ image.GetPointer() }, options).objects)
-  {
-    sum += object.probability;
-  }
-  return sum;
+  return FindHeatObjects({ image.GetPointer() }, options);
 }
 
-/** Sets the time steps, unless they are given, and the number of objects of a choice, from the copy. */
-void
+/** The times to try, by the step on the copy. */
+std::map<std::uint64_t, std::uint64_t>
+TimesOnCopy(const ReducedVolume & copy, const std::optional<std::uint64_t> & given)
+{
+  std::map<std::uint64_t, std::uint64_t> timeOfStep;
+  for (const std::uint64_t time :
+       given ? std::vector<std::uint64_t>{ *given } : std::vector<std::uint64_t>(Times.begin(), Times.end()))
+  {
+    const double step = static_cast<double>(time) / (copy.factor * copy.factor);
+    timeOfStep[std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(step)))] = time;
+  }
+  return timeOfStep;
+}
+
+/** Tries a choice on the copy; sets its time steps, unless they are given, and the number of its objects. */
+Trial
 TryTimes(const ReducedVolume &           copy,
          CumulativeHeatDiffusionSettings settings,
-         bool                            isTimeGiven,
-         const Progress &                progress,
-         HeatParameterChoice &           choice)
+         const GivenHeatParameters &     given,
+         const HeatParameterChoice &     choice,
+         const Progress &                progress)
 {
   settings.spacing = copy.spacing;
   settings.intensityWindow = choice.intensityWindow;
@@ -154,23 +174,17 @@ TryTimes(const ReducedVolume &           copy,
   settings.histogramSteps.clear();
   settings.wantComponents = false;
   settings.untilSteady = false;
-  std::map<std::uint64_t, std::uint64_t> timeOfStep;
-  const std::vector<std::uint64_t>       times = isTimeGiven ? std::vector<std::uint64_t>{ choice.timeSteps }
-                                                             : std::vector<std::uint64_t>(Times.begin(), Times.end());
-  for (const std::uint64_t time : times)
-  {
-    const double step = static_cast<double>(time) / (copy.factor * copy.factor);
-    timeOfStep[std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(step)))] = time;
-  }
   settings.snapshotSteps.clear();
+  const auto timeOfStep = TimesOnCopy(copy, given.timeSteps);
   for (const auto & [step, time] : timeOfStep)
   {
     settings.snapshotSteps.push_back(step);
   }
   settings.timeSteps = settings.snapshotSteps.back();
   std::vector<float> heat(copy.values.size());
-  choice.regions = 0.0;
-  choice.timeReason = isTimeGiven ? "" : "of five times, the first that shows about as many objects as any";
+  Trial              best{ choice, {} };
+  best.choice.regions = 0.0;
+  best.choice.timeReason = given.timeSteps ? "" : "of five times, the first that shows about as many objects as any";
   DiffuseCumulativeHeat(
     copy.values.data(),
     copy.size,
@@ -178,14 +192,51 @@ TryTimes(const ReducedVolume &           copy,
     heat.data(),
     nullptr,
     [&](std::uint64_t step, const std::vector<float> & now) {
-      const double objects = CountObjects(now, copy);
-      if (objects > ClearlyMore * choice.regions)
+      if (*std::max_element(now.begin(), now.end()) <= 0.0F)
       {
-        choice.regions = objects;
-        choice.timeSteps = timeOfStep.at(step);
+        return;
+      }
+      HeatObjectList objects = FindObjectsOf(now, copy);
+      const double   number = SumOfProbabilities(objects.objects);
+      if (number > ClearlyMore * best.choice.regions)
+      {
+        best.choice.regions = number;
+        best.choice.timeSteps = timeOfStep.at(step);
+        best.objects = std::move(objects);
       }
     },
     progress);
+  return best;
+}
+
+/** One trial for each threshold, that with most objects first, and among nearly equal ones that with the strongest
+ * edges. */
+std::vector<Trial>
+TryThresholds(const ReducedVolume &                   copy,
+              const std::vector<double> &             thresholds,
+              double                                  contrast,
+              const CumulativeHeatDiffusionSettings & settings,
+              const GivenHeatParameters &             given,
+              const Progress &                        progress)
+{
+  const std::array<double, 3> spacing = settings.spacing;
+  std::vector<Trial>          trials;
+  std::size_t                 best = 0;
+  for (std::size_t i = 0; i < thresholds.size(); ++i)
+  {
+    const double share = 1.0 / thresholds.size();
+    trials.push_back(TryTimes(copy,
+                              settings,
+                              given,
+                              Apply(given, ParametersAtThreshold(thresholds[i], contrast, spacing)),
+                              progress.Part("Choosing parameters", i * share, (i + 1) * share)));
+    best = trials[i].choice.regions > ClearlyMore * trials[best].choice.regions ? i : best;
+  }
+  std::rotate(trials.begin(), trials.begin() + best, trials.begin() + best + 1);
+  std::stable_sort(trials.begin() + 1, trials.end(), [](const Trial & a, const Trial & b) {
+    return a.choice.regions > b.choice.regions;
+  });
+  return trials;
 }
 } // namespace
 
@@ -205,6 +256,53 @@ ParametersAtThreshold(double threshold, double contrast, const std::array<double
   return choice;
 }
 
+std::vector<HeatParameterChoice>
+ChooseObjectWindows(const float *                           intensities,
+                    const std::array<std::size_t, 3> &      size,
+                    const CumulativeHeatDiffusionSettings & allSettings,
+                    const GivenHeatParameters &             given,
+                    const Progress &                        progress)
+{
+  CumulativeHeatDiffusionSettings settings = allSettings;
+  if (settings.ignoreSpacing)
+  {
+    settings.spacing = { { 1.0, 1.0, 1.0 } };
+  }
+  const ReducedVolume copy = CopyOf(intensities, size, settings.spacing);
+  const auto          sample = SampleIntensities(copy.values);
+  const auto          classes = FindIntensityClasses(sample);
+  const double        contrast = classes[3] - classes[0];
+  if (given.intensityWindow)
+  {
+    const auto choice = Apply(given, ParametersAtThreshold(0.0, contrast, settings.spacing));
+    return { given.timeSteps ? choice : TryTimes(copy, settings, given, choice, progress).choice };
+  }
+  if (!(contrast > 0.0))
+  {
+    auto choice = Apply(given, ParametersAtThreshold(classes[0], 1.0, settings.spacing));
+    choice.windowReason = "the volume is constant: it has no objects";
+    return { choice };
+  }
+  const auto                       thresholds = ThresholdsOf(copy, sample, classes);
+  auto                             trials = TryThresholds(copy, thresholds, contrast, settings, given, progress);
+  std::vector<HeatParameterChoice> choices;
+  HeatObjectList                   list = std::move(trials[0].objects);
+  for (Trial & trial : trials)
+  {
+    const bool   isFirst = choices.empty();
+    const double added = isFirst || trial.choice.regions == 0.0 ? 0.0 : AddWindowObjects(trial.objects, list);
+    if (isFirst || added >= LeastAdded)
+    {
+      trial.choice.windowReason +=
+        ", of " + std::to_string(thresholds.size()) + " thresholds " +
+        (isFirst ? "the one that shows most objects (" + NumberText(trial.choice.regions, 3) + ", by probability)"
+                 : "one that shows further objects (" + NumberText(added, 3) + ", by probability)");
+      choices.push_back(trial.choice);
+    }
+  }
+  return choices;
+}
+
 HeatParameterChoice
 ChooseObjectParameters(const float *                           intensities,
                        const std::array<std::size_t, 3> &      size,
@@ -212,46 +310,6 @@ ChooseObjectParameters(const float *                           intensities,
                        const GivenHeatParameters &             given,
                        const Progress &                        progress)
 {
-  const auto          spacing = settings.ignoreSpacing ? std::array<double, 3>{ { 1.0, 1.0, 1.0 } } : settings.spacing;
-  const ReducedVolume copy = CopyOf(intensities, size, spacing);
-  const auto          sample = SampleIntensities(copy.values);
-  const auto          classes = FindIntensityClasses(sample);
-  const double        contrast = classes[3] - classes[0];
-  if (given.intensityWindow)
-  {
-    auto choice = Apply(given, ParametersAtThreshold(0.0, contrast, spacing));
-    if (!given.timeSteps)
-    {
-      TryTimes(copy, settings, false, progress, choice);
-    }
-    return choice;
-  }
-  if (!(contrast > 0.0))
-  {
-    auto choice = Apply(given, ParametersAtThreshold(classes[0], 1.0, spacing));
-    choice.windowReason = "the volume is constant: it has no objects";
-    return choice;
-  }
-  HeatParameterChoice best;
-  best.regions = -1.0; // any is better
-  const auto thresholds = ThresholdsOf(copy, sample, classes);
-  for (std::size_t i = 0; i < thresholds.size(); ++i)
-  {
-    auto         choice = Apply(given, ParametersAtThreshold(thresholds[i], contrast, spacing));
-    const double share = 1.0 / thresholds.size();
-    TryTimes(copy,
-             settings,
-             given.timeSteps.has_value(),
-             progress.Part("Choosing parameters", i * share, (i + 1) * share),
-             choice);
-    choice.windowReason += ", of " + std::to_string(thresholds.size()) +
-                           " thresholds the one that shows most objects (" + NumberText(choice.regions, 3) +
-                           ", by probability)";
-    if (choice.regions > ClearlyMore * best.regions)
-    {
-      best = choice;
-    }
-  }
-  return best;
+  return ChooseObjectWindows(intensities, size, settings, given, progress).front();
 }
 } // namespace shapeton

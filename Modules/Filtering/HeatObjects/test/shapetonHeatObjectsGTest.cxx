@@ -56,9 +56,9 @@ AllObjects()
 }
 
 std::uint64_t
-CountMask(const HeatObjectList & list, int object, const HeatImage * heat)
+CountMask(const HeatObjectList & list, int object)
 {
-  const auto mask = MaskOfObject(list.objects, object, { heat });
+  const auto mask = MaskOfObject(list, object);
   return std::count(mask->GetBufferPointer(), mask->GetBufferPointer() + side * side * side, 1);
 }
 } // namespace
@@ -80,7 +80,7 @@ TEST(HeatObjects, NestedRegionsStayNested)
   EXPECT_NE(list.objects[2].isWarm, list.objects[3].isWarm);
   for (int object = 1; object <= 4; ++object)
   {
-    EXPECT_EQ(CountMask(list, object, heat), list.objects[object - 1].voxels) << object;
+    EXPECT_EQ(CountMask(list, object), list.objects[object - 1].voxels) << object;
   }
 }
 
@@ -192,5 +192,5 @@ TEST(HeatObjects, WrongInputIsRefused)
   EXPECT_THROW(FindHeatObjects({ MakeHeat([](double, double, double) { return 0.0F; }) }), InputError);
   EXPECT_THROW(FindHeatObjects({ MakeHeat([](double x, double, double) { return x > 0 ? 1.0F : std::nanf(""); }) }),
                InputError);
-  EXPECT_THROW(MaskOfObject({}, 1, { heat }), ParameterError);
+  EXPECT_THROW(MaskOfObject({}, 1), ParameterError);
 }

@@ -89,7 +89,7 @@ TEST(ObjectParameters, EachShapeOfAPhantomBecomesAnObject)
     double best = 0.0;
     for (int object = 1; object <= 4; ++object)
     {
-      best = std::max(best, Dice(MaskOfObject(list.objects, object, heats), phantom.labels, label));
+      best = std::max(best, Dice(MaskOfObject(list, object), phantom.labels, label));
     }
     EXPECT_GT(best, 0.9) << label;
   }
@@ -118,4 +118,38 @@ TEST(ObjectParameters, AConstantVolumeHasNoObjects)
   const auto                      choice = ChooseObjectParameters(values.data(), { 20, 20, 20 }, settings, {});
   EXPECT_NE(choice.windowReason.find("constant"), std::string::npos);
   EXPECT_LT(choice.intensityWindow[0], choice.intensityWindow[1]);
+}
+
+TEST(ObjectParameters, ThereIsAWindowForEachScaleOfIntensity)
+{
+  // A body of 300 with two bones of 1000: one threshold shows the body, another one the bones.
+  constexpr int                   side = 48;
+  const VoxelGrid                 grid(side, side, side);
+  std::vector<float>              values(grid.NumberOfVoxels(), 0.0F);
+  std::mt19937                    random(3);
+  std::normal_distribution<float> noise(0.0F, 15.0F);
+  for (std::size_t voxel = 0; voxel < values.size(); ++voxel)
+  {
+    const auto v = grid.Voxel(voxel);
+    const auto isIn = [&](int x, int halfX, int half) {
+      return std::abs(v[0] - x) < halfX && std::abs(v[1] - 24) < half && std::abs(v[2] - 24) < half;
+    };
+    const bool isBone = isIn(17, 5, 8) || isIn(31, 5, 8);
+    values[voxel] = (isBone ? 1000.0F : isIn(24, 14, 13) ? 300.0F : 0.0F) + noise(random);
+  }
+  CumulativeHeatDiffusionSettings settings;
+  const auto                      windows = ChooseObjectWindows(values.data(), { side, side, side }, settings, {});
+  const auto                      isThresholdIn = [&](double lower, double upper) {
+    return std::any_of(windows.begin(), windows.end(), [&](const HeatParameterChoice & choice) {
+      return choice.intensityWindow[0] > lower && choice.intensityWindow[1] < upper;
+    });
+  };
+  ASSERT_GE(windows.size(), 2U);
+  EXPECT_TRUE(isThresholdIn(0.0, 300.0));
+  EXPECT_TRUE(isThresholdIn(300.0, 1000.0));
+  const auto first = ChooseObjectParameters(values.data(), { side, side, side }, settings, {});
+  EXPECT_EQ(first.intensityWindow, windows.front().intensityWindow);
+  GivenHeatParameters given;
+  given.intensityWindow = { { 400.0, 420.0 } };
+  EXPECT_EQ(ChooseObjectWindows(values.data(), { side, side, side }, settings, given).size(), 1U);
 }

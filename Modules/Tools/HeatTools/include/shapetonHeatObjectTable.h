@@ -7,6 +7,7 @@
 #include "shapetonHeatObjects.h"
 #include "shapetonPicture.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,13 +16,15 @@ namespace shapeton
 {
 /** One row per object: object, parent, kind (warm, cold), timeStep, heat, voxels, volume (mm^3), x, y, z (LPS, mm),
  * meanIntensity (of the voxels whose smallest object it is), probability, growth, range, contrast, compactness, cut,
- * and meanHeat_<time step> for each heat volume. `names` are the time steps, or other names of the volumes.
- * \ingroup ShapetonHeatTools */
+ * and meanHeat_<time step> for each heat volume. `names` are the time steps, or other names of the volumes. For objects
+ * of FindWindowObjects(), `windows` has the window of each volume: then windowLower and windowUpper follow timeStep,
+ * and the last column is meanHeat. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT CsvTable
-HeatObjectTable(const HeatObjectList &           list,
-                const std::vector<int> &         objects,
-                const itk::Image<float, 3> *     image,
-                const std::vector<std::string> & names);
+HeatObjectTable(const HeatObjectList &                     list,
+                const std::vector<int> &                   objects,
+                const itk::Image<float, 3> *               image,
+                const std::vector<std::string> &           names,
+                const std::vector<std::array<double, 2>> & windows = {});
 
 /** The objects that contain a point, LPS in mm, the smallest first. Throws ParameterError if it is outside of the
  * volume, and InputError if it is in no object. \ingroup ShapetonHeatTools */

@@ -3,7 +3,9 @@
 
 #include "ShapetonHeatToolsExport.h"
 
+#include "shapetonHeatParameterChoice.h"
 #include "shapetonHeatReport.h"
+#include "shapetonVolumeWriter.h"
 #include "itkImage.h"
 
 #include <cstdint>
@@ -62,9 +64,20 @@ public:
   void
   WriteSnapshot(const itk::Image<float, 3> * heat, std::uint64_t timeStep, const std::string & folder) const;
 
-private:
+  /** Writes the heat of a window, from 1, into a folder, see HeatWindowName(). */
   void
-  WriteHeat(const itk::Image<float, 3> * heat, std::uint64_t timeStep, const std::string & path) const;
+  WriteWindow(const itk::Image<float, 3> * heat,
+              const HeatParameterChoice &  choice,
+              std::size_t                  number,
+              const std::string &          folder) const;
+
+private:
+  /** `entries` are added to the provenance. */
+  void
+  WriteHeat(const itk::Image<float, 3> * heat,
+            std::uint64_t                timeStep,
+            const std::string &          path,
+            const VolumeMetadata &       entries = {}) const;
 
   CommandLine &                         m_CommandLine;
   std::string                           m_Heat;

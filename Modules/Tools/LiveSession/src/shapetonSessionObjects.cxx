@@ -58,7 +58,7 @@ void
 SessionObjects::Select(int object)
 {
   RequireParameter(this->AreFound(), "no objects have been found yet; find them first");
-  m_Mask = MaskOfObject(m_List->objects, object, { m_Heat });
+  m_Mask = MaskOfObject(*m_List, object);
   m_Selected = object;
   m_SelectedHeat = HeatType::New();
   m_SelectedHeat->CopyInformation(m_Heat);

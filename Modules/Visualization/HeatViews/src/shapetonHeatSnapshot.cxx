@@ -10,6 +10,7 @@
 #include <charconv>
 #include <filesystem>
 #include <map>
+#include <sstream>
 #include <vector>
 
 namespace shapeton
@@ -97,8 +98,9 @@ FindInFolder(const std::string & folder, std::optional<std::uint64_t> timeStep)
   return { found->second, found->first };
 }
 
-std::optional<std::uint64_t>
-TimeStepInHeader(const std::string & path)
+/** A value of the header; empty if there is none. */
+std::string
+ValueInHeader(const std::string & path, const std::string & key)
 {
   const std::vector<itk::ImageIOBase::Pointer> formats = { itk::NrrdImageIO::New().GetPointer(),
                                                            itk::MetaImageIO::New().GetPointer() };
@@ -107,7 +109,7 @@ TimeStepInHeader(const std::string & path)
   });
   if (format == formats.end())
   {
-    return std::nullopt; // NIfTI cannot store it
+    return ""; // NIfTI cannot store it
   }
   const itk::ImageIOBase::Pointer & reader = *format;
   try
@@ -120,7 +122,30 @@ TimeStepInHeader(const std::string & path)
     throw InputError("cannot read the header of " + path + ": write the heat volume again");
   }
   std::string text;
-  return itk::ExposeMetaData(reader->GetMetaDataDictionary(), "timeStep", text) ? WholeNumber(text) : std::nullopt;
+  itk::ExposeMetaData(reader->GetMetaDataDictionary(), key, text);
+  return text;
+}
+
+std::optional<std::uint64_t>
+TimeStepInHeader(const std::string & path)
+{
+  return WholeNumber(ValueInHeader(path, "timeStep"));
+}
+
+/** Two numbers with a comma between them. */
+std::array<double, 2>
+WindowInHeader(const std::string & path)
+{
+  std::istringstream    text(ValueInHeader(path, "intensityWindow"));
+  std::array<double, 2> window{};
+  char                  comma = ' ';
+  text >> window[0] >> comma >> window[1];
+  if (!text || comma != ',')
+  {
+    throw InputError(
+      path + " has no intensityWindow in its header: use a folder of windows written by CumulativeHeatDiffusion");
+  }
+  return window;
 }
 } // namespace
 
@@ -158,6 +183,27 @@ FindHeatSnapshots(const std::string & path)
     snapshots.push_back({ file, timeStep });
   }
   return snapshots;
+}
+
+std::vector<HeatSnapshot>
+FindHeatWindows(const std::string & path)
+{
+  std::vector<HeatSnapshot> windows;
+  for (std::size_t number = 1;; ++number)
+  {
+    const std::string file = (std::filesystem::path(path) / HeatWindowName(number)).string();
+    if (!std::filesystem::exists(file))
+    {
+      return windows;
+    }
+    windows.push_back({ file, TimeStepInHeader(file), WindowInHeader(file) });
+  }
+}
+
+std::string
+HeatWindowName(std::size_t number)
+{
+  return "window-" + std::to_string(number) + suffix;
 }
 
 std::string
