@@ -5,7 +5,6 @@ window.config = {
   modes: [],
   showStudyList: false,
   maxNumberOfWebWorkers: 2,
-  disableConfirmationPrompts: true,
   investigationalUseDialog: { option: 'never' },
   defaultDataSourceName: 'orthanc',
   dataSources: [{

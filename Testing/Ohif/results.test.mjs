@@ -71,12 +71,21 @@ const show = (uid) => {
   services.viewportGridService.setDisplaySetsForViewport({ viewportId, displaySetInstanceUIDs: [displaySetInstanceUID] });
 };
 
+// OHIF asks whether to load the object into the viewport of the CT: of a segmentation yes, of a report no, because then its viewer shows
+// all measurements.
 const isSegmentationShown = (uid) => {
+  document.querySelector('[data-cy="yes-hydrate-btn"]')?.click();
   const segmentationId = helpers.setOf(uid).displaySetInstanceUID;
-  return services.segmentationService.getSegmentationRepresentations(helpers.viewportId(), { segmentationId }).length > 0;
+  const { displaySetInstanceUIDs } = services.viewportGridService.getState().viewports.get(helpers.viewportId());
+  const shown = services.segmentationService.getSegmentationRepresentations(helpers.viewportId(), { segmentationId });
+  return shown.length > 0 && !displaySetInstanceUIDs.includes(segmentationId);
 };
 
-const isReportLoaded = (uid) => helpers.setOf(uid).isLoaded;
+const isReportLoaded = (uid) => {
+  const question = document.querySelector('[data-cy="no-hydrate-btn"]');
+  question?.click();
+  return helpers.setOf(uid).isLoaded && (question || !helpers.setOf(uid).isRehydratable);
+};
 
 // Returns the voxels of each segment: their number, and a SHA-256 of the mask of each slice.
 const voxelsOf = async (uid) => {
