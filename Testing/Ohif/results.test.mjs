@@ -9,6 +9,7 @@ import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { launch } from '../Browser/browser.mjs';
 import { missing, serve } from './ohif.mjs';
+import { load, look, open } from './viewer.mjs';
 
 const { PACKAGE, SERIES, RESULTS, WORK, PYTHON = 'python3', SHOTS } = process.env;
 const HERE = dirname(fileURLToPath(import.meta.url));
@@ -36,11 +37,16 @@ async function check(context, folder, expected) {
     for (const path of [SERIES, folder]) {
       for (const file of readdirSync(path).filter((name) => name.endsWith('.dcm'))) await server.store(join(path, file));
     }
-    const viewer = { page, server, expected, name: basename(folder) };
+    const viewer = { page, server, expected, name: basename(folder), loaded: [] };
     await open(viewer);
     await context.test('every object is listed, and marked if OHIF cannot show it', () => listed(viewer));
     const segmentations = expected.objects.filter(({ segments }) => segments);
-    for (const one of segmentations) await context.test(`${one.file}: loads`, () => load(viewer, one, isSegmentationShown));
+    for (const one of segmentations) {
+      await context.test(`${one.file}: loads`, async () => {
+        await load(viewer, one.uid);
+        viewer.loaded.push(one);
+      });
+    }
     for (const one of segmentations) await context.test(`${one.file}: every segment has its voxels`, () => hasVoxels(viewer, one));
     for (const one of segmentations) await context.test(`${one.file}: every segment is drawn in its color`, () => isDrawn(viewer, one));
     for (const one of expected.objects.filter(({ groups }) => groups)) {
@@ -52,41 +58,7 @@ async function check(context, folder, expected) {
   }
 }
 
-// ---- functions that run in the page; OHIF publishes window.services, cornerstone and cornerstoneTools ----
-const addHelpers = () => {
-  const uidOf = (set) => set.SOPInstanceUID || set.instances[0].SOPInstanceUID;
-  const sets = () => services.displaySetService.getActiveDisplaySets();
-  const viewportId = () => services.viewportGridService.getActiveViewportId();
-  globalThis.helpers = {
-    uidOf, sets, viewportId,
-    setOf: (uid) => sets().find((set) => uidOf(set) === uid),
-    viewport: () => services.cornerstoneViewportService.getCornerstoneViewport(viewportId()),
-    sliceOf: (imageId) => cornerstone.metaData.get('sopCommonModule', imageId).sopInstanceUID,
-  };
-};
-
-const show = (uid) => {
-  const { displaySetInstanceUID } = helpers.setOf(uid);
-  const viewportId = helpers.viewportId();
-  services.viewportGridService.setDisplaySetsForViewport({ viewportId, displaySetInstanceUIDs: [displaySetInstanceUID] });
-};
-
-// OHIF asks whether to load the object into the viewport of the CT: of a segmentation yes, of a report no, because then its viewer shows
-// all measurements.
-const isSegmentationShown = (uid) => {
-  document.querySelector('[data-cy="yes-hydrate-btn"]')?.click();
-  const segmentationId = helpers.setOf(uid).displaySetInstanceUID;
-  const { displaySetInstanceUIDs } = services.viewportGridService.getState().viewports.get(helpers.viewportId());
-  const shown = services.segmentationService.getSegmentationRepresentations(helpers.viewportId(), { segmentationId });
-  return shown.length > 0 && !displaySetInstanceUIDs.includes(segmentationId);
-};
-
-const isReportLoaded = (uid) => {
-  const question = document.querySelector('[data-cy="no-hydrate-btn"]');
-  question?.click();
-  return helpers.setOf(uid).isLoaded && (question || !helpers.setOf(uid).isRehydratable);
-};
-
+// ---- functions that run in the page ----
 // Returns the voxels of each segment: their number, and a SHA-256 of the mask of each slice.
 const voxelsOf = async (uid) => {
   const { segments, representationData } = services.segmentationService.getSegmentation(helpers.setOf(uid).displaySetInstanceUID);
@@ -136,45 +108,9 @@ const annotationsOf = () => cornerstoneTools.annotation.state.getAllAnnotations(
     slice: metadata.referencedImageId && helpers.sliceOf(metadata.referencedImageId),
   }));
 
-const pixelsOf = async (picture) => {
-  const bytes = Uint8Array.from(atob(picture), (letter) => letter.charCodeAt(0));
-  const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-  const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
-  context.drawImage(image, 0, 0);
-  return [...context.getImageData(0, 0, image.width, image.height).data];
-};
-
-// ---- actions ----
-const shoot = async ({ page, name }, picture) => { if (SHOTS) await page.screenshot(join(SHOTS, `${name}-${picture}.png`)); };
-const drawn = (page) => page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
-
-async function open({ page, server, expected }) {
-  await page.visit(`${server.url}/app-config.js`);
-  await page.evaluate(() => localStorage.setItem('shownTours', JSON.stringify(['basicViewerTour'])));
-  await page.visit(`${server.url}/viewer?StudyInstanceUIDs=${expected.study}`);
-  await page.until(() => Boolean(globalThis.services?.displaySetService && globalThis.cornerstone));
-  await page.evaluate(addHelpers);
-  await page.until((count) => helpers.sets().length === count, undefined, expected.objects.length + 1);
-  await page.until(() => helpers.viewport()?.getImageIds?.().length > 1);
-}
-
-async function load({ page }, { uid }, isShown) {
-  await page.evaluate(show, uid);
-  await page.until(isShown, undefined, uid);
-  await drawn(page);
-}
-
-// Returns the pixels [r, g, b] of the page around a point.
-async function look(page, [x, y], radius) {
-  await drawn(page);
-  const side = 2 * radius + 1;
-  const clip = { x: Math.floor(x) - radius, y: Math.floor(y) - radius, width: side, height: side, scale: 1 };
-  const { data } = await page.send('Page.captureScreenshot', { format: 'png', clip });
-  const bytes = await page.evaluate(pixelsOf, data);
-  return Array.from({ length: bytes.length / 4 }, (_, i) => bytes.slice(4 * i, 4 * i + 3));
-}
-
 // ---- checks ----
+const shoot = async ({ page, name }, picture) => { if (SHOTS) await page.screenshot(join(SHOTS, `${name}-${picture}.png`)); };
+
 async function listed({ page, expected }) {
   const sets = Object.fromEntries(await page.evaluate(() => helpers.sets().map((set) => [helpers.uidOf(set), !set.unsupported])));
   const shown = expected.objects.filter(({ isShown }) => isShown);
@@ -199,9 +135,9 @@ const difference = (a, b) => a.map((x, i) => x - b[i]);
 const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
 
 async function isDrawn(viewer, { file, uid, segments }) {
-  const { page, expected } = viewer;
+  const { page, loaded } = viewer;
   await shoot(viewer, file);
-  const all = expected.objects.flatMap((one) => (one.segments || []).map(({ number }) => [one.uid, number]));
+  const all = loaded.flatMap((one) => one.segments.map(({ number }) => [one.uid, number]));
   for (const [one, number] of all) await page.evaluate(showSegment, one, number, false);
   const colors = {};
   for (const { number, label, slice, inside, outside } of segments) {
@@ -222,7 +158,7 @@ async function isDrawn(viewer, { file, uid, segments }) {
 async function isInPlace(viewer, { file, uid, groups }) {
   const { page, expected } = viewer;
   await open(viewer);
-  await load(viewer, { uid }, isReportLoaded);
+  await load(viewer, uid);
   const found = Object.fromEntries((await page.evaluate(annotationsOf)).map((one) => [one.uid, one]));
   await shoot(viewer, file);
   assert.deepEqual(groups.filter((one) => !found[one.uid]).map(({ identifier }) => identifier), [], 'measurements that OHIF does not show');
