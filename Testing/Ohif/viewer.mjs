@@ -1,6 +1,8 @@
 // Drives OHIF in a browser like a user: opens a study, loads objects, looks at pixels. OHIF publishes window.services, cornerstone and
 // cornerstoneTools; functions that run in the page also have window.helpers.
 
+const PAUSE = 500; // milliseconds; OHIF scrolls to a first slice after drawing, and fails if the viewport is replaced before
+
 const addHelpers = () => {
   const uidOf = (set) => set.SOPInstanceUID || set.instances[0].SOPInstanceUID;
   const sets = () => services.displaySetService.getActiveDisplaySets();
@@ -47,7 +49,7 @@ const pixelsOf = async (picture) => {
 
 const drawn = (page) => page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
 
-// Opens the study, when all its series are listed.
+// Opens the study; returns when all its series are listed and the CT is drawn.
 export async function open({ page, server, expected }) {
   await page.visit(`${server.url}/app-config.js`);
   await page.evaluate(() => localStorage.setItem('shownTours', JSON.stringify(['basicViewerTour'])));
@@ -55,7 +57,8 @@ export async function open({ page, server, expected }) {
   await page.until(() => Boolean(globalThis.services?.displaySetService && globalThis.cornerstone));
   await page.evaluate(addHelpers);
   await page.until((count) => helpers.sets().length === count, undefined, expected.objects.length + 1);
-  await page.until(() => helpers.viewport()?.getImageIds?.().length > 1);
+  await page.until(() => helpers.viewport()?.getImageIds?.().length > 1 && helpers.viewport().viewportStatus === 'rendered');
+  await new Promise((done) => { setTimeout(done, PAUSE); });
 }
 
 // Returns the pixels [r, g, b] of the page around a point.
