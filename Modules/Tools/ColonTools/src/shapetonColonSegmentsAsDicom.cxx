@@ -27,7 +27,7 @@ constexpr unsigned short foldsOfAnatomy = 8;
 constexpr std::array<unsigned char, 3> colorOfGas{ 89, 153, 230 };
 constexpr std::array<unsigned char, 3> colorOfFluid{ 242, 217, 77 };
 constexpr std::array<unsigned char, 3> colorOfIleum{ 150, 110, 90 };
-constexpr std::array<unsigned char, 3> colorOfFolds{ 190, 140, 200 };
+constexpr std::array<unsigned char, 3> colorOfFolds{ 235, 90, 170 };
 
 /** Tissue within this distance of a face belongs to its fold. */
 constexpr double foldDepth = 2.0; // mm

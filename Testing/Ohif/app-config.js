@@ -1,0 +1,30 @@
+// Configuration of OHIF in the test: one data source, the Orthanc behind the server of ohif.mjs.
+window.config = {
+  routerBasename: '/',
+  extensions: [],
+  modes: [],
+  showStudyList: false,
+  maxNumberOfWebWorkers: 2,
+  investigationalUseDialog: { option: 'never' },
+  defaultDataSourceName: 'orthanc',
+  dataSources: [{
+    namespace: '@ohif/extension-default.dataSourcesModule.dicomweb',
+    sourceName: 'orthanc',
+    configuration: {
+      friendlyName: 'Orthanc',
+      name: 'orthanc',
+      wadoUriRoot: '/dicom-web',
+      qidoRoot: '/dicom-web',
+      wadoRoot: '/dicom-web',
+      qidoSupportsIncludeField: false,
+      imageRendering: 'wadors',
+      thumbnailRendering: 'wadors',
+      enableStudyLazyLoad: true,
+      supportsFuzzyMatching: false,
+      supportsWildcard: true,
+      dicomUploadEnabled: true,
+      omitQuotationForMultipartRequest: true,
+      bulkDataURI: { enabled: true, relativeResolution: 'studies' },
+    },
+  }],
+};
