@@ -32,6 +32,7 @@ Write(CommandLine &       commandLine,
   CommandLine::RequireApart(source, folder, "use the folder with the DICOM series from which the run was computed");
   shapeton::ColonDicomOptions options;
   options.segmentation = FormatOf(commandLine.GetFlag("labelMap"), commandLine.GetFlag("deflate"));
+  options.forOhif = commandLine.GetFlag("ohif");
   options.dates =
     commandLine.GetString("dates") == "now" ? shapeton::DicomResultDates::Now : shapeton::DicomResultDates::Source;
   options.reader = { commandLine.GetString("verdicts"), run, position, commandLine.GetString("observer") };

@@ -13,15 +13,25 @@ namespace
 {
 using shapeton::CommandLine;
 
+bool
+IsOfReport(const CommandLine & commandLine)
+{
+  return commandLine.IsGiven("markers") || commandLine.IsGiven("verdicts");
+}
+
 void
 CheckUsage(const CommandLine & commandLine)
 {
   const bool ofSegments = commandLine.IsGiven("mask") || commandLine.IsGiven("labels") || commandLine.IsGiven("table");
-  shapeton::RequireParameter(ofSegments || commandLine.IsGiven("markers"),
-                             "no output requested: use --mask, --labels or --table for a segmentation, --markers for "
-                             "a report");
-  shapeton::RequireParameter(!ofSegments || !commandLine.IsGiven("markers"),
-                             "--markers requires a report; --mask, --labels and --table require a segmentation");
+  shapeton::RequireParameter(ofSegments || IsOfReport(commandLine),
+                             "no output requested: use --mask, --labels or --table for a segmentation, --markers or "
+                             "--verdicts for a report");
+  shapeton::RequireParameter(
+    !ofSegments || !IsOfReport(commandLine),
+    "--markers and --verdicts require a report; --mask, --labels and --table require a segmentation");
+  shapeton::RequireParameter(commandLine.IsGiven("verdicts") == commandLine.IsGiven("exam"),
+                             "--verdicts requires --exam, the examination whose candidates the report judges, and "
+                             "--exam requires --verdicts");
   shapeton::RequireVolumeName(commandLine.GetString("mask"));
   shapeton::RequireVolumeName(commandLine.GetString("labels"));
 }
@@ -79,13 +89,32 @@ WriteSegments(CommandLine & commandLine, const shapeton::DicomSource & source)
   }
 }
 
+void
+WriteReport(CommandLine & commandLine, const shapeton::DicomSource & source)
+{
+  const std::string markers = commandLine.OutputOf("markers");
+  const std::string verdicts = commandLine.OutputOf("verdicts");
+  const auto        points = shapeton::ReadDicomReportPoints(commandLine.GetString("input"), source);
+  if (!markers.empty())
+  {
+    shapeton::WriteMarkups(shapeton::MarkupsOfReport(points), markers);
+  }
+  if (!verdicts.empty())
+  {
+    const auto        folders = shapeton::PositionFoldersOf(commandLine.GetString("exam"));
+    shapeton::Remarks remarks;
+    shapeton::WriteReaderVerdicts(shapeton::VerdictsOfReport(points, folders, source, remarks), folders, verdicts);
+    commandLine.Warn(remarks);
+  }
+}
+
 shapeton::DicomSource
 ReadSource(const CommandLine & commandLine)
 {
   shapeton::DicomSourceOptions options;
   shapeton::ReadOptions(commandLine, options);
   options.offersDeshear = true;
-  options.forPoints = commandLine.IsGiven("markers");
+  options.forPoints = IsOfReport(commandLine);
   return shapeton::ReadDicomSource(commandLine.GetString("source"), options);
 }
 
@@ -98,13 +127,7 @@ Convert(CommandLine & commandLine)
   const auto source = ReadSource(commandLine);
   commandLine.AddInput("input", "sha256:" + shapeton::Sha256OfFile(input));
   commandLine.AddInput("source", shapeton::IdentityOfSeries(source.series.GetSelector()));
-  if (!commandLine.IsGiven("markers"))
-  {
-    WriteSegments(commandLine, source);
-    return;
-  }
-  const std::string markers = commandLine.OutputOf("markers");
-  shapeton::WriteMarkups(shapeton::MarkupsOfReport(shapeton::ReadDicomReportPoints(input, source)), markers);
+  IsOfReport(commandLine) ? WriteReport(commandLine, source) : WriteSegments(commandLine, source);
 }
 } // namespace
 

@@ -18,6 +18,9 @@ struct DicomMeasurement
   std::optional<DicomCode> derivation;
   /** Whether the observer measured it; otherwise the program is named as its algorithm. */
   bool isByObserver{ false };
+  /** Whether it is shown as a line of this length (mm) in the slice of the group's center, along the rows: viewers such
+   * as OHIF take such numbers as their own measurements. */
+  bool isLine{ false };
 };
 
 /** A statement that is not a number: a code, or a text. \ingroup ShapetonDicomResults */
@@ -31,10 +34,11 @@ struct DicomEvaluation
 /** Measurements of one object: a segment, or a place without a segment. \ingroup ShapetonDicomResults */
 struct DicomMeasurementGroup
 {
-  std::string              trackingID;
-  std::string              trackingUID;
-  DicomCode                finding;
-  std::optional<DicomCode> site;
+  std::string trackingID;
+  std::string trackingUID;
+  DicomCode   finding;
+  /** Finding sites; the first is anatomical. */
+  std::vector<DicomCode> sites;
   /** Segment number in `segmentation`; 0 for none. */
   int           segment{ 0 };
   DicomInstance segmentation;

@@ -29,6 +29,8 @@ struct DicomContent
     Image,
     /** A point in pixel coordinates of the image in its child node. */
     PixelPoint,
+    /** A line between two such points. */
+    PixelLine,
     /** A point in the frame of reference, LPS, mm. */
     SpacePoint
   };
@@ -43,8 +45,10 @@ struct DicomContent
   DicomInstance instance;
   int           segment{ 0 };
   int           frame{ 0 };
-  /** Coordinates of PixelPoint and SpacePoint. */
-  std::array<double, 3>     point{ { 0.0, 0.0, 0.0 } };
+  /** Coordinates of PixelPoint and SpacePoint, and of the first end of PixelLine. */
+  std::array<double, 3> point{ { 0.0, 0.0, 0.0 } };
+  /** The other end of PixelLine. */
+  std::array<double, 3>     end{ { 0.0, 0.0, 0.0 } };
   std::vector<DicomContent> children;
 };
 
@@ -86,6 +90,13 @@ PixelPointContent(const std::string &           relationship,
                   const DicomCode &             name,
                   const std::array<double, 3> & point,
                   const DicomSource &           source);
+/** A line along the rows of the slice nearest to its center (LPS, mm). */
+ShapetonDicomResults_EXPORT DicomContent
+PixelLineContent(const std::string &           relationship,
+                 const DicomCode &             name,
+                 const std::array<double, 3> & center,
+                 double                        length,
+                 const DicomSource &           source);
 ///@}
 
 /** The kinds of reports. \ingroup ShapetonDicomResults */

@@ -3,6 +3,7 @@
 #include "shapetonDicomText.h"
 
 #include <algorithm>
+#include <string>
 
 namespace shapeton
 {
@@ -17,13 +18,18 @@ NameOf(const DicomResultHeader & header)
 }
 
 DicomContent
-ContentOf(const DicomMeasurement & measurement)
+ContentOf(const DicomMeasurement & measurement, const DicomMeasurementGroup & group, const DicomSource & source)
 {
   DicomContent number = NumberContent("CONTAINS", measurement.name, measurement.digits, measurement.unit);
   if (measurement.derivation)
   {
     number.children.push_back(
       CodeContent("HAS CONCEPT MOD", { "121401", "DCM", "Derivation" }, *measurement.derivation));
+  }
+  if (measurement.isLine)
+  {
+    number.children.push_back(PixelLineContent(
+      "INFERRED FROM", { "121055", "DCM", "Path" }, group.center, std::stod(measurement.digits), source));
   }
   return number;
 }
@@ -72,9 +78,9 @@ ContentOf(const DicomMeasurementGroup & group, const DicomSource & source, const
     add(SegmentContent("CONTAINS", { "121191", "DCM", "Referenced Segment" }, group.segmentation, group.segment));
     add(UIDContent("CONTAINS", { "121232", "DCM", "Source series for segmentation" }, source.series.uid));
   }
-  if (group.site)
+  for (const DicomCode & site : group.sites)
   {
-    add(CodeContent("HAS CONCEPT MOD", { "363698007", "SCT", "Finding Site" }, *group.site));
+    add(CodeContent("HAS CONCEPT MOD", { "363698007", "SCT", "Finding Site" }, site));
   }
   const DicomCode center{ "111010", "DCM", "Center" };
   if (const itk::Point<double, 3> place(group.center.data());
@@ -89,7 +95,7 @@ ContentOf(const DicomMeasurementGroup & group, const DicomSource & source, const
   }
   for (const DicomMeasurement & measurement : group.measurements)
   {
-    add(ContentOf(measurement));
+    add(ContentOf(measurement, group, source));
   }
   for (const DicomEvaluation & evaluation : group.evaluations)
   {

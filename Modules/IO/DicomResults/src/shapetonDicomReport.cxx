@@ -32,6 +32,7 @@ ValueTypeOf(DicomContent::Kind kind)
     case DicomContent::Kind::Image:
       return "IMAGE";
     case DicomContent::Kind::PixelPoint:
+    case DicomContent::Kind::PixelLine:
       return "SCOORD";
     default:
       return "SCOORD3D";
@@ -67,16 +68,21 @@ PutContainer(DicomItem item, const DicomContent & content)
 void
 PutPoint(DicomItem item, const DicomContent & content, const std::string & frameOfReferenceUID)
 {
+  const bool         isLine = content.kind == DicomContent::Kind::PixelLine;
   std::vector<float> values(content.point.begin(), content.point.end());
-  if (content.kind == DicomContent::Kind::PixelPoint)
-  {
-    values.pop_back();
-  }
-  else
+  if (content.kind == DicomContent::Kind::SpacePoint)
   {
     item.Text(DCM_ReferencedFrameOfReferenceUID, frameOfReferenceUID);
   }
-  item.Text(DCM_GraphicType, "POINT").Floats(DCM_GraphicData, values);
+  else
+  {
+    values.pop_back();
+  }
+  if (isLine)
+  {
+    values.insert(values.end(), content.end.begin(), content.end.begin() + 2);
+  }
+  item.Text(DCM_GraphicType, isLine ? "POLYLINE" : "POINT").Floats(DCM_GraphicData, values);
 }
 
 void
@@ -277,6 +283,21 @@ PixelPointContent(const std::string &           relationship,
   DicomContent content = Made(DicomContent::Kind::PixelPoint, relationship, name);
   content.point = { index[0] + 0.5, index[1] + 0.5, 0.0 }; // 0 is the outer corner of the first pixel
   content.children.push_back(SliceContent("SELECTED FROM", source.series.slices[slice]));
+  return content;
+}
+
+DicomContent
+PixelLineContent(const std::string &           relationship,
+                 const DicomCode &             name,
+                 const std::array<double, 3> & center,
+                 double                        length,
+                 const DicomSource &           source)
+{
+  DicomContent content = PixelPointContent(relationship, name, center, source);
+  const double half = 0.5 * length / source.grid->GetSpacing()[0]; // pixels
+  content.kind = DicomContent::Kind::PixelLine;
+  content.end = { content.point[0] + half, content.point[1], 0.0 };
+  content.point[0] -= half;
   return content;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -15,11 +16,14 @@ namespace
 {
 constexpr int DeepestTree = 64;
 
-/** A content item with coordinates, as stored in the file. */
+/** A content item with coordinates, as stored in the file, and what its measurement group states. */
 struct Graphic
 {
-  std::string name;
-  std::string type;
+  std::string            name;
+  double                 length{ std::numeric_limits<double>::quiet_NaN() };
+  std::vector<DicomCode> sites;
+  std::string            comment;
+  std::string            type;
   /** Frame of reference of points in space. */
   std::string frameOfReferenceUID;
   bool        isInPixels{ false };
@@ -34,15 +38,21 @@ void
 TransmitGraphic(TStream & stream, TGraphic & graphic)
 {
   auto     count = static_cast<std::uint64_t>(graphic.values.size());
-  stream & graphic.name & graphic.type & graphic.frameOfReferenceUID & graphic.isInPixels & graphic
-    .sopInstanceUID & graphic.frame & count;
+  auto     sites = static_cast<std::uint64_t>(graphic.sites.size());
+  stream & graphic.length & graphic.comment & sites & graphic.name & graphic.type & graphic
+    .frameOfReferenceUID & graphic.isInPixels & graphic.sopInstanceUID & graphic.frame & count;
   if constexpr (!std::is_const<TGraphic>::value)
   {
-    if (count > stream.GetLeft())
+    if (count > stream.GetLeft() || sites > stream.GetLeft())
     {
       throw std::runtime_error("cannot be read: incomplete message");
     }
     graphic.values.resize(count);
+    graphic.sites.resize(sites);
+  }
+  for (auto & site : graphic.sites)
+  {
+    stream & site.value & site.scheme & site.meaning;
   }
   for (auto & value : graphic.values)
   {
@@ -65,33 +75,73 @@ public:
   }
 
 private:
+  /** `context` has the statements of the containing items. */
   void
-  Visit(DcmItem & item, std::string name, int depth)
+  Visit(DcmItem & item, Graphic context, int depth)
   {
     if (depth > DeepestTree)
     {
       throw std::runtime_error("has a content tree that is too deep");
     }
     const auto children = ItemsOf(item, DCM_ContentSequence);
-    for (DcmItem * const child : children)
-    {
-      if (CodeOf(*child, DCM_ConceptNameCodeSequence) == DicomCode{ "112039", "DCM", {} })
-      {
-        name = TextOf(*child, DCM_TextValue);
-      }
-    }
+    TakeStatements(item, children, context);
     const std::string type = TextOf(item, DCM_ValueType);
-    if (type == "SCOORD" || type == "SCOORD3D")
+    if ((type == "SCOORD" || type == "SCOORD3D") && !IsPlaceOfText(item))
     {
-      this->Take(item, type == "SCOORD", name);
+      this->Take(item, type == "SCOORD", context);
     }
     for (DcmItem * const child : children)
     {
       if (!RepeatsSpacePoint(*child, children))
       {
-        this->Visit(*child, name, depth + 1);
+        this->Visit(*child, context, depth + 1);
       }
     }
+  }
+
+  static void
+  TakeStatements(DcmItem & item, const std::vector<DcmItem *> & children, Graphic & context)
+  {
+    if (CodeOf(item, DCM_ConceptNameCodeSequence) == DicomCode{ "125007", "DCM", {} }) // a measurement group
+    {
+      context = {};
+    }
+    if (TextOf(item, DCM_ValueType) == "NUM")
+    {
+      context.length = LengthOf(item);
+    }
+    for (DcmItem * const child : children)
+    {
+      const DicomCode concept = CodeOf(*child, DCM_ConceptNameCodeSequence);
+      if (concept == DicomCode{ "112039", "DCM", {} })
+      {
+        context.name = TextOf(*child, DCM_TextValue);
+      }
+      else if (concept == DicomCode{ "363698007", "SCT", {} })
+      {
+        context.sites.push_back(CodeOf(*child, DCM_ConceptCodeSequence));
+      }
+      else if (concept == DicomCode{ "121106", "DCM", {} } && context.comment.empty())
+      {
+        context.comment = TextOf(*child, DCM_TextValue);
+      }
+    }
+  }
+
+  /** The value of a number in mm; otherwise NaN. */
+  static double
+  LengthOf(DcmItem & number)
+  {
+    DcmItem * const value = ItemOf(number, DCM_MeasuredValueSequence);
+    const bool isLength = value && CodeOf(*value, DCM_MeasurementUnitsCodeSequence) == DicomCode{ "mm", "UCUM", {} };
+    return isLength && value->tagExistsWithValue(DCM_NumericValue) ? NumbersOf(*value, DCM_NumericValue, 1).front()
+                                                                   : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  static bool
+  IsPlaceOfText(DcmItem & item)
+  {
+    return CodeOf(item, DCM_ConceptNameCodeSequence) == DicomCode{ "TextPosition", "99CS3D", {} };
   }
 
   /** Whether an item is in pixels and one of its siblings in space has its concept. */
@@ -107,10 +157,13 @@ private:
   }
 
   void
-  Take(DcmItem & item, bool isInPixels, const std::string & name)
+  Take(DcmItem & item, bool isInPixels, const Graphic & context)
   {
-    Graphic graphic;
-    graphic.name = name.empty() ? CodeOf(item, DCM_ConceptNameCodeSequence).meaning : name;
+    Graphic graphic = context;
+    if (graphic.name.empty())
+    {
+      graphic.name = CodeOf(item, DCM_ConceptNameCodeSequence).meaning;
+    }
     graphic.type = TextOf(item, DCM_GraphicType);
     graphic.isInPixels = isInPixels;
     const Float32 * values = nullptr;
@@ -231,6 +284,9 @@ public:
     }
     DicomReportPoints points;
     points.name = graphic.name;
+    points.length = graphic.length;
+    points.sites = graphic.sites;
+    points.comment = graphic.comment;
     for (std::size_t i = 0; i < graphic.values.size(); i += dimension)
     {
       points.places.push_back(isInSpace ? this->InSpace(graphic, &graphic.values[i])

@@ -29,7 +29,9 @@ struct ColonDicomOptions
 {
   DicomSegmentationFormat segmentation{ DicomSegmentationFormat::Binary };
   DicomResultDates        dates{ DicomResultDates::Source };
-  ColonDicomReader        reader;
+  /** Whether to write sr-ohif.dcm as well: the candidates as measurements that a reader can change in OHIF. */
+  bool             forOhif{ false };
+  ColonDicomReader reader;
   /** Progress receiver; its stages are "Reading" and the file names. */
   Progress progress;
 };

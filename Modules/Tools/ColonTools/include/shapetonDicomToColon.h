@@ -5,6 +5,8 @@
 #include "shapetonCsvTable.h"
 #include "shapetonDicomReportReader.h"
 #include "shapetonDicomSegmentationReader.h"
+#include "shapetonReaderVerdicts.h"
+#include "shapetonRemarks.h"
 #include "shapetonSlicerMarkups.h"
 
 #include <vector>
@@ -29,6 +31,22 @@ ShapetonColonTools_EXPORT CsvTable
 TableOfSegments(const DicomSegmentationFile & file,
                 const std::vector<int> &      numbers,
                 const DicomSegmentVoxels &    voxels);
+
+/** Verdicts from the report of a reader in OHIF, who took the candidates of sr-ohif.dcm as measurements, and whose
+ * labels begin with "polyp", "not a polyp" or "unsure", in any case, also after "candidate 3:".
+ *
+ * A measurement of a candidate is recognized by its code as finding site, which OHIF keeps, or its label; it gives the
+ * verdict, unread without such a label, and the size if the reader changed it by more than 0.05 mm. Any other
+ * measurement labeled as a polyp becomes a finding at its middle. The rest of a label is the note.
+ *
+ * \param folders the positions of the examination, PositionFoldersOf(); that of `source` is the one of the report.
+ * \param remarks receives the candidates that the report does not contain, and measurements that are no verdict.
+ * Throws InputError if no position was computed from the source, or a candidate is measured twice. */
+ShapetonColonTools_EXPORT ReaderVerdicts
+VerdictsOfReport(const std::vector<DicomReportPoints> & points,
+                 const std::vector<std::string> &       folders,
+                 const DicomSource &                    source,
+                 Remarks &                              remarks);
 
 /** Point lists, named after their measurements. */
 ShapetonColonTools_EXPORT std::vector<Markup>

@@ -142,6 +142,14 @@ WriteColonDicomResults(const std::string &       exam,
                          MeasurementsOfColon(examination, segments),
                          headers.Make(1, "colon measurements"),
                          outputPath(folder + "/sr.dcm"));
+  if (options.forOhif)
+  {
+    constexpr int seriesForOhif = 7;
+    WriteDicomMeasurements(series,
+                           CandidatesForOhif(examination, segments),
+                           headers.Make(seriesForOhif, "candidates to be read in OHIF"),
+                           outputPath(folder + "/sr-ohif.dcm"));
+  }
   if (reading)
   {
     constexpr int seriesOfReading = 5; // the first number without another object

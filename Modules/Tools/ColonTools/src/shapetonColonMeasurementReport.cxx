@@ -32,7 +32,10 @@ GroupOf(const DicomSegment & segment, const ColonSegmentsAsDicom::Place & place)
   group.trackingID = segment.trackingID;
   group.trackingUID = segment.trackingUID;
   group.finding = segment.type;
-  group.site = segment.region;
+  if (segment.region)
+  {
+    group.sites = { *segment.region };
+  }
   group.segment = place.number;
   group.segmentation = place.instance;
   group.center = place.center;
@@ -47,7 +50,7 @@ GroupOf(const PolypCandidate & candidate, const ColonSegmentsAsDicom & segments)
   group.trackingID = "candidate " + std::to_string(candidate.number);
   group.trackingUID = segments.TrackingUIDOfCandidate(candidate);
   group.finding = lesion;
-  group.site = CodeOfSegment(candidate.segment);
+  group.sites = { CodeOfSegment(candidate.segment) };
   const ColonSegmentsAsDicom::Place head = segments.PlaceOf(group.trackingUID);
   group.segment = head.number;
   group.segmentation = head.instance;
@@ -101,6 +104,26 @@ AddExtent(const ColonExamination & exam, DicomMeasurementGroup & group)
   }
 }
 } // namespace
+
+DicomMeasurementReport
+CandidatesForOhif(const ColonExamination & exam, const ColonSegmentsAsDicom & segments)
+{
+  DicomMeasurementReport report;
+  report.procedure = ct;
+  report.region = colon;
+  report.comments = { DicomResearchNote, CandidateNote };
+  for (const PolypCandidate & candidate : exam.candidates)
+  {
+    const std::string     number = std::to_string(candidate.number);
+    DicomMeasurementGroup group = GroupOf(candidate, segments);
+    group.trackingID = "Cornerstone3DTools@^0.1.0:Length:candidate " + number;
+    group.sites.push_back({ CandidateCodePrefix + number, "99SHAPETON", "candidate " + number });
+    group.measurements = { { length, NumberText(candidate.diameter, 6), mm, {}, false, true } };
+    group.comments = { "candidate " + number };
+    report.groups.push_back(group);
+  }
+  return report;
+}
 
 DicomMeasurementReport
 MeasurementsOfColon(const ColonExamination & exam, const ColonSegmentsAsDicom & segments)

@@ -63,7 +63,7 @@ GroupOf(const ReaderLesion & lesion, const ColonSegmentsAsDicom & segments)
   group.trackingUID = lesion.candidate ? segments.TrackingUIDOfCandidate(*lesion.candidate)
                                        : segments.TrackingUIDAt(group.trackingID, lesion.place);
   group.finding = polyp;
-  group.site = CodeOfSegment(lesion.segment);
+  group.sites = { CodeOfSegment(lesion.segment) };
   const ColonSegmentsAsDicom::Place place = segments.PlaceOf(group.trackingUID);
   group.segment = place.number;
   group.segmentation = place.instance;

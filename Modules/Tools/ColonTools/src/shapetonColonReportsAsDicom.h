@@ -16,6 +16,14 @@ constexpr const char * CandidateNote =
 DicomMeasurementReport
 MeasurementsOfColon(const ColonExamination & exam, const ColonSegmentsAsDicom & segments);
 
+/** Prefix of the code of a candidate as a second finding site (99SHAPETON), which viewers keep in their own reports. */
+constexpr const char * CandidateCodePrefix = "candidate-";
+
+/** The candidates as lengths that OHIF takes as its own measurements, for changes and verdicts by a reader: the name of
+ * its tool as tracking identifier, and the candidate as label and second finding site. */
+DicomMeasurementReport
+CandidatesForOhif(const ColonExamination & exam, const ColonSegmentsAsDicom & segments);
+
 /** The reading of an examination. */
 struct ColonReading
 {

@@ -32,6 +32,7 @@ inline const DicomCode colonAssessment{ "112222", "DCM", "Colon Overall Assessme
 inline const DicomCode extracolonicAssessment{ "EXTRACOLONIC", "99SHAPETON", "Extracolonic assessment" };
 inline const DicomCode polypSize{ "373197004", "SCT", "Polyp size, largest dimension" };
 inline const DicomCode diameter{ "81827009", "SCT", "Diameter" };
+inline const DicomCode length{ "410668003", "SCT", "Length" };
 inline const DicomCode height{ "121207", "DCM", "Height" };
 inline const DicomCode volume{ "118565006", "SCT", "Volume" };
 inline const DicomCode pathLength{ "121211", "DCM", "Path length" };

@@ -95,6 +95,13 @@ struct ReaderVerdicts
 ShapetonColonViews_EXPORT ReaderVerdicts
 ReadReaderVerdicts(const std::string & path, const std::vector<std::string> & folders);
 
+/** Writes a verdicts.json, version 2, that the page of the examination with these folders opens. Throws OutputError.
+ * \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT void
+WriteReaderVerdicts(const ReaderVerdicts &           verdicts,
+                    const std::vector<std::string> & folders,
+                    const std::string &              path);
+
 /** One point for each candidate in the verdicts and each finding. \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Markup
 MarkupOfVerdicts(const ReaderVerdicts & verdicts, const std::vector<std::vector<PolypCandidate>> & candidates);

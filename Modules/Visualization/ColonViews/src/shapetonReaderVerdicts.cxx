@@ -310,6 +310,44 @@ private:
   std::vector<std::vector<PolypCandidate>> m_Candidates = CandidatesOfPositions(m_Folders);
 };
 
+/** Null for NaN. */
+Json
+JsonOf(double value)
+{
+  return std::isnan(value) ? Json() : Json(value);
+}
+
+void
+AddStatement(const ReaderStatement & statement, const char * sizeKey, Json & object)
+{
+  object["note"] = statement.note;
+  object[sizeKey] = JsonOf(statement.size);
+  object["morphology"] = morphologyWords[static_cast<std::size_t>(statement.morphology)];
+}
+
+Json
+JsonOf(const ReaderFinding & finding)
+{
+  Json object{ { "id", finding.id },
+               { "position", finding.position },
+               { "lps", { finding.place[0], finding.place[1], finding.place[2] } },
+               { "uv", Json() },
+               { "segment", finding.segment > 0 ? NameOfSegment(finding.segment) : "" },
+               { "arcLength", JsonOf(finding.arcLength) } };
+  AddStatement(finding.statement, "diameter", object);
+  return object;
+}
+
+Json
+JsonOf(const ReaderBookmark & bookmark)
+{
+  return { { "id", bookmark.id },
+           { "position", bookmark.position },
+           { "lps", { bookmark.place[0], bookmark.place[1], bookmark.place[2] } },
+           { "label", bookmark.label },
+           { "picture", "data:image/png;base64," + Base64(bookmark.png) } };
+}
+
 void
 AddPoint(Markup & markup, const Eigen::Vector3d & place, const std::string & label, const std::string & note)
 {
@@ -329,6 +367,37 @@ ReaderVerdicts
 ReadReaderVerdicts(const std::string & path, const std::vector<std::string> & folders)
 {
   return VerdictFile(path, folders).Read();
+}
+
+void
+WriteReaderVerdicts(const ReaderVerdicts & verdicts, const std::vector<std::string> & folders, const std::string & path)
+{
+  Json document{ { "version", 2 },
+                 { "exam", { { "seriesUIDs", Json::array() }, { "sha256", DigestOfPositions(folders) } } },
+                 { "secondReader", verdicts.isSecondReader.value_or(false) },
+                 { "candidatesRevealed", true },
+                 { "assessment",
+                   { { "colonic", verdicts.assessment.colonic },
+                     { "extracolonic", verdicts.assessment.extracolonic },
+                     { "note", verdicts.assessment.note } } },
+                 { "candidates", Json::array() },
+                 { "findings", Json::array() },
+                 { "bookmarks", Json::array() } };
+  for (const CandidateVerdict & one : verdicts.candidates)
+  {
+    Json object{ { "id", one.id }, { "verdict", NameOf(one.verdict) } };
+    AddStatement(one.statement, "size", object);
+    document["candidates"].push_back(object);
+  }
+  for (const ReaderFinding & finding : verdicts.findings)
+  {
+    document["findings"].push_back(JsonOf(finding));
+  }
+  for (const ReaderBookmark & bookmark : verdicts.bookmarks)
+  {
+    document["bookmarks"].push_back(JsonOf(bookmark));
+  }
+  WriteJson(document, path);
 }
 
 Markup

@@ -1,0 +1,117 @@
+// Takes the candidates of sr-ohif.dcm as measurements of OHIF, labels and deletes some, saves a report as a reader does, and converts
+// it to verdicts.
+// usage: PACKAGE=folder for OHIF SERIES=folder EXAM=folder REPORT=sr-ohif.dcm TOOL=DicomResultsToColon WORK=folder to write to
+//   PYTHON=python3 node --test reading.test.mjs
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { launch } from '../Browser/browser.mjs';
+import { missing, serve } from './ohif.mjs';
+import { open } from './viewer.mjs';
+
+const { PACKAGE, SERIES, EXAM, REPORT, TOOL, WORK, PYTHON = 'python3' } = process.env;
+const HERE = dirname(fileURLToPath(import.meta.url));
+const HALF = 0.5; // of a pixel or a slice: largest distance of a measurement from its place
+const sent = join(WORK, 'sent');
+const returned = join(WORK, 'returned.dcm');
+
+// ---- functions that run in the page ----
+const show = (uid) => {
+  const displaySetInstanceUIDs = [helpers.setOf(uid).displaySetInstanceUID];
+  services.viewportGridService.setDisplaySetsForViewport({ viewportId: helpers.viewportId(), displaySetInstanceUIDs });
+};
+// Answers yes to "Do you want to continue tracking measurements for this study?".
+const isTaken = (uid) => {
+  document.querySelector('[data-cy="yes-hydrate-btn"]')?.click();
+  return helpers.setOf(uid).isHydrated;
+};
+const hasMeasurements = (count) => services.measurementService.getMeasurements().length === count;
+const measurements = () => services.measurementService.getMeasurements().map(({ label, points }) => ({ label, points: points.map((point) => [...point]) }));
+const rename = (index, label) => {
+  const one = services.measurementService.getMeasurements()[index];
+  services.measurementService.update(one.uid, { ...one, label }, true);
+};
+const remove = (index) => services.measurementService.remove(services.measurementService.getMeasurements()[index].uid);
+// "Create Report", into the series that its dialog proposes.
+const save = async () => {
+  const measurementData = services.measurementService.getMeasurements();
+  const [dataSource] = extensionManager.getActiveDataSource();
+  const options = { SeriesDescription: 'Reader', SeriesNumber: 3001, predecessorImageId: measurementData[0].predecessorImageId };
+  const report = await commandsManager.runCommand('storeMeasurements',
+    { measurementData, dataSource, additionalFindingTypes: ['ArrowAnnotate'], options }, 'CORNERSTONE_STRUCTURED_REPORT');
+  return { uid: report.SOPInstanceUID, series: report.SeriesInstanceUID, study: report.StudyInstanceUID };
+};
+// ---- end of the functions that run in the page ----
+
+async function fetchReport(url, { uid, series, study }) {
+  const accepted = { headers: { Accept: 'multipart/related; type="application/dicom"' } };
+  const answer = await fetch(`${url}/dicom-web/studies/${study}/series/${series}/instances/${uid}`, accepted);
+  const bytes = Buffer.from(await answer.arrayBuffer());
+  writeFileSync(returned, bytes.subarray(bytes.indexOf('\r\n\r\n') + 4, bytes.lastIndexOf('\r\n--')));
+}
+
+function expectations() {
+  rmSync(sent, { recursive: true, force: true });
+  mkdirSync(sent, { recursive: true });
+  copyFileSync(REPORT, join(sent, 'sr-ohif.dcm'));
+  const { stdout, stderr } = spawnSync(PYTHON, [join(HERE, 'expected.py'), SERIES, sent], { encoding: 'utf8', maxBuffer: 1 << 28 });
+  return stdout ? JSON.parse(stdout) : { reason: stderr.trim().split('\n').pop() };
+}
+
+// The middle of each line is the center of its candidate.
+function checkPlaces(taken, groups, axes) {
+  taken.forEach(({ label, points }, i) => {
+    const middle = points[0].map((x, axis) => (x + points[1][axis]) / 2);
+    const offset = middle.map((x, axis) => x - groups[i].place[axis]);
+    const steps = axes.map(({ direction, spacing }) => direction.reduce((sum, d, axis) => sum + d * offset[axis], 0) / spacing);
+    assert.ok(steps.every((step) => Math.abs(step) <= HALF), `${groups[i].identifier}: ${middle} is not ${groups[i].place}`);
+    assert.equal(label, `candidate ${i + 1}`);
+  });
+}
+
+async function readInOhif(expected) {
+  const [{ uid, groups }] = expected.objects;
+  const server = await serve(PACKAGE, join(WORK, 'orthanc'));
+  const page = await launch({ width: 1400, height: 900 });
+  try {
+    for (const file of readdirSync(SERIES)) await server.store(join(SERIES, file));
+    await server.store(join(sent, 'sr-ohif.dcm'));
+    await open({ page, server, expected });
+    await page.evaluate(show, uid);
+    await page.until(isTaken, undefined, uid);
+    await page.until(hasMeasurements, undefined, groups.length);
+    checkPlaces(await page.evaluate(measurements), groups, expected.axes);
+    await page.evaluate(rename, 0, 'Polyp, broad');
+    await page.evaluate(rename, 1, 'not a polyp');
+    await page.evaluate(remove, 2);
+    await fetchReport(server.url, await page.evaluate(save));
+  } finally {
+    await page.close();
+    await server.close();
+  }
+  return groups.length;
+}
+
+const expected = expectations();
+const reason = (/No module named/.test(expected.reason) && expected.reason) || missing(PACKAGE);
+if (reason) console.log(`skipped: ${reason}`);
+else {
+  test('candidates are read in OHIF and become verdicts', async () => {
+    assert.equal(expected.reason, undefined);
+    const count = await readInOhif(expected);
+    const verdicts = join(WORK, 'verdicts.json');
+    const { status, stderr } = spawnSync(TOOL, [returned, SERIES, '--verdicts', verdicts, '--exam', EXAM], { encoding: 'utf8' });
+    assert.equal(status, 0, stderr);
+    const { candidates, findings } = JSON.parse(readFileSync(verdicts, 'utf8'));
+    const words = Array.from({ length: count }, (_, i) => ({ 0: 'polyp', 1: 'not a polyp' })[i] || 'unread');
+    const ids = words.map((_, i) => `${i + 1}`);
+    assert.deepEqual(candidates.map(({ id }) => id), ids.filter((id) => id !== '3'));
+    assert.deepEqual(candidates.map(({ verdict }) => verdict), words.filter((_, i) => i !== 2));
+    assert.equal(candidates[0].note, 'broad');
+    assert.ok(candidates.every(({ size }) => size === null), 'no size was changed');
+    assert.deepEqual(findings, []);
+  });
+}
