@@ -164,7 +164,7 @@ struct LiveSession::Impl
     catch (const InputError & failure) // no object can be found
     {
       error = failure.what();
-      isChoiceWanted = areObjectsWanted = false;
+      CancelObjects();
     }
     catch (const std::bad_alloc &)
     {
@@ -366,8 +366,15 @@ struct LiveSession::Impl
   {
     heat = nullptr;
     heatState = HeatState::None;
-    areObjectsWanted = false;
+    CancelObjects();
     objects.Clear();
+  }
+
+  /** A change made after objects were asked for wins. */
+  void
+  CancelObjects()
+  {
+    isChoiceWanted = areObjectsWanted = false;
   }
 
   void
@@ -576,12 +583,14 @@ struct LiveSession::Impl
     if (name == "density")
     {
       RequireKeys(command, {});
+      CancelObjects();
       Show(Shown::Density);
       return;
     }
     constexpr std::uint64_t mostSteps = 1000000000;
     RequireKeys(command, { "timeSteps" });
     const std::uint64_t steps = CountOf(command, "timeSteps", 1, mostSteps);
+    CancelObjects();
     if (steps != heatSteps || heatState == HeatState::None)
     {
       heatSteps = steps;

@@ -561,6 +561,43 @@ TEST(LiveSession, ObjectsAreFoundAndSelected)
             std::string::npos);
 }
 
+TEST(LiveSession, ALaterChangeCancelsFindingObjects)
+{
+  for (const std::string change : { R"({"do": "set", "p": 7})",
+                                    R"({"do": "start", "region": "everywhere"})",
+                                    R"({"do": "density"})",
+                                    R"({"do": "heat", "timeSteps": 50})" })
+  {
+    Fixture    fixture;
+    const Json before = fixture.session.GetState()["options"];
+    fixture.Do(R"({"do": "objects", "choose": true})");
+    EXPECT_TRUE(fixture.session.Work([&] { fixture.session.Interrupt(); })) << change; // in the middle of the choice
+    fixture.Do(change);
+    fixture.Finish();
+    fixture.Do(R"({"do": "heat", "timeSteps": 50})");
+    fixture.Finish();
+    const Json state = fixture.session.GetState();
+    Json       expected = before;
+    expected["p"] = change.find("set") == std::string::npos ? before["p"] : Json(7.0);
+    EXPECT_EQ(state["options"], expected) << change;
+    EXPECT_EQ(state["heatSteps"], 50) << change;
+    EXPECT_EQ(state["quality"], "exact") << change;
+    EXPECT_TRUE(state["objects"].is_null()) << change;
+  }
+}
+
+TEST(LiveSession, ShowingDensityCancelsFindingObjectsOfThisHeat)
+{
+  Fixture fixture;
+  fixture.Do(R"({"do": "heat", "timeSteps": 50})");
+  fixture.Finish();
+  fixture.Do(R"({"do": "objects", "choose": false})");
+  fixture.Do(R"({"do": "density"})");
+  fixture.Do(R"({"do": "heat", "timeSteps": 50})");
+  EXPECT_FALSE(fixture.session.Work()); // the exact heat is still known
+  EXPECT_TRUE(fixture.session.GetState()["objects"].is_null());
+}
+
 TEST(LiveSession, SurvivesAThousandRandomCommands)
 {
   Fixture                 fixture;
