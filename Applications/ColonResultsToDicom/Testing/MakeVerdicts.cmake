@@ -18,10 +18,14 @@ set(finding "{\"id\": \"F1\", \"position\": 0, \"lps\": [10, 20, -30.5], \"uv\":
   \"note\": \"\", \"segment\": \"cecum\", \"arcLength\": null, \"morphology\": \"\"}")
 foreach(kind partial complete)
   set(list ${first})
+  set(colonic "C3")
+  set(extracolonic "")
   if(kind STREQUAL "complete")
     string(APPEND list ${others})
+    set(colonic "C2b")
+    set(extracolonic "E1/E2")
   endif()
   file(WRITE ${OUT}/${kind}.json "{\"version\": 2, \"exam\": {\"seriesUIDs\": [], \"sha256\": \"${exam}\"},
-    \"assessment\": {\"colonic\": \"C3\", \"extracolonic\": \"\", \"note\": \"\"},
+    \"assessment\": {\"colonic\": \"${colonic}\", \"extracolonic\": \"${extracolonic}\", \"note\": \"\"},
     \"candidates\": [${list}], \"findings\": [${finding}], \"bookmarks\": []}")
 endforeach()

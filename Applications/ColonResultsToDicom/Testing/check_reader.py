@@ -28,6 +28,12 @@ def check_flags(report, completion):
     check(flags == (completion, "UNVERIFIED", "PRELIMINARY"), f"flags {flags}")
 
 
+def check_category(report, name, expected):
+    code = next(contents(report, name)).ConceptCodeSequence[0]
+    found = (code.CodeValue, code.CodingSchemeDesignator, code.CodeMeaning)
+    check(found == expected, f"category {found}, expected {expected}")
+
+
 def check_observer(report, name):
     check(code_of(report, "Observer Type") == "121006", "the observer is a person")
     person = next(contents(report, "Person Observer Name")).PersonName
@@ -65,7 +71,7 @@ def main(exam, partial, complete):
     report = pydicom.dcmread(partial / "sr-reader.dcm")
     check_flags(report, "PARTIAL")
     check_observer(report, "Müller^Anna")
-    check(text_of(report, "Colon Overall Assessment") == "C3 (C-RADS), as entered by the reader", "category of the colon")
+    check_category(report, "Colon Overall Assessment", ("112243", "DCM", "C3 - Polyp, Possibly Advanced Adenoma"))
     check(text_of(report, "Extracolonic assessment") == "no category entered", "no extracolonic category")
     groups = {text_of(g, "Tracking Identifier"): g for g in contents(report, "Measurement Group")}
     check(list(groups) == ["candidate 1", "finding F1"], f"groups {list(groups)}")
@@ -73,6 +79,8 @@ def main(exam, partial, complete):
     check_finding(groups["finding F1"])
     report = pydicom.dcmread(complete / "sr-reader.dcm")
     check_flags(report, "COMPLETE")
+    check_category(report, "Colon Overall Assessment", ("CRADS-C2B", "99SHAPETON", "C2b - Likely Benign Diverticular Finding"))
+    check(code_of(report, "Extracolonic assessment") == "CRADS-E1E2", "extracolonic category")
     check_observer(report, "anonymous^")
     return 1 if check_objects.failures else 0
 

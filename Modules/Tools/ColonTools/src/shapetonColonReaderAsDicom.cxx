@@ -86,7 +86,8 @@ GroupOf(const ReaderLesion & lesion, const ColonSegmentsAsDicom & segments)
 DicomEvaluation
 CategoryOf(const DicomCode & name, const std::string & category)
 {
-  return { name, {}, category.empty() ? "no category entered" : category + " (C-RADS), as entered by the reader" };
+  return category.empty() ? DicomEvaluation{ name, {}, "no category entered" }
+                          : DicomEvaluation{ name, CodeOfCategory(category), {} };
 }
 
 /** Counts, what is preliminary or unsure, and the polyps of the other series. */
@@ -94,6 +95,7 @@ std::vector<std::string>
 CommentsOn(const ColonReading & reading, std::size_t position, const std::string & whyPreliminary)
 {
   std::vector<std::string> comments{ DicomResearchNote,
+                                     "categories: C-RADS 2023, as entered by the reader",
                                      "polyps accepted in the examination: " + SizesOfAccepted(reading.lesions) };
   for (const ReaderLesion & lesion : LesionsWith(reading.lesions, ReaderVerdict::Polyp))
   {

@@ -1,6 +1,7 @@
 #ifndef shapetonColonTerms_h
 #define shapetonColonTerms_h
 
+#include "ShapetonColonToolsExport.h"
 #include "shapetonDicomCode.h"
 
 #include <string>
@@ -52,6 +53,12 @@ inline const DicomCode percent{ "%", "UCUM", "Percent" };
 /** Code of a colon segment, 1 rectum to 6 cecum; other numbers return the code of the colon. */
 const DicomCode &
 CodeOfSegment(int segment);
+
+/** Code of a C-RADS category, version 2023 (Yee et al., Radiology 2024): "C0" to "C4" and "E0" to "E4", as in
+ * ReaderAssessment. DICOM CID 6200 has C0 to C4; its subdivisions C2a and C2b, and the extracolonic categories, have
+ * private codes. Throws std::out_of_range for another word. */
+ShapetonColonTools_EXPORT const DicomCode &
+CodeOfCategory(const std::string & category);
 } // namespace colonterms
 } // namespace shapeton
 

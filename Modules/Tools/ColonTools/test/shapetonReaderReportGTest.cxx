@@ -1,5 +1,6 @@
 #include "shapetonReaderReport.h"
 
+#include "shapetonColonTerms.h"
 #include "shapetonCsvFile.h"
 #include "shapetonFileBytes.h"
 #include "shapetonPdfFile.h"
@@ -11,6 +12,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <stdexcept>
 
 namespace
 {
@@ -106,6 +109,28 @@ TEST_F(ReaderReportFiles, IsPreliminaryUntilAllIsReadAndCategorized)
   EXPECT_EQ(why(), "");
   m_Verdicts["candidates"].clear(); // candidates that the verdicts do not contain are unread
   EXPECT_EQ(why(), "3 candidates are unread");
+}
+
+TEST_F(ReaderReportFiles, EveryCategoryHasItsCode)
+{
+  const std::vector<std::pair<std::string, std::vector<std::string>>> categories{
+    { "colonic", { "C0", "C1", "C2", "C2a", "C2b", "C3", "C4" } },
+    { "extracolonic", { "E0", "E1", "E2", "E1/E2", "E3", "E4" } }
+  };
+  std::set<std::string> values;
+  for (const auto & [member, words] : categories)
+  {
+    for (const std::string & word : words)
+    {
+      m_Verdicts["assessment"][member] = word;
+      EXPECT_NO_THROW(this->Lesions()) << word; // the file is accepted
+      const DicomCode & code = colonterms::CodeOfCategory(word);
+      EXPECT_EQ(code.meaning.rfind(word + " - ", 0), 0u) << word;
+      values.insert(code.value);
+    }
+  }
+  EXPECT_EQ(values.size(), categories[0].second.size() + categories[1].second.size());
+  EXPECT_THROW(colonterms::CodeOfCategory("C5"), std::out_of_range);
 }
 
 TEST(ReaderLesions, OfBothPositionsCountOnce)

@@ -27,7 +27,7 @@ struct ReaderAssessment
 {
   /** C-RADS category of the colon: "C0", "C1", "C2", "C2a", "C2b", "C3", "C4". */
   std::string colonic;
-  /** C-RADS category of extracolonic findings: "E0" to "E4". */
+  /** C-RADS category of extracolonic findings: "E0" to "E4"; "E1/E2", which C-RADS 2023 merged. */
   std::string extracolonic;
   std::string note;
 };

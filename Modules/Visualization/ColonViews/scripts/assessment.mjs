@@ -1,8 +1,26 @@
 import { element } from '../../../Core/Report/scripts/page.mjs';
 
-const CATEGORIES = { // C-RADS 2023
-  colonic: ['', 'C0', 'C1', 'C2', 'C2a', 'C2b', 'C3', 'C4'],
-  extracolonic: ['', 'E0', 'E1', 'E2', 'E3', 'E4'],
+// C-RADS 2023 (Yee et al., Radiology 2024) with the names of its first version. The descriptions are help only.
+const CATEGORIES = {
+  colonic: {
+    '': 'not entered',
+    C0: 'inadequate, or waits for earlier studies',
+    C1: 'normal, or benign lesion',
+    C2: 'as C2a, without the subdivision of 2023',
+    C2a: '1 or 2 polyps of 6 to 9 mm, or indeterminate',
+    C2b: 'likely benign diverticular finding',
+    C3: 'polyp of 10 mm or more, or 3 or more of 6 to 9 mm',
+    C4: 'likely malignant; a mass is 30 mm or more',
+  },
+  extracolonic: {
+    '': 'not entered',
+    E0: 'limited examination',
+    E1: 'normal, or variant',
+    E2: 'unimportant',
+    'E1/E2': 'E1 or E2, as in C-RADS 2023',
+    E3: 'likely unimportant, incompletely characterized',
+    E4: 'potentially important',
+  },
 };
 
 // The reader's assessment of the examination. Nothing is preselected.
@@ -16,14 +34,15 @@ export class Assessment {
 
   // saved: the member `assessment` of a file, absent in version 1.
   take(saved = {}) {
-    for (const [name, words] of Object.entries(CATEGORIES)) this[name] = words.includes(saved[name]) ? saved[name] : '';
+    for (const [name, words] of Object.entries(CATEGORIES)) this[name] = Object.hasOwn(words, saved[name]) ? saved[name] : '';
     this.note = String(saved.note ?? '');
     this.show();
   }
 
   show() {
     const selects = Object.entries(CATEGORIES).map(([name, words]) => {
-      const select = element('select', { name }, words.map((w) => new Option(w || 'not entered', w, false, w === this[name])));
+      const select = element('select', { name }, Object.entries(words).map(([word, help]) =>
+        new Option(word ? `${word}: ${help}` : help, word, false, word === this[name])));
       select.onchange = () => { this[name] = select.value; this.changed(); };
       return element('label', {}, [`${name} `, select]);
     });

@@ -20,7 +20,7 @@ constexpr double largestSize = 200.0; // mm
 
 const std::vector<std::string> verdictWords{ "unread", "polyp", "not a polyp", "unsure" };
 const std::vector<std::string> colonicWords{ "", "C0", "C1", "C2", "C2a", "C2b", "C3", "C4" };
-const std::vector<std::string> extracolonicWords{ "", "E0", "E1", "E2", "E3", "E4" };
+const std::vector<std::string> extracolonicWords{ "", "E0", "E1", "E2", "E1/E2", "E3", "E4" };
 /** In the order of PolypMorphology. */
 const std::vector<std::string> morphologyWords{ "", "sessile", "pedunculated", "flat" };
 
