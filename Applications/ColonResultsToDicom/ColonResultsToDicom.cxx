@@ -35,6 +35,7 @@ Write(CommandLine &       commandLine,
   options.forOhif = commandLine.GetFlag("ohif");
   options.dates =
     commandLine.GetString("dates") == "now" ? shapeton::DicomResultDates::Now : shapeton::DicomResultDates::Source;
+  options.fhir = commandLine.GetFlag("fhir");
   options.reader = { commandLine.GetString("verdicts"), run, position, commandLine.GetString("observer") };
   options.progress = commandLine.PartOfProgress(begin, end);
   commandLine.MakeFolder(folder);

@@ -30,6 +30,11 @@ struct DicomSource
 ShapetonDicomResults_EXPORT DicomSource
 ReadDicomSource(const std::string & path, const DicomSourceOptions & options = {});
 
+/** Patient ID of the source as UTF-8; empty if it has none. Throws InputError if its character set is unknown.
+ * \ingroup ShapetonDicomResults */
+ShapetonDicomResults_EXPORT std::string
+                            PatientIDOf(const DicomSource & source);
+
 /** The creation dates of a result. \ingroup ShapetonDicomResults */
 enum class DicomResultDates
 {

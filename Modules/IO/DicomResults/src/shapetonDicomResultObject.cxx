@@ -110,7 +110,45 @@ SaveFile(DcmFileFormat & file, const std::string & path, E_TransferSyntax syntax
     ThrowCannotWrite(path, errno, condition.text());
   }
 }
+
+/** Reads the attributes copied from the source. */
+void
+ReadHeader(const DicomSource & source, DcmDataset & dataset)
+{
+  std::string          bytes = source.header;
+  DcmInputBufferStream stream;
+  stream.setBuffer(&bytes[0], static_cast<offile_off_t>(bytes.size()));
+  stream.setEos();
+  dataset.transferInit();
+  const OFCondition condition = dataset.read(stream, EXS_LittleEndianExplicit);
+  dataset.transferEnd();
+  if (condition.bad())
+  {
+    throw InputError("the header of the source series cannot be read: " + std::string(condition.text()) +
+                     "; inspect it with DicomSeriesInspector");
+  }
+}
+
+void
+ConvertHeaderToUtf8(DcmDataset & dataset)
+{
+  const OFCondition condition = dataset.convertToUTF8();
+  if (condition.bad())
+  {
+    throw InputError("the header of the source series cannot be converted to UTF-8: " + std::string(condition.text()) +
+                     "; inspect it with DicomSeriesInspector");
+  }
+}
 } // namespace
+
+std::string
+PatientIDOf(const DicomSource & source)
+{
+  DcmDataset header;
+  ReadHeader(source, header);
+  ConvertHeaderToUtf8(header);
+  return StoredTextOf(header, DCM_PatientID);
+}
 
 DicomResultObject::DicomResultObject(const DicomSource &       source,
                                      const char *              sopClassUID,
@@ -142,19 +180,7 @@ void
 DicomResultObject::PutSourceHeader()
 {
   DcmDataset & dataset = *m_File.getDataset();
-  std::string  bytes = m_Source.header;
-
-  DcmInputBufferStream stream;
-  stream.setBuffer(&bytes[0], static_cast<offile_off_t>(bytes.size()));
-  stream.setEos();
-  dataset.transferInit();
-  const OFCondition condition = dataset.read(stream, EXS_LittleEndianExplicit);
-  dataset.transferEnd();
-  if (condition.bad())
-  {
-    throw InputError("the header of the source series cannot be read: " + std::string(condition.text()) +
-                     "; inspect it with DicomSeriesInspector");
-  }
+  ReadHeader(m_Source, dataset);
   for (const DcmTagKey & tag : expected)
   {
     if (!dataset.tagExists(tag))
@@ -167,12 +193,7 @@ DicomResultObject::PutSourceHeader()
 void
 DicomResultObject::ConvertToUtf8()
 {
-  const OFCondition condition = m_File.getDataset()->convertToUTF8();
-  if (condition.bad())
-  {
-    throw InputError("the header of the source series cannot be converted to UTF-8: " + std::string(condition.text()) +
-                     "; inspect it with DicomSeriesInspector");
-  }
+  ConvertHeaderToUtf8(*m_File.getDataset());
 }
 
 void

@@ -32,6 +32,8 @@ struct ColonDicomOptions
   /** Whether to write sr-ohif.dcm as well: the candidates as measurements that a reader can change in OHIF. */
   bool             forOhif{ false };
   ColonDicomReader reader;
+  /** Whether to write fhir.json, too. */
+  bool fhir{ false };
   /** Progress receiver; its stages are "Reading" and the file names. */
   Progress progress;
 };
@@ -39,7 +41,7 @@ struct ColonDicomOptions
 /** Writes the results of VirtualColonoscopy for one series as DICOM objects: seg.dcm (lumen, heads of
  * candidates), seg-anatomy.dcm (segments of the colon, terminal ileum, folds), sr.dcm (TID 1500), cad.dcm (Colon CAD
  * SR), sc.dcm (the flat colon), stl.dcm (the wall); with a reader, also sr-reader.dcm (TID 1500: accepted polyps, and
- * the category that the reader entered).
+ * the category that the reader entered). With `fhir`, fhir.json describes them as a FHIR R4 bundle.
  *
  * \param exam the folder of the run, or its folder `second`.
  * \param source the folder with the series that the run read. Its UID, its grid, and its digest in the record of the

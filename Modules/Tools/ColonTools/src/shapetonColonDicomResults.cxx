@@ -1,6 +1,8 @@
 #include "shapetonColonDicomResults.h"
 
+#include "shapetonColonFhir.h"
 #include "shapetonColonReportsAsDicom.h"
+#include "shapetonColonTerms.h"
 #include "shapetonContentIdentity.h"
 #include "shapetonDicomPictures.h"
 #include "shapetonExceptions.h"
@@ -11,6 +13,7 @@
 
 #include "itkPNGImageIO.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace shapeton
@@ -51,74 +54,169 @@ ReadReading(const ColonDicomReader & reader)
   return reading;
 }
 
-/** Headers of the objects of an examination. They name the run, not the program that wrote them. */
-class Headers
+/** The files of an examination: their headers, which name the run, not the program that wrote them, and their
+ * instances.
+ */
+class ResultFiles
 {
 public:
-  Headers(const ColonExamination & exam, DicomResultDates dates)
-    : m_Version(exam.quality.value("/provenance/version"_json_pointer, std::string("unknown"))), m_Dates(dates)
+  ResultFiles(const ColonExamination & exam,
+              const DicomSource &      series,
+              std::string              folder,
+              DicomResultDates         dates,
+              const OutputPath &       outputPath)
+    : m_Series(series)
+    , m_Folder(std::move(folder))
+    , m_OutputPath(outputPath)
+    , m_Dates(dates)
+    , m_Version(exam.quality.value("/provenance/version"_json_pointer, std::string("unknown")))
   {}
 
-  /** Series numbers are consecutive. */
-  DicomResultHeader
-  Make(int number, const std::string & what) const
+  const DicomSource &
+  Series() const
   {
-    constexpr int firstSeries = 9000;
-    return { "VirtualColonoscopy", m_Version, firstSeries + number, "Research: " + what, "COLON", m_Dates };
+    return m_Series;
+  }
+
+  std::string
+  PathOf(const std::string & name) const
+  {
+    return m_OutputPath(m_Folder + '/' + name);
+  }
+
+  /** Calls `write` with header and path. Series numbers are consecutive. */
+  template <typename Writer>
+  void
+  Write(int                 number,
+        const std::string & name,
+        const std::string & what,
+        const std::string & modality,
+        const Writer &      write)
+  {
+    constexpr int           firstSeries = 9000;
+    const DicomResultHeader header{ m_Tool, m_Version, firstSeries + number, "Research: " + what, "COLON", m_Dates };
+    m_Written.push_back({ write(header, this->PathOf(name)), modality, header.seriesDescription });
+  }
+
+  /** A bundle of what was written. */
+  Json
+  Bundle(DicomMeasurementReport report, std::optional<DicomMeasurementReport> reader) const
+  {
+    auto & groups = report.groups;
+    groups.erase(
+      std::remove_if(groups.begin(),
+                     groups.end(),
+                     [](const DicomMeasurementGroup & group) { return !(group.finding == colonterms::lesion); }),
+      groups.end());
+    report.comments.insert(report.comments.begin() + 1, // after the research note
+                           std::to_string(groups.size()) + " candidates of a program, not findings of a reader");
+    return FhirBundleOf({ PatientIDOf(m_Series), m_Series.series, m_Written, m_Tool, m_Version, report, reader });
   }
 
 private:
-  std::string      m_Version;
-  DicomResultDates m_Dates;
+  static constexpr const char * m_Tool = "VirtualColonoscopy";
+
+  const DicomSource &       m_Series;
+  std::string               m_Folder;
+  const OutputPath &        m_OutputPath;
+  DicomResultDates          m_Dates;
+  std::string               m_Version;
+  std::vector<WrittenDicom> m_Written;
 };
 
 /** Writes both segmentations. */
 void
-WriteSegments(const DicomSource &       series,
-              const std::string &       folder,
-              const Headers &           headers,
-              const ColonDicomOptions & options,
-              const OutputPath &        outputPath,
-              ColonSegmentsAsDicom &    segments)
+WriteSegments(ResultFiles & files, const ColonDicomOptions & options, ColonSegmentsAsDicom & segments)
 {
   constexpr int anatomy = 6; // added after the other series
   options.progress("seg.dcm", 0.4);
-  segments.WriteFindings(
-    series, headers.Make(0, "lumen and candidates"), outputPath(folder + "/seg.dcm"), options.segmentation);
+  files.Write(0, "seg.dcm", "lumen and candidates", "SEG", [&](const auto & header, const std::string & path) {
+    return segments.WriteFindings(files.Series(), header, path, options.segmentation);
+  });
   options.progress("seg-anatomy.dcm", 0.6);
   if (segments.HasAnatomy())
   {
-    segments.WriteAnatomy(series,
-                          headers.Make(anatomy, "anatomy of the colon"),
-                          outputPath(folder + "/seg-anatomy.dcm"),
-                          options.segmentation);
+    files.Write(
+      anatomy, "seg-anatomy.dcm", "anatomy of the colon", "SEG", [&](const auto & header, const std::string & path) {
+        return segments.WriteAnatomy(files.Series(), header, path, options.segmentation);
+      });
   }
+}
+
+void
+WriteMeasurements(ResultFiles &                  files,
+                  int                            number,
+                  const std::string &            name,
+                  const std::string &            what,
+                  const DicomMeasurementReport & report)
+{
+  files.Write(number, name, what, "SR", [&](const auto & header, const std::string & path) {
+    return WriteDicomMeasurements(files.Series(), report, header, path);
+  });
+}
+
+/** The report of the program, and that of the reader if there is a reading. */
+struct Reports
+{
+  DicomMeasurementReport                program;
+  std::optional<DicomMeasurementReport> reader;
+};
+
+Reports
+WriteReports(ResultFiles &                       files,
+             const ColonExamination &            exam,
+             const ColonDicomOptions &           options,
+             const std::optional<ColonReading> & reading,
+             const ColonSegmentsAsDicom &        segments)
+{
+  Reports reports{ MeasurementsOfColon(exam, segments), {} };
+  WriteMeasurements(files, 1, "sr.dcm", "colon measurements", reports.program);
+  if (options.forOhif)
+  {
+    constexpr int     seriesForOhif = 7;
+    const std::string what = "candidates to be read in OHIF";
+    WriteMeasurements(files, seriesForOhif, "sr-ohif.dcm", what, CandidatesForOhif(exam, segments));
+  }
+  if (reading)
+  {
+    constexpr int seriesOfReading = 5; // the first number without another object
+    reports.reader = MeasurementsOfReader(*reading, options.reader.position, segments);
+    WriteMeasurements(files, seriesOfReading, "sr-reader.dcm", "reading of the colon", *reports.reader);
+  }
+  return reports;
+}
+
+/** Writes the candidates for workstations. */
+void
+WriteCad(ResultFiles & files, const ColonExamination & exam, const ColonSegmentsAsDicom & segments)
+{
+  files.Write(2, "cad.dcm", "colon CAD", "SR", [&](const auto & header, const std::string & path) {
+    const DicomContent report = CadReportOfColon(exam, segments, files.Series(), header);
+    return WriteDicomReport(files.Series(), DicomReportKind::ColonCAD, report, {}, header, path);
+  });
 }
 
 /** Writes the wall, and the flat colon if it exists. */
 void
-WritePictures(ColonExamination &  exam,
-              const DicomSource & series,
-              const std::string & folder,
-              const Headers &     headers,
-              const OutputPath &  outputPath)
+WritePictures(ResultFiles & files, ColonExamination & exam)
 {
   if (exam.Has("flattening/flat.png", "no picture of the flat colon"))
   {
-    WriteDicomPicture(
-      series,
-      ReadImage<Picture>(exam.PathOf("flattening/flat.png"), itk::PNGImageIO::New(), "run VirtualColonoscopy again"),
-      headers.Make(3, "flat colon"),
-      outputPath(folder + "/sc.dcm"));
+    files.Write(3, "sc.dcm", "flat colon", "OT", [&](const auto & header, const std::string & path) {
+      return WriteDicomPicture(
+        files.Series(),
+        ReadImage<Picture>(exam.PathOf("flattening/flat.png"), itk::PNGImageIO::New(), "run VirtualColonoscopy again"),
+        header,
+        path);
+    });
   }
   if (exam.Has("segmentation/wall-simplified.vtp", "no surface of the wall"))
   {
-    const DicomCode wall{ "WALL", "99SHAPETON", "Wall of the colon" };
-    WriteDicomSurface(series,
-                      ReadSurface(exam.PathOf("segmentation/wall-simplified.vtp")).mesh,
-                      wall,
-                      headers.Make(4, "wall of the colon"),
-                      outputPath(folder + "/stl.dcm"));
+    files.Write(4, "stl.dcm", "wall of the colon", "M3D", [&](const auto & header, const std::string & path) {
+      const DicomCode wall{ "WALL", "99SHAPETON", "Wall of the colon" };
+      return WriteDicomSurface(
+        files.Series(), ReadSurface(exam.PathOf("segmentation/wall-simplified.vtp")).mesh, wall, header, path);
+    });
   }
 }
 } // namespace
@@ -134,40 +232,19 @@ WriteColonDicomResults(const std::string &       exam,
   const std::optional<ColonReading> reading = ReadReading(options.reader);
   ColonExamination                  examination = ReadColonExamination(exam);
   const DicomSource                 series = ReadSourceOf(examination, source);
-  const Headers                     headers(examination, options.dates);
+  ResultFiles                       files(examination, series, folder, options.dates, outputPath);
   ColonSegmentsAsDicom              segments(examination);
-  WriteSegments(series, folder, headers, options, outputPath, segments);
+  WriteSegments(files, options, segments);
   options.progress("sr.dcm", 0.9);
-  WriteDicomMeasurements(series,
-                         MeasurementsOfColon(examination, segments),
-                         headers.Make(1, "colon measurements"),
-                         outputPath(folder + "/sr.dcm"));
-  if (options.forOhif)
-  {
-    constexpr int seriesForOhif = 7;
-    WriteDicomMeasurements(series,
-                           CandidatesForOhif(examination, segments),
-                           headers.Make(seriesForOhif, "candidates to be read in OHIF"),
-                           outputPath(folder + "/sr-ohif.dcm"));
-  }
-  if (reading)
-  {
-    constexpr int seriesOfReading = 5; // the first number without another object
-    WriteDicomMeasurements(series,
-                           MeasurementsOfReader(*reading, options.reader.position, segments),
-                           headers.Make(seriesOfReading, "reading of the colon"),
-                           outputPath(folder + "/sr-reader.dcm"));
-  }
+  const Reports reports = WriteReports(files, examination, options, reading, segments);
   options.progress("cad.dcm", 0.92);
-  const DicomResultHeader cad = headers.Make(2, "colon CAD");
-  WriteDicomReport(series,
-                   DicomReportKind::ColonCAD,
-                   CadReportOfColon(examination, segments, series, cad),
-                   {},
-                   cad,
-                   outputPath(folder + "/cad.dcm"));
+  WriteCad(files, examination, segments);
   options.progress("sc.dcm, stl.dcm", 0.94);
-  WritePictures(examination, series, folder, headers, outputPath);
+  WritePictures(files, examination);
+  if (options.fhir)
+  {
+    WriteJson(files.Bundle(reports.program, reports.reader), files.PathOf("fhir.json"));
+  }
   options.progress("Done", 1.0);
   return examination.missing;
 }

@@ -271,13 +271,14 @@ ColonSegmentsAsDicom::TrackingUIDAt(const std::string & kind, const Eigen::Vecto
   return this->UIDOf(kind + " at " + NumberText(place[0]) + ' ' + NumberText(place[1]) + ' ' + NumberText(place[2]));
 }
 
-void
+DicomInstance
 ColonSegmentsAsDicom::WriteFindings(const DicomSource &       source,
                                     const DicomResultHeader & header,
                                     const std::string &       path,
                                     DicomSegmentationFormat   format)
 {
   m_Findings.written = WriteDicomSegmentation(source, m_Findings.segments, header, path, format);
+  return m_Findings.written.instance;
 }
 
 bool
@@ -288,13 +289,14 @@ ColonSegmentsAsDicom::HasAnatomy() const
   return std::any_of(first, last, [](unsigned short label) { return label != 0; });
 }
 
-void
+DicomInstance
 ColonSegmentsAsDicom::WriteAnatomy(const DicomSource &       source,
                                    const DicomResultHeader & header,
                                    const std::string &       path,
                                    DicomSegmentationFormat   format)
 {
   m_Anatomy.written = WriteDicomSegmentation(source, m_Anatomy.segments, header, path, format);
+  return m_Anatomy.written.instance;
 }
 
 std::vector<DicomSegment>

@@ -28,7 +28,7 @@ public:
     std::array<double, 3> center{};
   };
 
-  void
+  DicomInstance
   WriteFindings(const DicomSource &       source,
                 const DicomResultHeader & header,
                 const std::string &       path,
@@ -36,7 +36,7 @@ public:
   /** Whether any voxel belongs to the anatomy. */
   bool
   HasAnatomy() const;
-  void
+  DicomInstance
   WriteAnatomy(const DicomSource &       source,
                const DicomResultHeader & header,
                const std::string &       path,
