@@ -29,7 +29,8 @@ const isTaken = (uid) => {
   return helpers.setOf(uid).isHydrated;
 };
 const hasMeasurements = (count) => services.measurementService.getMeasurements().length === count;
-const measurements = () => services.measurementService.getMeasurements().map(({ label, points }) => ({ label, points: points.map((point) => [...point]) }));
+const measurements = () => services.measurementService.getMeasurements()
+  .map(({ label, points }) => ({ label, points: points.map((point) => [...point]) }));
 const rename = (index, label) => {
   const one = services.measurementService.getMeasurements()[index];
   services.measurementService.update(one.uid, { ...one, label }, true);
@@ -45,13 +46,6 @@ const save = async () => {
   return { uid: report.SOPInstanceUID, series: report.SeriesInstanceUID, study: report.StudyInstanceUID };
 };
 // ---- end of the functions that run in the page ----
-
-async function fetchReport(url, { uid, series, study }) {
-  const accepted = { headers: { Accept: 'multipart/related; type="application/dicom"' } };
-  const answer = await fetch(`${url}/dicom-web/studies/${study}/series/${series}/instances/${uid}`, accepted);
-  const bytes = Buffer.from(await answer.arrayBuffer());
-  writeFileSync(returned, bytes.subarray(bytes.indexOf('\r\n\r\n') + 4, bytes.lastIndexOf('\r\n--')));
-}
 
 function expectations() {
   rmSync(sent, { recursive: true, force: true });
@@ -87,7 +81,7 @@ async function readInOhif(expected) {
     await page.evaluate(rename, 0, 'Polyp, broad');
     await page.evaluate(rename, 1, 'not a polyp');
     await page.evaluate(remove, 2);
-    await fetchReport(server.url, await page.evaluate(save));
+    writeFileSync(returned, await server.saved(await page.evaluate(save)));
   } finally {
     await page.close();
     await server.close();

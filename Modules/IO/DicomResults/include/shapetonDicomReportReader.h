@@ -12,8 +12,7 @@
 
 namespace shapeton
 {
-/** A graphic of a report: its points, and the statements of the measurement group that contains it. \ingroup
- * ShapetonDicomResults */
+/** A graphic of a report: its points, and the statements of its measurement group. \ingroup ShapetonDicomResults */
 struct DicomReportPoints
 {
   /** The tracking identifier of the measurement that contains the points, or else their concept name. */
