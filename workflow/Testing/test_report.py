@@ -11,7 +11,7 @@ from cohort.outliers import find_outliers, scores
 from cohort.report import main, page_of, results_table
 from cohort.results import SERIES_MEASURES, Examination, read_examination
 from cohort.table import read_table
-from cohort.truth import froc, read_series
+from cohort.truth import SeriesTruth, accuracy, false_per_patient, froc, read_series, wilson
 
 POLYPS = "id,diameter,x,y,z,baseX,baseY,baseZ\n1,10,0,0,0,5,0,0\n2,6,100,0,0,100,3,0\n"
 CANDIDATES = "score,diameter,x,y,z\n0.95,9,12.9,0,0\n0.5,8,0,7,0\n0.85,6,50,0,0\n"
@@ -42,7 +42,7 @@ class Truth(Case):
     def test_froc_by_hand(self):
         self.write("polyps.csv", POLYPS)
         self.write("polyps/candidates.csv", CANDIDATES)
-        one = read_series(self.folder, self.folder)
+        one = read_series("a", self.folder, self.folder)
         # the first candidate is 7.9 mm from the base of a polyp with a radius of 5 mm; 8 mm is the limit
         self.assertEqual(one.polyps, [0.95, 0.0])
         self.assertEqual(one.false_scores, [0.85])
@@ -51,8 +51,38 @@ class Truth(Case):
         self.assertEqual(curve[0.95], [0.5, 0.0])
         self.assertEqual(curve[0.8], [0.5, 1.0])
 
+    def test_accuracy_by_hand(self):
+        def series(subject, found, diameters, false=()):
+            ids = [str(i) for i in range(len(diameters))]
+            scores = [float(hit) for hit in found]
+            return SeriesTruth(subject, scores, ids, list(diameters), [], [0.5] * len(false), list(false))
+
+        cohort = [
+            series("a", [1, 0], [12, 7]),  # supine
+            series("a", [0, 1], [12, 7], [8.0]),  # prone finds the other polyp
+            series("b", [0, 1], [10, 5]),  # of these, only one counts
+            series("c", [], [], [11.0, float("nan")]),
+            series("d", [], []),
+        ]
+        self.assertEqual(
+            accuracy(cohort),
+            [
+                ("6 mm and more", (2, 3), (1, 2), (1, 2)),
+                ("6 to 9 mm", (1, 1), (1, 1), (3, 3)),
+                ("10 mm and more", (1, 2), (1, 2), (1, 2)),
+            ],
+        )
+        self.assertEqual(false_per_patient(cohort), [0, 0, 1, 2])
+
+    def test_intervals_of_the_literature(self):
+        # Newcombe 1998, table I: 81 of 263 and 0 of 20
+        for hits, count, low, high in ((81, 263, 0.2553, 0.3662), (0, 20, 0.0, 0.1611)):
+            found = wilson(hits, count)
+            self.assertAlmostEqual(found[0], low, 4)
+            self.assertAlmostEqual(found[1], high, 4)
+
     def test_without_files_there_is_nothing(self):
-        self.assertIsNone(read_series(self.folder, self.folder))
+        self.assertIsNone(read_series("a", self.folder, self.folder))
         self.assertEqual(froc([]), [])
 
 
@@ -94,7 +124,9 @@ class Report(Case):
         with mock.patch("sys.argv", ["report.py", self.folder]), contextlib.redirect_stdout(io.StringIO()):
             self.assertRaises(SystemExit, main)
         with open(f"{self.folder}/report.html", encoding="utf-8") as file:
-            self.assertIn("FROC of 1 series with 2 polyps", file.read())
+            text = file.read()
+        self.assertIn("FROC of 1 series with 2 polyps", text)
+        self.assertIn("1 of 2: 50 % (9 to 91)", text)
 
 
 class ReportPage(unittest.TestCase):

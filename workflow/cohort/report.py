@@ -11,7 +11,7 @@ from cohort.outliers import FEWEST, LIMIT, find_outliers
 from cohort.page import Page, text_of
 from cohort.results import PAIR_MEASURES, RUN_MEASURES, SERIES_MEASURES, read_examination
 from cohort.table import read_table
-from cohort.truth import REACH, froc, read_series, registration_error
+from cohort.truth import REACH, accuracy, false_per_patient, froc, read_series, registration_error, wilson
 
 OUTCOMES = ("failed", "not run", "unsuitable", "done")  # order on the page
 RUN_COLUMNS = ("attempt", "seconds", "processorSeconds", "memoryMB", "askedMB", "begin", "host", "job")
@@ -71,7 +71,7 @@ def read_truth(output, subjects):
     for subject, rows in subjects.items():
         exam = f"{output}/{subject}/exam"
         for row, place in zip(rows, (exam, f"{exam}/second")):
-            one = read_series(place, row.truth) if row.truth else None
+            one = read_series(subject, place, row.truth) if row.truth else None
             series += [one] if one else []
         error = registration_error(exam) if len(rows) == 2 and rows[1].truth else None
         errors += [] if error is None else [error]
@@ -213,11 +213,37 @@ def _add_truth(page, series, errors):
             [[threshold, round(share, 3), round(false, 2)] for threshold, share, false in rows],
             f"A candidate is correct within {REACH:g} mm of a polyp. Polyps in collapsed segments count as missed.",
         )
+    if series:
+        _add_accuracy(page, series)
     diameters = [abs(error) for one in series for error in one.diameter_errors]
     page.facts([
         ("Median diameter error of polyps found", _median(diameters)),
         ("Median registration error, median over pairs", _median(errors)),
     ])
+
+
+def _add_accuracy(page, series):
+    """Adds the table of published trials: sensitivity per polyp and per patient, specificity per patient."""
+    page.table(
+        ["Polyps", "Sensitivity per polyp", "Sensitivity per patient", "Specificity per patient"],
+        [[size, *map(_proportion, shares)] for size, *shares in accuracy(series)],
+        "Found of all, with 95 % confidence intervals (Wilson). A polyp is found if any series of the patient has a candidate, of any "
+        "score, at it. Specificity: patients without a polyp of this size who have no candidate of this size.",
+    )
+    false = false_per_patient(series)
+    page.facts([
+        ("False candidates per patient, mean", f"{sum(false) / len(false):.1f}"),
+        ("False candidates per patient, median and range", f"{false[len(false) // 2]} ({false[0]} to {false[-1]})"),
+    ])
+
+
+def _proportion(share):
+    """Returns "8 of 10: 80 % (49 to 94)"."""
+    hits, count = share
+    if not count:
+        return "none"
+    low, high = wilson(hits, count)
+    return f"{hits} of {count}: {100 * hits / count:.0f} % ({100 * low:.0f} to {100 * high:.0f})"
 
 
 def _median(values):

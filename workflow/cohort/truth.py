@@ -8,31 +8,43 @@ import os
 import statistics
 
 REACH = 3.0  # mm beyond the radius of a polyp, as in the published validation tables
+# Classes of polyps by diameter in mm, as in published trials: least, below, name.
+SIZES = [(6.0, math.inf, "6 mm and more"), (6.0, 10.0, "6 to 9 mm"), (10.0, math.inf, "10 mm and more")]
+NORMAL = 1.96  # quantile of the normal distribution for 95 %
 THRESHOLDS = [0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.25]
 
 
 @dataclasses.dataclass
 class SeriesTruth:
-    """A series with ground truth: the maximum score at each polyp, the diameter errors, the scores of false
-    candidates."""
+    """A series with ground truth: the maximum score at each polyp, 0 if it was missed, the ids and diameters of the
+    polyps, the diameter errors, scores and diameters of false candidates (NaN if not measured)."""
 
+    subject: str
     polyps: list
+    ids: list
+    diameters: list
     diameter_errors: list
     false_scores: list
+    false_diameters: list
 
 
-def read_series(exam, truth):
+def read_series(subject, exam, truth):
     """Returns None if candidates or polyps.csv of the ground truth are missing."""
     candidates, polyps = _rows(f"{exam}/polyps/candidates.csv"), _rows(f"{truth}/polyps.csv")
     if candidates is None or polyps is None:
         return None
     best = [max((one for one in candidates if _is_at(one, polyp)), key=_score, default=None) for polyp in polyps]
+    false = [one for one in candidates if not any(_is_at(one, polyp) for polyp in polyps)]
     return SeriesTruth(
+        subject=subject,
+        ids=[polyp["id"] for polyp in polyps],
+        diameters=[float(polyp["diameter"]) for polyp in polyps],
         polyps=[_score(one) if one else 0.0 for one in best],
         diameter_errors=[
             float(one["diameter"]) - float(polyp["diameter"]) for one, polyp in zip(best, polyps) if one and one["diameter"]
         ],
-        false_scores=[_score(one) for one in candidates if not any(_is_at(one, polyp) for polyp in polyps)],
+        false_scores=[_score(one) for one in false],
+        false_diameters=[float(one["diameter"] or "nan") for one in false],
     )
 
 
@@ -49,6 +61,44 @@ def froc(series):
         )
         for threshold in THRESHOLDS
     ]
+
+
+def accuracy(series):
+    """Returns a row (size, polyps, patients, normals) for each class of sizes, each a pair of found and all.
+
+    A polyp is found if a candidate is at it in any series of its patient; a patient with such polyps, if one of them is.
+    A patient without such polyps is normal, and found normal if no candidate has such a diameter."""
+    found = {}  # of each polyp of a patient
+    for one in series:
+        for name, diameter, score in zip(one.ids, one.diameters, one.polyps):
+            key = one.subject, name
+            found[key] = diameter, score > 0 or key in found and found[key][1]
+    subjects = {one.subject for one in series}
+    rows = []
+    for least, below, name in SIZES:
+        polyps = {key: hit for key, (diameter, hit) in found.items() if least <= diameter < below}
+        ill = {subject for subject, _ in polyps}
+        doubted = {one.subject for one in series if any(least <= size < below for size in one.false_diameters)}
+        patients = {subject for (subject, _), hit in polyps.items() if hit}
+        normals = subjects - ill
+        rows.append((name, (sum(polyps.values()), len(polyps)), (len(patients), len(ill)), (len(normals - doubted), len(normals))))
+    return rows
+
+
+def false_per_patient(series):
+    """Returns the numbers of false candidates of all series of each patient, ascending."""
+    counts = dict.fromkeys((one.subject for one in series), 0)
+    for one in series:
+        counts[one.subject] += len(one.false_scores)
+    return sorted(counts.values())
+
+
+def wilson(hits, count):
+    """Returns the 95 % confidence interval of a proportion (Wilson 1927)."""
+    share, square = hits / count, NORMAL**2 / count
+    middle = share + square / 2
+    half = NORMAL * math.sqrt(share * (1 - share) / count + square / (4 * count))
+    return max(0.0, (middle - half) / (1 + square)), min(1.0, (middle + half) / (1 + square))
 
 
 def registration_error(exam):
