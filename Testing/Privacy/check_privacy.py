@@ -29,6 +29,7 @@ IN_ANY_FILE = {"SeriesInstanceUID"}
 IN_LISTINGS = {"SeriesInstanceUID", "SeriesDescription"}  # of DicomSeriesInspector
 IN_DICOM_RESULTS = {"PatientName", "PatientID", "PatientBirthDate", "AccessionNumber", "StudyID", "StudyDescription",
                     "ReferringPhysicianName", "StudyInstanceUID", "SeriesInstanceUID", "FrameOfReferenceUID", "SOPInstanceUID"}
+IN_FHIR = {"PatientID", "StudyInstanceUID", "SeriesInstanceUID", "SOPInstanceUID"}
 
 
 def mark(source, target):
@@ -70,6 +71,8 @@ def marks_in(data):
 def allowed_in(path):
     if path.suffix == ".dcm":
         return IN_DICOM_RESULTS
+    if path.name == "fhir.json":
+        return IN_FHIR
     return IN_LISTINGS if path.stem == "series" else IN_ANY_FILE
 
 
@@ -91,6 +94,7 @@ def run_fast_tools(tools, series, out):
 def run_colonoscopy(tools, series, out):
     (out / "colon.txt").write_bytes(
         run(tools, "VirtualColonoscopy", series, out / "colon", "--faces", "20000", "--viewer", "--dicomResults"))
+    run(tools, "ColonResultsToDicom", out / "colon", out / "objects", "--source", series, "--labelMap", "--ohif", "--fhir", "--quiet")
 
 
 def main(tools, work, is_colonoscopy):

@@ -197,7 +197,7 @@ private:
   {
     const DicomSeries & source = m_Content.series;
     const Json          slices = this->SourceInstances();
-    Json                series = Json::array({ SeriesOf(source.uid, source.modality, source.description, slices) });
+    Json                series = Json::array({ SeriesOf(source.uid, source.modality, {}, slices) });
     for (const WrittenDicom & object : m_Content.objects)
     {
       const Json instances = Json::array({ InstanceOf(object.instance.sopClassUID, object.instance.sopInstanceUID) });

@@ -315,12 +315,12 @@ AddCatheter(const ColonoscopyResults & results, const StretchPlaces & places, st
 void
 AddSeries(const Json & series, std::vector<Limitation> & list)
 {
-  const std::string description = series.value("description", std::string());
   if (series.value("derived", false))
   {
-    list.push_back({ "The images are derived, not original (Image Type; series description \"" + description +
-                       "\"): HU, sizes, lengths and volumes on all pages may be approximate.",
-                     {} });
+    list.push_back(
+      { "The images are derived, not original (Image Type): HU, sizes, lengths and volumes on all pages may be "
+        "approximate.",
+        {} });
   }
   if (series.value("lossy", false))
   {

@@ -147,7 +147,7 @@ TEST(ColonoscopyReport, RanksLimitationsByConsequence)
   shapeton::ColonoscopyQuality quality;
   shapeton::SegmentQuality     sigmoid;
   results.inspection = shapeton::Json::parse(R"({"series": [{"usable": false, "lossy": true, "description": "scout"},
-    {"usable": true, "derived": true, "lossy": true, "description": "spacing guessed"}]})");
+    {"usable": true, "derived": true, "lossy": true}]})");
   sigmoid.extent = results.segments[1];
   sigmoid.submergedShare = 0.4;
   sigmoid.hiddenArea = 170.0;
@@ -158,7 +158,7 @@ TEST(ColonoscopyReport, RanksLimitationsByConsequence)
   const std::vector<std::string>          expected{
     "Incomplete: the ileocecal valve: it is unknown.",
     "Incomplete: one position only; the other may show what is hidden here,",
-    "The images are derived, not original (Image Type; series description \"spacing guessed\"): HU, sizes, lengths and",
+    "The images are derived, not original (Image Type): HU, sizes, lengths and",
     "The images were compressed with loss",
     "Sigmoid: collapsed segment, its wall is interpolated (no CT data), 4.0 cm, at 20.0 to 24.0 cm from the anal "
              "verge, "
