@@ -26,7 +26,7 @@ MARKS["FrameOfReferenceUID"] = "1.2.999.73519.3"
 INSTANCE = "1.2.999.73519.4"
 
 IN_ANY_FILE = {"SeriesInstanceUID"}
-IN_LISTINGS = {"SeriesInstanceUID", "SeriesDescription"}  # of DicomSeriesInspector
+IN_LISTINGS = {"SeriesInstanceUID", "SeriesDescription"}  # of DicomSeriesInspector, and the report of a run
 IN_DICOM_RESULTS = {"PatientName", "PatientID", "PatientBirthDate", "AccessionNumber", "StudyID", "StudyDescription",
                     "ReferringPhysicianName", "StudyInstanceUID", "SeriesInstanceUID", "FrameOfReferenceUID", "SOPInstanceUID"}
 IN_FHIR = {"PatientID", "StudyInstanceUID", "SeriesInstanceUID", "SOPInstanceUID"}
@@ -73,7 +73,7 @@ def allowed_in(path):
         return IN_DICOM_RESULTS
     if path.name == "fhir.json":
         return IN_FHIR
-    return IN_LISTINGS if path.stem == "series" else IN_ANY_FILE
+    return IN_LISTINGS if path.stem == "series" or path.name == "report.html" else IN_ANY_FILE
 
 
 def run(tools, name, *arguments):
