@@ -19,7 +19,7 @@ namespace
 using shapeton::CommandLine;
 using ImageType = itk::Image<float, 3>;
 constexpr double shareOfChoice = 0.3; // of the time of a run
-constexpr double shareOfRest = 0.65;
+constexpr double endOfDiffusion = 0.95;
 using FilterType = shapeton::CumulativeHeatDiffusionImageFilter<ImageType>;
 
 void
@@ -89,9 +89,8 @@ Diffuse(CommandLine & commandLine)
   }
   const auto   snapshotSteps = RequestSnapshots(commandLine, files, filter);
   const double start = choices.empty() ? 0.0 : shareOfChoice;
-  const double share =
-    commandLine.IsGiven("windowFolder") ? shareOfRest / static_cast<double>(choices.size()) : 0.95 - start;
-  commandLine.Watch(filter, "Diffusing heat", start, share);
+  const double windows = commandLine.IsGiven("windowFolder") ? static_cast<double>(choices.size()) : 1.0;
+  commandLine.Watch(filter, "Diffusing heat", start, (endOfDiffusion - start) / windows);
   filter->Update();
   const auto & result = filter->GetResult();
   commandLine.AddRunFact("device", result.device);
@@ -123,7 +122,7 @@ Diffuse(CommandLine & commandLine)
   {
     files.WriteInitialHeat(filter->GetInitialHeatOutput());
   }
-  shapeton::WriteHeatWindows(commandLine, files, choices, start, filter);
+  shapeton::WriteHeatWindows(commandLine, files, choices, start, endOfDiffusion, filter);
 }
 } // namespace
 

@@ -31,7 +31,7 @@ class SessionNodes:
         self._shownLayer = None
 
     def find(self, name):
-        """The node of this name; None if there is none yet."""
+        """The node of this name; None before it is made."""
         node = self._nodes.get(name)
         return node if node is not None and slicer.mrmlScene.IsNodePresent(node) else None
 
@@ -72,7 +72,7 @@ class SessionNodes:
             colors.SetColor(entry["number"], name, *color)
 
     def forgetObjects(self):
-        """The objects of an earlier heat are no longer those of the session."""
+        """Empties labels and table, because the session has a new heat."""
         labels = self.find("Objects")
         if labels is not None:
             slicer.util.updateVolumeFromArray(labels, numpy.zeros_like(slicer.util.arrayFromVolume(labels)))

@@ -32,7 +32,7 @@ const isSegmentationShown = (uid) => {
   return shown.length > 0 && !displaySetInstanceUIDs.includes(segmentationId);
 };
 
-// Of a report no, because then its viewport shows all measurements.
+// Answers no for a report, because its viewport then shows all measurements.
 const isReportShown = (uid) => {
   const question = document.querySelector('[data-cy="no-hydrate-btn"]');
   question?.click();

@@ -11,18 +11,12 @@ import pathlib
 import re
 import sys
 
+import check_objects
 import pydicom
+from check_objects import check
 
 UID_SYSTEM = "urn:dicom:uid"
 DCM = "http://dicom.nema.org/resources/ontology/DCM"
-failures = 0
-
-
-def check(holds, what):
-    global failures
-    if not holds:
-        failures += 1
-        print("FAILED:", what)
 
 
 def of_type(bundle, kind):
@@ -108,7 +102,7 @@ def main(series, exam, folder):
     resources = {entry["fullUrl"]: entry["resource"] for entry in bundle["entry"]}
     program, reader = of_type(bundle, "DiagnosticReport")
     for report in (program, reader):
-        check(report["conclusion"].startswith("For research use; not a diagnosis."), "the conclusion is no diagnosis")
+        check(report["conclusion"].startswith("For research use; not a diagnosis."), "the conclusion states that it is not a diagnosis")
         check((report["status"], report["code"]["coding"][0]["code"]) == ("partial", "25045-6"), "report: status, code")
     check("conclusionCode" not in program, "the program decides no category")
     with open(exam / "polyps" / "candidates.csv", encoding="utf-8") as table:
@@ -118,7 +112,7 @@ def main(series, exam, folder):
     check_candidates(results[id(program)], rows)
     check_reader(reader, results[id(reader)])
     check(len(of_type(bundle, "Observation")) == sum(map(len, results.values())), "every observation is a result")
-    return 1 if failures else 0
+    return 1 if check_objects.failures else 0
 
 
 if __name__ == "__main__":

@@ -48,7 +48,7 @@ def check_attributes(name, label_map):
     for segment in label_map.SegmentSequence:
         for keyword in REQUIRED_OF_SEGMENTS:
             check(keyword in segment, f"{name}: a segment lacks {keyword}")
-        check(segment.SegmentNumber > 0, f"{name}: the background is no segment")
+        check(segment.SegmentNumber > 0, f"{name}: the background is not a segment")
     for frame in label_map.PerFrameFunctionalGroupsSequence:
         check("SegmentIdentificationSequence" not in frame, f"{name}: a frame has all segments")
         check("PlanePositionSequence" in frame and "FrameContentSequence" in frame, f"{name}: place of a frame")

@@ -2,7 +2,7 @@
 """label_report.py SR_OHIF.dcm OUTPUT.dcm
 
 Changes sr-ohif.dcm as a reader does in OHIF: labels candidate 1 as a polyp and candidate 2 as none, deletes candidate 3,
-lengthens the line of candidate 4 by 4 mm, adds a polyp, and a line that is no verdict.
+lengthens the line of candidate 4 by 4 mm, adds a polyp, and a line without a verdict.
 """
 
 import copy

@@ -34,7 +34,7 @@ ForEachAround(const Objects & objects, int object, const TFunction & f)
   }
 }
 
-/** For each object of one list, the voxels it shares with objects of another one; index 0 is no object. */
+/** For each object of one list, the voxels it shares with objects of another one; index 0 stands for none. */
 using Shared = std::vector<std::map<int, double>>;
 
 Shared

@@ -305,6 +305,11 @@ DecodeFrames(DcmFileFormat & format, std::size_t bytes, char * shared)
   const std::size_t frameBytes = BytesOfPixels(file);
   const std::size_t pixels = std::size_t(file.columns) * file.rows;
   const auto        frames = static_cast<unsigned int>(NumbersOf(*format.getDataset(), DCM_NumberOfFrames, 1).front());
+  file.frames.resize(frames);
+  if (BytesOfPixels(file) > bytes) // changed since its header was read
+  {
+    throw std::runtime_error("is truncated within its pixels");
+  }
   std::vector<char> decoded(frameBytes);
   std::fill(shared, shared + bytes, '\0');
   for (unsigned int frame = 0; frame < frames; ++frame)

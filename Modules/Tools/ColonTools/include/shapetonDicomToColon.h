@@ -40,7 +40,7 @@ TableOfSegments(const DicomSegmentationFile & file,
  * measurement labeled as a polyp becomes a finding at its middle. The rest of a label is the note.
  *
  * \param folders the positions of the examination, PositionFoldersOf(); that of `source` is the one of the report.
- * \param remarks receives the candidates that the report does not contain, and measurements that are no verdict.
+ * \param remarks receives the candidates that the report does not contain, and measurements without a verdict.
  * Throws InputError if no position was computed from the source, or a candidate is measured twice. */
 ShapetonColonTools_EXPORT ReaderVerdicts
 VerdictsOfReport(const std::vector<DicomReportPoints> & points,

@@ -128,18 +128,19 @@ private:
 void
 WriteSegments(ResultFiles & files, const ColonDicomOptions & options, ColonSegmentsAsDicom & segments)
 {
+  using Part = ColonSegmentsAsDicom::Part;
   constexpr int anatomy = 6; // added after the other series
+  const auto    write = [&](int number, const char * name, const char * what, Part part) {
+    files.Write(number, name, what, "SEG", [&](const auto & header, const std::string & path) {
+      return segments.Write(part, files.Series(), header, path, options.segmentation);
+    });
+  };
   options.progress("seg.dcm", 0.4);
-  files.Write(0, "seg.dcm", "lumen and candidates", "SEG", [&](const auto & header, const std::string & path) {
-    return segments.WriteFindings(files.Series(), header, path, options.segmentation);
-  });
+  write(0, "seg.dcm", "lumen and candidates", Part::Findings);
   options.progress("seg-anatomy.dcm", 0.6);
   if (segments.HasAnatomy())
   {
-    files.Write(
-      anatomy, "seg-anatomy.dcm", "anatomy of the colon", "SEG", [&](const auto & header, const std::string & path) {
-        return segments.WriteAnatomy(files.Series(), header, path, options.segmentation);
-      });
+    write(anatomy, "seg-anatomy.dcm", "anatomy of the colon", Part::Anatomy);
   }
 }
 

@@ -271,16 +271,6 @@ ColonSegmentsAsDicom::TrackingUIDAt(const std::string & kind, const Eigen::Vecto
   return this->UIDOf(kind + " at " + NumberText(place[0]) + ' ' + NumberText(place[1]) + ' ' + NumberText(place[2]));
 }
 
-DicomInstance
-ColonSegmentsAsDicom::WriteFindings(const DicomSource &       source,
-                                    const DicomResultHeader & header,
-                                    const std::string &       path,
-                                    DicomSegmentationFormat   format)
-{
-  m_Findings.written = WriteDicomSegmentation(source, m_Findings.segments, header, path, format);
-  return m_Findings.written.instance;
-}
-
 bool
 ColonSegmentsAsDicom::HasAnatomy() const
 {
@@ -290,13 +280,15 @@ ColonSegmentsAsDicom::HasAnatomy() const
 }
 
 DicomInstance
-ColonSegmentsAsDicom::WriteAnatomy(const DicomSource &       source,
-                                   const DicomResultHeader & header,
-                                   const std::string &       path,
-                                   DicomSegmentationFormat   format)
+ColonSegmentsAsDicom::Write(Part                      part,
+                            const DicomSource &       source,
+                            const DicomResultHeader & header,
+                            const std::string &       path,
+                            DicomSegmentationFormat   format)
 {
-  m_Anatomy.written = WriteDicomSegmentation(source, m_Anatomy.segments, header, path, format);
-  return m_Anatomy.written.instance;
+  File & file = part == Part::Findings ? m_Findings : m_Anatomy;
+  file.written = WriteDicomSegmentation(source, file.segments, header, path, format);
+  return file.written.instance;
 }
 
 std::vector<DicomSegment>

@@ -28,19 +28,21 @@ public:
     std::array<double, 3> center{};
   };
 
-  DicomInstance
-  WriteFindings(const DicomSource &       source,
-                const DicomResultHeader & header,
-                const std::string &       path,
-                DicomSegmentationFormat   format);
-  /** Whether any voxel belongs to the anatomy. */
+  enum class Part
+  {
+    Findings,
+    Anatomy
+  };
+
+  /** Whether any voxel belongs to the anatomy; otherwise it cannot be written. */
   bool
   HasAnatomy() const;
   DicomInstance
-  WriteAnatomy(const DicomSource &       source,
-               const DicomResultHeader & header,
-               const std::string &       path,
-               DicomSegmentationFormat   format);
+  Write(Part                      part,
+        const DicomSource &       source,
+        const DicomResultHeader & header,
+        const std::string &       path,
+        DicomSegmentationFormat   format);
 
   /** All segments, findings first. */
   std::vector<DicomSegment>

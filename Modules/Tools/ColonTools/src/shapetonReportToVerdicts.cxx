@@ -141,7 +141,7 @@ VerdictsOfReport(const std::vector<DicomReportPoints> & points,
     if (candidate && !verdictOf.try_emplace(id, VerdictOn(*candidate, id, one, label)).second)
     {
       throw InputError("the report measures candidate " + id +
-                       " twice; delete one of its measurements, and save again");
+                       " twice; use a report that the reader saved, with one measurement of each candidate");
     }
     if (!candidate && label.verdict == ReaderVerdict::Polyp)
     {

@@ -25,13 +25,14 @@ ShapetonHeatTools_EXPORT void
 MakeWindowFolder(CommandLine & commandLine);
 
 /** Writes the heat of each window into --windowFolder, if it is given. The filter contains the heat of the first
- * window, and diffuses it in the others, from the share `start` of the run on. Throws as the filter, and OutputError.
- * \ingroup ShapetonHeatTools */
+ * window, and diffuses it in the others; all windows take the shares from `start` to `end` of the run. Throws as the
+ * filter, and OutputError. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT void
 WriteHeatWindows(CommandLine &                                              commandLine,
                  const HeatResultFiles &                                    files,
                  const std::vector<HeatParameterChoice> &                   windows,
                  double                                                     start,
+                 double                                                     end,
                  CumulativeHeatDiffusionImageFilter<itk::Image<float, 3>> * filter);
 } // namespace shapeton
 

@@ -51,6 +51,7 @@ WriteHeatWindows(CommandLine &                                              comm
                  const HeatResultFiles &                                    files,
                  const std::vector<HeatParameterChoice> &                   windows,
                  double                                                     start,
+                 double                                                     end,
                  CumulativeHeatDiffusionImageFilter<itk::Image<float, 3>> * filter)
 {
   const std::string folder = commandLine.GetString("windowFolder");
@@ -58,8 +59,7 @@ WriteHeatWindows(CommandLine &                                              comm
   {
     return;
   }
-  constexpr double end = 0.95;
-  const double     share = (end - start) / static_cast<double>(windows.size());
+  const double share = (end - start) / static_cast<double>(windows.size());
   filter->WantComponentsOff();
   filter->SetWantInitialHeat(false);
   filter->SetHistogramSteps({});
