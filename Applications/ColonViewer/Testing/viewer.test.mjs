@@ -493,6 +493,9 @@ test('verdicts, assessment, findings and bookmarks are saved, reopened, and reje
   assert.deepEqual(await page.evaluate(() => viewer.verdicts.document().assessment), { colonic: '', extracolonic: '', note: '' });
   await enter('#entries li.chosen .size', '7.25');
   await enter('#entries li.chosen [name=morphology]', 'sessile');
+  await enter('#assessment [name=colonic]', 'C2b');
+  assert.ok(await page.evaluate(() => document.querySelector('aside').scrollWidth <= document.querySelector('aside').clientWidth),
+    'long categories widen the panel');
   await enter('#assessment [name=colonic]', 'C2a');
   await enter('#assessment [name=assessmentNote]', 'one polyp');
   await press('b');
