@@ -26,14 +26,12 @@ struct Candidate
   std::vector<Index> voxels;
 };
 
-/** Weights of ProbabilityTerms(), fitted to 1,582 regions of 40 random scenes of up to half of the volume.
- * FitHeatObjects (Testing/Validation), with the default of a quarter, finds 1,460 regions and 0.676,
- * -1.203, 1.378, 1.628, -14.330: nearly the same probabilities. */
+/** Weights of ProbabilityTerms(), fitted by FitHeatObjects (Testing/Validation) to 1,460 regions of 40 random scenes. */
 double
 ProbabilityOf(const HeatObject & object)
 {
-  constexpr double                constant = -13.875;
-  constexpr std::array<double, 4> weights = { { 0.677, -1.202, 1.480, 1.621 } };
+  constexpr double                constant = -14.3302;
+  constexpr std::array<double, 4> weights = { { 0.676454, -1.2026, 1.37828, 1.62809 } };
   const auto                      terms = ProbabilityTerms(object);
   return 1.0 / (1.0 + std::exp(-std::inner_product(terms.begin(), terms.end(), weights.begin(), constant)));
 }
