@@ -5,6 +5,17 @@
 #include <cstdlib>
 #include <random>
 
+namespace shapeton
+{
+void
+PrintTo(VoxelContact contact, std::ostream * stream)
+{
+  *stream << (contact == VoxelContact::Face          ? "Face"
+              : contact == VoxelContact::FaceInSlice ? "FaceInSlice"
+                                                     : "FaceOrEdge");
+}
+} // namespace shapeton
+
 namespace
 {
 using shapeton::VoxelContact;

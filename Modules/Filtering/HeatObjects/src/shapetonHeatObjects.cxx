@@ -26,7 +26,8 @@ struct Candidate
   std::vector<Index> voxels;
 };
 
-/** Weights of ProbabilityTerms(), fitted by FitHeatObjects (Testing/Validation) to 1,460 regions of 40 random scenes. */
+/** Weights of ProbabilityTerms(), fitted by FitHeatObjects (Testing/Validation) to 1,460 regions of 40 random scenes.
+ */
 double
 ProbabilityOf(const HeatObject & object)
 {

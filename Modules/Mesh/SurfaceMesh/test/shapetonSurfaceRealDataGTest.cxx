@@ -23,6 +23,12 @@ struct Fact
   int          genus, loops;
 };
 
+void
+PrintTo(const Fact & fact, std::ostream * stream)
+{
+  *stream << fact.name;
+}
+
 class SurfaceRealData : public testing::TestWithParam<Fact>
 {};
 

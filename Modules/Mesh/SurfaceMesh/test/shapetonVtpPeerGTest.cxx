@@ -78,6 +78,13 @@ struct Mode
   vtkXMLWriterBase::CompressorType compressor;
 };
 
+void
+PrintTo(const Mode & mode, std::ostream * stream)
+{
+  *stream << "data mode " << mode.data << ", header type " << mode.header << (mode.isEncoded ? ", encoded" : ", raw")
+          << ", compressor " << mode.compressor;
+}
+
 class VtpPeer : public testing::TestWithParam<Mode>
 {};
 

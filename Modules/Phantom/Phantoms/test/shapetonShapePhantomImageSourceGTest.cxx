@@ -141,6 +141,12 @@ struct Body
   double       shadows; // sum of that integral over the three axes; 0 if not convex
 };
 
+void
+PrintTo(const Body & body, std::ostream * stream)
+{
+  *stream << body.object;
+}
+
 constexpr double latticeSpacing = 0.8;
 
 class ClosedForms : public testing::TestWithParam<Body>

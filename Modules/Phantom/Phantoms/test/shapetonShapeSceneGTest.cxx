@@ -292,6 +292,12 @@ struct WrongScene
   const char * message; // expected part of the message besides the name of the source
 };
 
+void
+PrintTo(const WrongScene & scene, std::ostream * stream)
+{
+  *stream << scene.message;
+}
+
 class WrongScenes : public testing::TestWithParam<WrongScene>
 {};
 

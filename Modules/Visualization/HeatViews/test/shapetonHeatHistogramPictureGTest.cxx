@@ -6,6 +6,15 @@
 #include <cmath>
 #include <stdexcept>
 
+namespace shapeton
+{
+void
+PrintTo(HeatScale scale, std::ostream * stream)
+{
+  *stream << (scale == HeatScale::Equalized ? "Equalized" : "Normalized");
+}
+} // namespace shapeton
+
 namespace
 {
 /** Objects whose heat converges to 0.1, 0.2 and 0.4 while the background cools down. */

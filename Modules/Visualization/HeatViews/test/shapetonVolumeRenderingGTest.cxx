@@ -98,6 +98,12 @@ struct NamedView
   double elevation;
 };
 
+void
+PrintTo(const NamedView & view, std::ostream * stream)
+{
+  *stream << view.azimuth << ", " << view.elevation;
+}
+
 class VolumeRenderingFrom : public testing::TestWithParam<NamedView>
 {};
 
