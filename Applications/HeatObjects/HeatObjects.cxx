@@ -2,6 +2,7 @@
 
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
+#include "shapetonHeatObjectExplorer.h"
 #include "shapetonHeatObjectTable.h"
 #include "shapetonHeatSnapshot.h"
 #include "shapetonReadOptions.h"
@@ -22,15 +23,10 @@ using HeatImage = itk::Image<float, 3>;
  * different ones. */
 struct Heats
 {
-  std::vector<HeatImage::Pointer>    images;
+  std::vector<shapeton::HeatFile>    files;
+  std::vector<const HeatImage *>     images;
   std::vector<std::string>           names;
   std::vector<std::array<double, 2>> windows;
-
-  std::vector<const HeatImage *>
-  Pointers() const
-  {
-    return { images.begin(), images.end() };
-  }
 };
 
 Heats
@@ -52,6 +48,7 @@ ReadHeats(CommandLine & commandLine, const HeatImage * image)
     {
       shapeton::RequireHeat(heat.image, snapshot.path);
     }
+    heats.files.push_back({ heat.image, snapshot });
     heats.images.push_back(heat.image);
     heats.names.push_back(snapshot.timeStep ? std::to_string(*snapshot.timeStep) : "unknown");
     if (!windows.empty())
@@ -68,7 +65,7 @@ Find(CommandLine & commandLine, const Heats & heats)
   shapeton::HeatObjectOptions options;
   shapeton::ReadOptions(commandLine, options);
   const auto find = heats.windows.empty() ? &shapeton::FindHeatObjects : &shapeton::FindWindowObjects;
-  auto list = find(heats.Pointers(), options, commandLine.PartOfProgress(0.2, 0.9).Part("Finding objects", 0.0, 1.0));
+  auto list = find(heats.images, options, commandLine.PartOfProgress(0.2, 0.9).Part("Finding objects", 0.0, 1.0));
   if (list.objects.empty())
   {
     commandLine.Warn("no object was found: diffuse heat with the preset objects, or reduce --leastProbability");
@@ -106,11 +103,14 @@ ListObjects(CommandLine & commandLine)
   shapeton::RequireParameter(!isSelected || commandLine.GetDoubles("select").size() == 3,
                              "--select requires three numbers, a point in mm (LPS)");
   shapeton::RequireParameter(isSelected || !commandLine.IsGiven("climb"), "--climb requires --select");
+  shapeton::RequireParameter(!isSelected || !commandLine.IsGiven("explorer"),
+                             "--explorer shows all objects; remove --select");
   const std::string output = commandLine.GetString("labels");
   const std::string labels = commandLine.Output(output);
   const std::string table = commandLine.OutputOf("table");
   const std::string picture = commandLine.OutputOf("picture");
   commandLine.RecordRun(output + ".run.json");
+  shapeton::HeatObjectExplorer explorer(commandLine);
 
   const shapeton::Volume volume = shapeton::ReadVolume(commandLine, "inputVolume");
   const Heats            heats = ReadHeats(commandLine, volume.image);
@@ -122,6 +122,7 @@ ListObjects(CommandLine & commandLine)
     objects = SelectedObjects(commandLine, list);
   }
   shapeton::HeatObjectTable(list, objects, volume.image, heats.names, heats.windows).Write(table);
+  explorer.Write(volume.image, heats.files, list);
   if (isSelected)
   {
     KeepObject(objects[commandLine.GetInteger("climb")], list);

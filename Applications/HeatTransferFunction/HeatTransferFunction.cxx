@@ -79,6 +79,7 @@ void
 WriteReport(shapeton::CommandLine &                 commandLine,
             const Volumes &                         volumes,
             const shapeton::ShapeTransferFunction & transferFunction,
+            const shapeton::ColoredClasses &        drawn,
             const shapeton::VolumeRenderer &        renderer)
 {
   const std::string folder = commandLine.GetString("report");
@@ -98,6 +99,7 @@ WriteReport(shapeton::CommandLine &                 commandLine,
   content.timeStep = volumes.timeStep;
   content.classes = volumes.shape.classes;
   content.transferFunction = transferFunction;
+  content.drawn = drawn;
   content.renderer = &renderer;
   shapeton::WriteHeatReport(content, folder, [&](const std::string & path) { return commandLine.Output(path); });
 }
@@ -120,19 +122,20 @@ MakeTransferFunction(shapeton::CommandLine & commandLine)
   const auto    transferFunction = choice.lines ? *choice.lines : LinesOfClasses(commandLine, shape);
   transferFunction.WriteVolumeProperty(propertyFile, std::max(1U, shape.quantity.greatestVisits));
   commandLine.Progress("Drawing", 0.6);
-  const shapeton::VolumeRenderer renderer(shape.values, transferFunction, shapeton::ReadDevice(commandLine));
+  const auto                     drawn = shapeton::ColorChoice(commandLine, choice, shape.values, transferFunction);
+  const shapeton::VolumeRenderer renderer(drawn.values, drawn.lines, shapeton::ReadDevice(commandLine));
   commandLine.AddRunFact("device", renderer.GetDeviceUse().Describe());
   if (!pictureFile.empty())
   {
     const auto & gray = volumes.input.image;
     const auto   title = TitleOf(volumes);
     shapeton::WritePng(
-      shapeton::DrawTransferFunction(gray, shape.values, transferFunction, title, {}, shape.quantity, &renderer),
+      shapeton::DrawTransferFunction(gray, drawn.values, drawn.lines, title, {}, shape.quantity, &renderer),
       pictureFile);
   }
   if (commandLine.IsGiven("report"))
   {
-    WriteReport(commandLine, volumes, transferFunction, renderer);
+    WriteReport(commandLine, volumes, transferFunction, drawn, renderer);
   }
   commandLine.RecordRun(output + ".run.json");
 }

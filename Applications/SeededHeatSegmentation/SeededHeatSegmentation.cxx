@@ -53,7 +53,7 @@ ReadSeeds(CommandLine & commandLine, const ImageType * image)
   }
   const shapeton::Volume volume = shapeton::ReadVolume(path);
   commandLine.AddInput("seeds", volume.identity);
-  const auto        seeds = shapeton::SeedsOfVolume(volume, path, image);
+  const auto        seeds = shapeton::LabelsOfVolume(volume, path, image);
   const std::string automatic = commandLine.GetString("automaticSeeds");
   if (automatic == "off")
   {

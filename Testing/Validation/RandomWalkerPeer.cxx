@@ -77,7 +77,7 @@ SegmentByRandomWalker(const LabeledVolume & volume, const std::vector<SeedImage:
   for (std::size_t i = 0; i < seeds.size(); ++i)
   {
     const std::string labels = folder / ("labels" + std::to_string(i) + ".nii");
-    segmentations[i].labels = SeedsOfVolume(ReadVolume(labels), labels, volume.image);
+    segmentations[i].labels = LabelsOfVolume(ReadVolume(labels), labels, volume.image);
     if (!(lines >> segmentations[i].cpuSeconds >> segmentations[i].hasConverged))
     {
       throw std::runtime_error(times + " has no line for each segmentation");

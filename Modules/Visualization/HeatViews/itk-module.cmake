@@ -6,6 +6,7 @@ itk_module(ShapetonHeatViews
   DEPENDS
     ShapetonCommon
     ShapetonHeat
+    ShapetonHeatObjects
     ShapetonPictureKit
     ITKCommon
     ShapetonReport

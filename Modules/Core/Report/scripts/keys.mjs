@@ -6,6 +6,9 @@ export class KeyTable {
     this.actions = new Map(groups.flatMap(([, keys]) => keys.map(([key, , , act, value]) => [key, { act, value }])));
   }
 
+  // One table of several; later ones take precedence.
+  with(...others) { return new KeyTable([this, ...others].flatMap((t) => t.groups), [this, ...others].flatMap((t) => t.mouse)); }
+
   listen(page) {
     addEventListener('keydown', (e) => {
       const action = this.actionOf(e);

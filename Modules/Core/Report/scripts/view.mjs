@@ -46,7 +46,8 @@ export class View {
     c.addEventListener('pointercancel', () => { down = null; });
     c.addEventListener('wheel', (e) => {
       e.preventDefault();
-      this.wheel(Math.sign(e.deltaY), at(e), e.ctrlKey, e.deltaY);
+      const amount = e.deltaY || (e.shiftKey ? e.deltaX : 0); // with Shift, some browsers scroll sideways
+      this.wheel(Math.sign(amount), at(e), e.ctrlKey, amount, e.shiftKey);
     }, { passive: false });
     c.addEventListener('contextmenu', (e) => e.preventDefault());
   }
@@ -57,7 +58,7 @@ export class View {
   grab() {}  // position where a button was pressed, and whether Shift was pressed
   drag() {}  // by dx, dy with a button, to {x, y, isShift}
   drop() {}  // after a drag
-  wheel() {} // wheel: direction, position, whether Ctrl is pressed, and amount
+  wheel() {} // wheel: direction, position, whether Ctrl is pressed, amount, and whether Shift is pressed
   pick() { return false; } // moves the crosshair to a pixel; false where nothing is displayed
   clicked() {}             // after a click that has moved the crosshair
 

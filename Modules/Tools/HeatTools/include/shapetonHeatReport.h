@@ -12,6 +12,7 @@
 #include "shapetonHeatParameterChoice.h"
 #include "shapetonHeatRanges.h"
 #include "shapetonHtmlReport.h"
+#include "shapetonObjectColors.h"
 #include "itkImage.h"
 #include "shapetonShapeQuantity.h"
 #include "shapetonShapeTransferFunction.h"
@@ -64,7 +65,9 @@ struct HeatReportContent
   std::vector<HeatClass> classes;
   /** Transfer function of the rendering; by default ShapeTransferFunction::FromClasses. */
   std::optional<ShapeTransferFunction> transferFunction;
-  /** Optional renderer; it must use the same heat and transfer function. */
+  /** What the rendering shows instead of `heat` with `transferFunction`: classes of lines and objects. */
+  std::optional<ColoredClasses> drawn;
+  /** Optional renderer; it must use the same heat and transfer function, or `drawn`. */
   const VolumeRenderer * renderer{ nullptr };
   /** Whether WriteExplorer() writes its page to the same folder; the report links to it. */
   bool hasExplorer{ false };

@@ -14,7 +14,7 @@ namespace shapeton
 /** Converts a label map read from `path` to seeds on the grid of the image. Throws InputError for another grid, and
  * for values that are not integers from 0 to 65535. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT SeedImage::Pointer
-SeedsOfVolume(const Volume & volume, const std::string & path, const itk::ImageBase<3> * image);
+LabelsOfVolume(const Volume & volume, const std::string & path, const itk::ImageBase<3> * image);
 
 /** Seeds from markups: label 1 for the first node, 2 for the second, and so on. Points mark the voxels that contain
  * them; curves mark all voxels that their straight segments pass through. Throws InputError with node and point for

@@ -587,15 +587,13 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
              Slices(content, quantity.GetTitle() + time, ColorByHeat(axis), {}),
              "Slices of the input, colored by " + quantity.name + ".");
   html.AddHeading("Shape-based transfer function");
-  addPicture("rendering.png",
-             DrawTransferFunction(content.gray,
-                                  content.heat,
-                                  transferFunction,
-                                  "Transfer function" + time,
-                                  content.window,
-                                  quantity,
-                                  content.renderer),
-             "The " + quantity.name + " volume with the lines " + transferFunction.ToText());
+  const ColoredClasses drawn = content.drawn.value_or(ColoredClasses{ content.heat, transferFunction });
+  addPicture(
+    "rendering.png",
+    DrawTransferFunction(
+      content.gray, drawn.values, drawn.lines, "Transfer function" + time, content.window, quantity, content.renderer),
+    "The " + quantity.name + " volume with the lines " + transferFunction.ToText() +
+      (content.drawn ? "and objects" : ""));
   if (!content.ranges.empty())
   {
     const ShapeTransferFunction inside = OpenedRange(content).lines;

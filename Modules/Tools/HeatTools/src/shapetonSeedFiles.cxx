@@ -105,7 +105,7 @@ private:
 } // namespace
 
 SeedImage::Pointer
-SeedsOfVolume(const Volume & volume, const std::string & path, const itk::ImageBase<3> * image)
+LabelsOfVolume(const Volume & volume, const std::string & path, const itk::ImageBase<3> * image)
 {
   if (!HaveSameGrid(image, volume.image))
   {

@@ -3,10 +3,31 @@
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
 #include "shapetonSavedTransferFunction.h"
+#include "shapetonSeedFiles.h"
 #include "shapetonSha256.h"
+#include "shapetonVolumeReader.h"
 
 namespace shapeton
 {
+namespace
+{
+/** Colored objects require their labels. */
+void
+RequireObjects(CommandLine & commandLine, const TransferFunctionChoice & choice)
+{
+  const bool isGiven = commandLine.IsGiven("objects");
+  RequireParameter(choice.objects.empty() || isGiven,
+                   commandLine.GetString("from") +
+                     " colors objects: state their labels, written by HeatObjects, with --objects");
+  RequireParameter(!choice.objects.empty() || !isGiven, "--objects requires a file with colored objects for --from");
+  if (isGiven)
+  {
+    commandLine.AddProvenance("chosen.objects", TextOf(choice.objects));
+    commandLine.Warn("the volume property shows heat ranges only, not the objects");
+  }
+}
+} // namespace
+
 TransferFunctionChoice
 ReadTransferFunctionChoice(CommandLine & commandLine)
 {
@@ -19,7 +40,12 @@ ReadTransferFunctionChoice(CommandLine & commandLine)
     commandLine.AddInput("from", "sha256:" + Sha256OfFile(path));
     commandLine.AddProvenance("chosen.lines", saved.lines.ToText());
     commandLine.AddProvenance("chosen.timeStep", std::to_string(saved.timeStep));
-    return { saved.lines, saved.timeStep, saved.quantity };
+    choice = { saved.lines, saved.timeStep, saved.quantity, saved.objects };
+  }
+  RequireObjects(commandLine, choice);
+  if (choice.lines)
+  {
+    return choice;
   }
   if (const std::string lines = commandLine.GetString("lines"); !lines.empty())
   {
@@ -30,6 +56,22 @@ ReadTransferFunctionChoice(CommandLine & commandLine)
     choice.timeStep = timeStep;
   }
   return choice;
+}
+
+ColoredClasses
+ColorChoice(CommandLine &                  commandLine,
+            const TransferFunctionChoice & choice,
+            const itk::Image<float, 3> *   values,
+            const ShapeTransferFunction &  lines)
+{
+  if (choice.objects.empty())
+  {
+    return { values, lines };
+  }
+  const std::string path = commandLine.GetString("objects");
+  const Volume      volume = ReadVolume(path);
+  commandLine.AddInput("objects", volume.identity);
+  return ColorObjects(values, lines, LabelsOfVolume(volume, path, values), choice.objects, path);
 }
 
 void

@@ -99,13 +99,13 @@ TEST(SeedFiles, LabelMapsLieOnTheGridAndHoldWholeNumbers)
   shapeton::Volume volume;
   volume.image = basetest::NewImageLike<shapeton::Volume::ImageType>(image);
   volume.image->SetPixel({ { 3, 3, 3 } }, 65535.0F);
-  EXPECT_EQ(Count(shapeton::SeedsOfVolume(volume, "map", image), 65535), 1u);
+  EXPECT_EQ(Count(shapeton::LabelsOfVolume(volume, "map", image), 65535), 1u);
   for (const float value : { 0.5F, -1.0F, 65536.0F })
   {
     volume.image->SetPixel({ { 3, 3, 3 } }, value);
-    EXPECT_TRUE(Refuses([&] { shapeton::SeedsOfVolume(volume, "map", image); }, "map: labels must be whole"));
+    EXPECT_TRUE(Refuses([&] { shapeton::LabelsOfVolume(volume, "map", image); }, "map: labels must be whole"));
   }
   const double moved[3] = { 0.0, 0.0, 0.0 };
   volume.image->SetOrigin(moved);
-  EXPECT_TRUE(Refuses([&] { shapeton::SeedsOfVolume(volume, "map", image); }, "different grids"));
+  EXPECT_TRUE(Refuses([&] { shapeton::LabelsOfVolume(volume, "map", image); }, "different grids"));
 }

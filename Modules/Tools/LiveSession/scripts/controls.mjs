@@ -1,5 +1,6 @@
 import { byId, element } from '../../../Core/Report/scripts/page.mjs';
 import { KeyTable } from '../../../Core/Report/scripts/keys.mjs';
+import { fillObjectList, listenToObjects, OBJECT_CONTROLS } from '../../../Visualization/HeatViews/scripts/objects.mjs';
 
 const LONGEST = 6; // decades of time steps on the slider
 const STEPS_OF_SLIDER = 600;
@@ -16,9 +17,7 @@ export const CONTROLS = `
 <fieldset><legend>Objects</legend>
   <button id="find" title="chooses window, p, smoothing and time such that objects separate, and lists them">Find objects</button>
   <button id="list" title="lists the objects of this heat">Objects of this heat</button>
-  <label><input id="picking" type="checkbox"> a click on a slice selects</label>
-  <div><button id="larger" title="the next larger object">Larger</button><button id="all">Show all</button></div>
-  <ol id="objects"></ol></fieldset>
+  ${OBJECT_CONTROLS}</fieldset>
 <fieldset><legend>Start region</legend>
   <select id="region" aria-label="start region"><option value="everywhere">everywhere</option>
     <option value="sphere">sphere at the crosshair</option><option value="brush">brush on the slices</option>
@@ -44,11 +43,8 @@ export const sessionKeys = new KeyTable([['Session', [
   [' ', 'Space', 'pause or move', 'toggleMoving'],
   ['.', '.', 'one step', 'stepOnce'],
   ['d', 'D', 'density or heat', 'toggleShown'],
-  [']', ']', 'the next larger object', 'climbUp'],
-  ['[', '[', 'back to the smaller object', 'climbDown'],
   ['Ctrl+Enter', 'Ctrl Enter', 'save to the folder of the session', 'saveToFolder'],
-]]], [['drag over a slice', 'moves the crosshair, or paints the start region'],
-  ['wheel over the objects', 'selects the next larger or smaller object']]);
+]]], [['drag over a slice', 'moves the crosshair, or paints the start region']]);
 
 const stepsOfSlider = (value) => Math.round(10 ** ((LONGEST * value) / STEPS_OF_SLIDER));
 const sliderOfSteps = (steps) => Math.round((STEPS_OF_SLIDER * Math.log10(Math.max(1, steps))) / LONGEST);
@@ -65,9 +61,7 @@ export class Controls {
     on('start', () => session.startThere());
     on('find', () => session.findObjects(true));
     on('list', () => session.findObjects(false));
-    on('larger', () => session.climb(1));
-    on('all', () => session.select({ object: 0 }));
-    byId('objects').onwheel = (e) => { e.preventDefault(); session.climb(Math.sign(-e.deltaY)); };
+    listenToObjects(session);
     on('save', () => session.saveToFolder());
     byId('speed').onchange = () => session.ask({ do: 'speed', stepsPerSecond: Number(byId('speed').value) });
     byId('served').onchange = () => session.askPicture();
@@ -121,18 +115,8 @@ export class Controls {
     this.objectsShown = state.objects;
   }
 
-  // The objects as a list; a click selects one.
-  list({ objects, selected }) {
-    byId('objects').replaceChildren(...objects.map(({ number, volume, probability }) => {
-      const entry = element('li', { textContent: `${shortVolume(volume)}, ${Math.round(100 * probability)} %` });
-      entry.classList.toggle('selected', number === selected);
-      entry.onclick = () => this.session.select({ object: number });
-      return entry;
-    }));
-  }
+  list({ objects, selected }) { fillObjectList(byId('objects'), this.session, objects, selected); }
 }
-
-const shortVolume = (mm3) => (mm3 < 1000 ? `${mm3.toPrecision(2)} mm³` : `${(mm3 / 1000).toPrecision(3)} ml`);
 
 function describe({ shown, stage, share, step, isMoving, stepsPerSecond, coverage, heatSteps, quality }) {
   const coarse = quality === 'coarse' ? ', coarse' : '';

@@ -42,11 +42,7 @@ export class SessionSliceView extends HeatSliceView {
   drop() { if (this.page.isPainting) this.page.applyPaint(); }
 
   pick(x, y) {
-    if (!this.page.isPainting) {
-      const result = super.pick(x, y);
-      if (this.page.isPicking) this.page.selectHere();
-      return result;
-    }
+    if (!this.page.isPainting) return super.pick(x, y);
     this.page.paint(this.frame().back(x, y));
     this.page.applyPaint();
     return false;

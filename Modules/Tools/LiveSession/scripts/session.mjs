@@ -2,8 +2,10 @@ import { clamp } from '../../../Core/Report/scripts/math.mjs';
 import { byId, element, openPage } from '../../../Core/Report/scripts/page.mjs';
 import { counted, HeatExplorer, PAGE, shownLines } from '../../../Visualization/HeatViews/scripts/explorer.mjs';
 import { History } from '../../../Visualization/HeatViews/scripts/history.mjs';
+import { explorerKeys } from '../../../Visualization/HeatViews/scripts/keys.mjs';
 import { shortNumber } from '../../../Visualization/HeatViews/scripts/line-list.mjs';
 import { lowerEdge, NUMBER_OF_BINS } from '../../../Visualization/HeatViews/scripts/lines.mjs';
+import { objectKeys } from '../../../Visualization/HeatViews/scripts/objects.mjs';
 import { Connection } from './connection.mjs';
 import { CONTROLS, Controls, sessionKeys } from './controls.mjs';
 import { axesOfSlice, placeBrick, reducedVolume, withRow } from './frames.mjs';
@@ -31,24 +33,25 @@ class Session extends HeatExplorer {
     return new SessionRendering(root, {
       volume: display, times,
       get place() { return session.place.map((i) => (i - (stride - 1) / 2) / stride); },
-      get bins() { return session.bins; },
-      get colors() { return session.colors; },
+      get shown() { return session.shown; },
       moveTo: (index) => session.moveTo(index.map((i) => i * stride + (stride >> 1))),
+      clicked: () => session.clicked(),
+      climb: (by) => session.climb(by),
     }, this);
   }
 
   listen() {
     super.listen();
     this.controls = new Controls(this);
-    sessionKeys.listen(this);
-    sessionKeys.fillHelp(byId('keys'));
   }
+
+  get keys() { return explorerKeys.with(objectKeys, sessionKeys); }
 
   // ---- frames ----
   take({ header, take }) {
     const { state } = header, isOther = state.shown !== this.state0.shown || state.changes !== this.state0.changes;
     if (isOther) this.rows = [];
-    this.state0 = state;
+    Object.assign(this, { state0: state, selected: state.selected });
     this.info.quantity = state.quantity;
     for (const slice of header.slices ?? []) this.takeSlice(slice, take);
     for (const first of header.bricks ?? []) placeBrick(this.bins, this.display.size, first, this.info.brickLength, take);
@@ -136,21 +139,13 @@ class Session extends HeatExplorer {
 
   takeObjects(answer) {
     this.objects = answer.objects;
+    this.noteObject(answer.selected);
     this.controls.list(answer);
   }
 
-  // The objects that contain the last picked one, from the smallest.
-  async selectHere() {
-    const answer = await this.select({ point: this.toPoint(this.place) });
+  selectHere() {
     this.chain = [];
-    for (let number = answer?.selected; number; number = answer.objects[number - 1].parent) this.chain.push(number);
-  }
-
-  climbUp() { this.climb(1); }
-  climbDown() { this.climb(-1); }
-  climb(by) {
-    const { chain = [], state0 } = this, next = chain[chain.indexOf(state0.selected) + by];
-    if (next) this.select({ object: next });
+    return this.select({ point: this.toPoint(this.place) });
   }
 
   // ---- start region ----

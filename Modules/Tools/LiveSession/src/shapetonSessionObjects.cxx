@@ -1,6 +1,7 @@
 #include "shapetonSessionObjects.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonExplorerInfo.h"
 #include "shapetonHeatObjectTable.h"
 #include "shapetonJson.h"
 #include "shapetonParallelFor.h"
@@ -28,23 +29,7 @@ SessionObjects::Clear()
 Json
 SessionObjects::List() const
 {
-  Json objects = Json::array();
-  if (!m_List)
-  {
-    return objects;
-  }
-  for (const HeatObject & object : m_List->objects)
-  {
-    objects.push_back({ { "number", objects.size() + 1 },
-                        { "parent", object.parent },
-                        { "kind", object.isWarm ? "warm" : "cold" },
-                        { "heat", RoundedJson(object.heat) },
-                        { "voxels", object.voxels },
-                        { "volume", RoundedJson(object.volume) },
-                        { "center", { object.center[0], object.center[1], object.center[2] } },
-                        { "probability", RoundedJson(object.probability, 3) } });
-  }
-  return objects;
+  return m_List ? JsonOf(m_List->objects) : Json::array();
 }
 
 int

@@ -3,10 +3,12 @@
 
 #include "ShapetonHeatViewsExport.h"
 #include "shapetonHeatExplorer.h"
+#include "shapetonHeatObjects.h"
 #include "shapetonJsonForward.h"
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace shapeton
 {
@@ -26,6 +28,11 @@ JsonOf(const ShapeQuantity & quantity);
 ShapetonHeatViews_EXPORT Json
 JsonOf(const ShapeTransferFunction & transferFunction);
 ///@}
+
+/** Number (from 1), parent, kind, heat, voxels, volume, center and probability of each object, for the scripts of the
+ * heat explorer and the live session. \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT Json
+JsonOf(const std::vector<HeatObject> & objects);
 } // namespace shapeton
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "ShapetonHeatViewsExport.h"
 #include "shapetonHeatHistogram.h"
+#include "shapetonHeatObjects.h"
 #include "shapetonHeatRanges.h"
 #include "shapetonHtmlReport.h"
 #include "shapetonPageBlocks.h"
@@ -19,7 +20,7 @@
 namespace shapeton
 {
 /** Content of the page in addition to the heat volumes. The pointers are not owned and must not be null, except
- * axisHistogram. \ingroup ShapetonHeatViews */
+ * axisHistogram and objects. \ingroup ShapetonHeatViews */
 struct HeatExplorerContent
 {
   std::string           title;
@@ -35,14 +36,16 @@ struct HeatExplorerContent
   ShapeTransferFunction lines;
   /** Initially zoomed ranges; the key B closes the last one. */
   HeatRanges ranges;
+  /** Objects, which a click selects and colors show; their labels have the size of `gray`. Null for none. */
+  const HeatObjectList * objects{ nullptr };
 };
 
 /** \class HeatExplorer
  * \brief The page explorer.html: interactive selection of lines of the heat histogram, with slices and a rendering.
  *
  * The page opens from a file and works offline; its data are scripts in the folder `explorer` next to it. Heats are
- * stored as HeatHistogram bins, so the page has the full resolution of the histogram. Volumes with more than 2^25
- * voxels are subsampled along each axis, which the page states. Equal input gives equal bytes.
+ * stored as HeatHistogram bins, so the page has the full resolution of the histogram; objects as labels. Volumes with
+ * more than 2^25 voxels are subsampled along each axis, which the page states. Equal input gives equal bytes.
  *
  * \ingroup ShapetonHeatViews */
 class ShapetonHeatViews_EXPORT HeatExplorer

@@ -3,6 +3,7 @@
 
 #include "ShapetonHeatViewsExport.h"
 #include "shapetonJsonForward.h"
+#include "shapetonObjectColors.h"
 #include "shapetonShapeTransferFunction.h"
 
 #include <cstdint>
@@ -17,11 +18,13 @@ struct SavedTransferFunction
   std::string           quantity;
   std::uint64_t         timeStep{ 0 };
   ShapeTransferFunction lines;
+  /** Colored objects, at most 200; without any, there is at least one line. */
+  std::vector<ObjectColor> objects{};
 };
 
 /** Reads transfer-function.json. Throws InputError, with the file, the error and a remedy, if the file is missing, not
- * JSON or not in the format that the page saves: a missing, unknown or mistyped key, or lines that
- * ShapeTransferFunction rejects. \ingroup ShapetonHeatViews */
+ * JSON or not in the format that the page saves: a missing, unknown or mistyped key, lines that
+ * ShapeTransferFunction rejects, or objects whose labels are wrong. \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT SavedTransferFunction
 ReadTransferFunction(const std::string & path);
 

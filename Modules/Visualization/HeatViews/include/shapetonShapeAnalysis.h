@@ -26,9 +26,9 @@ struct ShapeAnalysis
   HeatHistogram axisHistogram;
 };
 
-/** Heat after `timeStep`. \ingroup ShapetonHeatViews */
+/** Heat after `timeStep`; labels as in AnalyzeVisits(). \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT ShapeAnalysis
-AnalyzeHeat(const itk::Image<float, 3> * heat, std::uint64_t timeStep);
+AnalyzeHeat(const itk::Image<float, 3> * heat, std::uint64_t timeStep, bool wantLabels = true);
 
 /** Visits of shapetons after `timeStep`, as a density; its axis balances the classes. Labels require a pass over all
  * voxels; without them, the classes have no borderShare, volume or exact voxel counts. \ingroup ShapetonHeatViews */

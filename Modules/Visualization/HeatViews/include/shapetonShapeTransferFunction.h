@@ -25,6 +25,8 @@ struct TransferFunctionLine
   RGBColor color;
   /** In [0, 1]; 1 is opaque. */
   double opacity{ 1.0 };
+  /** Name in legends; by default its range. */
+  std::string name{};
 };
 
 /** \class ShapeTransferFunction
@@ -46,6 +48,11 @@ public:
   /** Throws ParameterError with the faulty line for a range outside [0, 1], empty, narrower than 1e-7 or overlapping
    * another one, for an opacity outside [0, 1], and for too many lines. */
   explicit ShapeTransferFunction(std::vector<TransferFunctionLine> lines);
+
+  /** One line per class, in this order: line i of n has the values from i / n to (i + 1) / n. For pictures of class
+   * numbers: there may be more lines than 3D Slicer can read. The ranges of the lines are replaced. */
+  static ShapeTransferFunction
+  OfClasses(std::vector<TransferFunctionLine> lines);
 
   /** Reads `a-b:color:opacity,...`, for example `0.18-0.21:red:1,1e-3-2e-3:#3366cc:0.4`.
    *

@@ -56,7 +56,7 @@ ShapetonHeatViews_EXPORT Picture::Pointer
 ShapetonHeatViews_EXPORT std::vector<LegendEntry>
                          LegendOf(const std::vector<HeatClass> & classes, const ShapeQuantity & quantity = {});
 
-/** A legend for the lines of a transfer function: color and heat range.
+/** A legend for the lines of a transfer function: color and name or heat range.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT std::vector<LegendEntry>
                          LegendOf(const ShapeTransferFunction & transferFunction);

@@ -1,7 +1,7 @@
 import { readBlock } from '../../../Core/Report/scripts/bytes.mjs';
 import { clamp } from '../../../Core/Report/scripts/math.mjs';
 import { toggle } from '../../../Core/Report/scripts/keys.mjs';
-import { byId, letGo, notice, openPage, saveFile } from '../../../Core/Report/scripts/page.mjs';
+import { byId, element, letGo, notice, openPage, saveFile } from '../../../Core/Report/scripts/page.mjs';
 import { scaleViews, View } from '../../../Core/Report/scripts/view.mjs';
 import { equalization, HeatAxis, rangeOfCounts } from './axis.mjs';
 import { History } from './history.mjs';
@@ -10,8 +10,12 @@ import { explorerKeys } from './keys.mjs';
 import { fillLineList, shortNumber } from './line-list.mjs';
 import { lineAround, lineNear } from './line-search.mjs';
 import {
-  binOf, linesFromText, linesOfBins, lowerEdge, MOST_LINES, NUMBER_OF_BINS, premultiplied, savedText, volumeProperty, withLine,
+  binOf, linesOfBins, lowerEdge, MOST_LINES, NUMBER_OF_BINS, premultiplied, savedFromText, savedText, volumeProperty, withLine,
 } from './lines.mjs';
+import {
+  binsOfObject, chainOf, classesOf, fillObjectList, listenToObjects, MOST_OBJECTS, OBJECT_CONTROLS, objectKeys, objectsToSave, rowOfObject,
+  shownObjects, stylesOf, stylesOfSaved,
+} from './objects.mjs';
 import { RenderingView } from './rendering.mjs';
 import { HeatSliceView, paintsOf } from './slices.mjs';
 
@@ -32,10 +36,12 @@ export const PAGE = `
 <dialog id="keys"></dialog>`;
 
 // The lines picked on a heat histogram, and all views. `history` stores the undoable state: time step, lines, opened
-// ranges; it does not include crosshair, chosen line and camera.
+// ranges, colors of objects; it does not include crosshair, chosen line, selected object and camera.
 export class HeatExplorer {
   constructor(folder, info, gray, histogram, axisCounts) {
-    const { volume } = info, state = { step: info.stored.at(-1), lines: shownLines(info.lines), ranges: info.ranges };
+    const { volume, objects = [], lineColors } = info, styles = stylesOf(objects, lineColors);
+    const state = { step: info.stored.at(-1), lines: shownLines(info.lines), ranges: info.ranges, styles };
+    Object.assign(this, { objects, selected: 0, chain: [], labels: null });
     Object.assign(this, { folder, info, volume, gray, isEqualized: info.isEqualized, live: null });
     Object.assign(this, { times: {}, steps: new Map(), chosen: -1, busy: 0, isSaved: true, history: new History(state) });
     this.place = volume.size.map((n) => n >> 1);
@@ -61,6 +67,7 @@ export class HeatExplorer {
     this.listen();
   }
 
+  get keys() { return this.labels ? explorerKeys.with(objectKeys) : explorerKeys; }
   makeRendering(root) { return new RenderingView(root, this); }
   makeSlice(root, plane) { return new HeatSliceView(root, this, plane); }
 
@@ -74,11 +81,12 @@ export class HeatExplorer {
     on('help', () => this.toggleHelp());
     byId('file').onchange = () => this.read(byId('file').files[0]);
     byId('steps').onchange = () => { this.showStep(Number(byId('steps').value)); byId('steps').blur(); };
-    explorerKeys.listen(this);
+    if (this.labels) this.listenToObjects();
+    this.keys.listen(this);
     addEventListener('resize', scaleViews);
     addEventListener('beforeunload', (e) => { if (!this.isSaved) e.preventDefault(); });
     scaleViews();
-    explorerKeys.fillHelp(byId('keys'));
+    this.keys.fillHelp(byId('keys'));
   }
 
   // ---- states ----
@@ -102,7 +110,7 @@ export class HeatExplorer {
       this.chosen = Math.min(this.chosen, this.lines.length - 1);
       this.setAxis();
       this.recolor();
-      if (kind === null) fillLineList(byId('lines'), this);
+      if (kind === null) this.fillLists();
       this.tell();
     } catch (error) { // unreadable data
       notice(error.message);
@@ -135,13 +143,15 @@ export class HeatExplorer {
     return steps.get(step);
   }
 
-  // Lookup tables by bin: the number of the line, and premultiplied color.
+  // What the views show. values: the bin of each voxel, or its class if there are objects; numbers: the class of each value, which is
+  // a line or a shown object; colors: the premultiplied color of each value.
   recolor() {
-    const started = performance.now(), { bins, lines } = this, seen = [0, ...lines.map(premultiplied)];
-    this.numbers = linesOfBins(lines);
-    this.colors = Uint32Array.from(this.numbers, (n) => seen[n]);
-    this.paints = paintsOf(lines);
-    this.rendering.load(bins, this.numbers, this.colors);
+    const started = performance.now(), { bins, lines } = this, styles = [...lines, ...this.state.styles], seen = [0, ...styles.map(premultiplied)];
+    const numbers = linesOfBins(lines), colorsOf = (classes) => Uint32Array.from(classes, (n) => seen[n]);
+    this.paints = paintsOf(styles);
+    this.numbers = numbers;
+    this.shown = this.labels ? this.classes(numbers, colorsOf) : { values: bins, numbers, colors: colorsOf(numbers) };
+    this.rendering.load(this.shown.values, this.shown.numbers, this.shown.colors);
     this.repaint();
     this.times.recolor = performance.now() - started;
   }
@@ -170,8 +180,8 @@ export class HeatExplorer {
   pickPlaces(a, b) { this.pick(...this.rangeOf(a, b)); }
   openPlaces(a, b) { this.openRange(...this.rangeOf(a, b)); }
 
-  pick(lower, upper) {
-    const { lineColors } = this.info, color = lineColors.find((c) => this.lines.every((l) => l.color !== c)) ?? lineColors[0];
+  pick(lower, upper, wanted = null) {
+    const { lineColors } = this.info, color = wanted ?? lineColors.find((c) => this.lines.every((l) => l.color !== c)) ?? lineColors[0];
     this.setLines(withLine(this.lines, { lower, upper, color, opacity: 0.6, isOn: true }), lower);
   }
 
@@ -232,7 +242,7 @@ export class HeatExplorer {
   }
 
   // ---- lines ----
-  choose(i) { this.chosen = i; fillLineList(byId('lines'), this); this.histogramView.changed(); this.tell(); }
+  choose(i) { this.chosen = i; this.fillLists(); this.histogramView.changed(); this.tell(); }
   stepLine(by) { const n = this.lines.length; if (n) this.choose((Math.max(this.chosen, by < 0 ? 0 : -1) + by + n) % n); }
   removeLine(i) { this.change({ lines: this.lines.filter((_, k) => k !== i) }); }
   removeChosen() { if (this.lines[this.chosen]) this.removeLine(this.chosen); }
@@ -270,6 +280,71 @@ export class HeatExplorer {
     return `${stride > 1 ? 'about ' : ''}${(voxels * stride ** 3).toLocaleString('en')} voxels, ${shortNumber(ml)} ml`;
   }
 
+  // ---- objects ----
+  listenToObjects() {
+    const section = element('section', { id: 'object-panel', innerHTML: `<b>Objects</b>${OBJECT_CONTROLS}` });
+    byId('lines').before(section);
+    byId('picking').checked = true;
+    listenToObjects(this);
+    if (this.objects.length > MOST_OBJECTS) notice(`Only the ${MOST_OBJECTS} largest of ${this.objects.length} objects are shown.`);
+  }
+
+  fillLists() {
+    fillLineList(byId('lines'), this);
+    const row = (object) => rowOfObject(object, this.state.styles[object.number - 1], this);
+    if (this.labels) fillObjectList(byId('objects'), this, this.objects, this.selected, row);
+  }
+
+  // Objects take precedence over lines, the smallest first; with a selected object, nothing else is shown.
+  classes(lineOfBin, colorsOf) {
+    const { objects, labels, bins, lines, selected, state: { styles } } = this, ofBin = selected ? new Uint8Array(NUMBER_OF_BINS) : lineOfBin;
+    const ofLabel = shownObjects(objects, styles, selected).map((n) => (n ? lines.length + n : 0));
+    this.ofVoxels ??= new Uint16Array(labels.length);
+    const numbers = Uint16Array.from({ length: lines.length + styles.length + 1 }, (_, n) => n);
+    return { values: classesOf(labels, ofLabel, bins, ofBin, this.ofVoxels), numbers, colors: colorsOf(numbers) };
+  }
+
+  get isPicking() { return this.labels !== null && byId('picking').checked; }
+  clicked() { if (this.isPicking) this.selectHere(); }
+
+  selectHere() {
+    const object = this.labels[this.voxel];
+    if (!object) { this.tell('no object contains the voxel under the crosshair'); return; }
+    this.chain = [];
+    this.select({ object });
+  }
+
+  // Shows only this object; 0: all.
+  select({ object }) {
+    this.noteObject(object);
+    this.recolor();
+    this.fillLists();
+    this.tell();
+  }
+
+  // Later, climb() follows the objects that contain this one, or those that contained the last picked one.
+  noteObject(object) {
+    this.selected = object;
+    if (!this.chain.includes(object)) this.chain = chainOf(this.objects, object);
+  }
+
+  climb(by) {
+    const next = this.chain[this.chain.indexOf(this.selected) + by];
+    if (next && this.selected) this.select({ object: next });
+  }
+
+  alterObject(number, part, kind = null) {
+    const styles = this.state.styles.map((style, i) => (i + 1 === number ? { ...style, ...part } : style));
+    if (styles.filter((style) => style.isOn).length > MOST_OBJECTS) { this.tell(`the maximum is ${MOST_OBJECTS} objects: hide one first`); return; }
+    this.change({ styles }, kind && `${kind} of object ${number}`);
+  }
+
+  // Picks the heat range of an object as a line.
+  pickObject(number) {
+    const [first, last] = binsOfObject(this.objects, number, this.labels, this.bins);
+    this.pick(lowerEdge(first), lowerEdge(last + 1), this.state.styles[number - 1].color);
+  }
+
   // ---- crosshair ----
   get voxel() { const [x, y, z] = this.place, [nx, ny] = this.volume.size; return (z * ny + y) * nx + x; }
   heatHere() { return this.bins ? lowerEdge(this.bins[this.voxel]) : -1; }
@@ -295,11 +370,7 @@ export class HeatExplorer {
   }
 
   // ---- files ----
-  linesToSave() {
-    const lines = this.lines.filter((line) => line.isOn);
-    if (!lines.length) this.tell('nothing to save: pick a line first');
-    return lines;
-  }
+  get shownLines() { return this.lines.filter((line) => line.isOn); }
 
   save(name, text, type) {
     saveFile(name, text, type);
@@ -307,21 +378,26 @@ export class HeatExplorer {
     this.tell();
   }
 
+  // 3D Slicer knows heat only.
   saveVp() {
-    const lines = this.linesToSave(), unit = Math.max(1, this.info.quantity.greatestVisits);
-    if (lines.length) this.save('transfer-function.vp', volumeProperty(lines, unit), 'text/plain');
+    const lines = this.shownLines, unit = Math.max(1, this.info.quantity.greatestVisits), hasObjects = this.state.styles.some((s) => s.isOn);
+    if (!lines.length) { this.tell(`nothing to save: pick a line first${hasObjects ? '; a .vp has heat ranges, not objects' : ''}`); return; }
+    this.save('transfer-function.vp', volumeProperty(lines, unit), 'text/plain');
+    if (hasObjects) this.tell('saved without the objects: a .vp has heat ranges only');
   }
 
   saveJson() {
-    const lines = this.linesToSave();
-    if (lines.length) this.save('transfer-function.json', savedText(lines, this.info.quantity.name, this.step), 'application/json');
+    const lines = this.shownLines, objects = objectsToSave(this.objects, this.state.styles);
+    if (!lines.length && !objects.length) { this.tell('nothing to save: pick a line first'); return; }
+    this.save('transfer-function.json', savedText(lines, this.info.quantity.name, this.step, objects), 'application/json');
   }
 
   openFile() { byId('file').click(); }
 
   async read(file) {
     try {
-      this.change({ lines: linesFromText(await file.text(), this.info.quantity.name) });
+      const { lines, objects } = savedFromText(await file.text(), this.info.quantity.name);
+      this.change({ lines, styles: stylesOfSaved(objects, this.objects, this.state.styles) });
     } catch (error) {
       notice(error.message);
     }
@@ -341,10 +417,11 @@ export class HeatExplorer {
 
   // Description of the voxel under the crosshair.
   describe() {
-    const { info: { quantity, window: [low, high] }, gray, voxel, place, bins, numbers } = this, line = numbers[bins[voxel]];
+    const { info: { quantity, window: [low, high] }, gray, voxel, place, bins, numbers, labels, objects } = this;
+    const line = numbers[bins[voxel]], object = chainOf(objects, labels?.[voxel] ?? 0).join(' in ');
     const value = low + (gray[voxel] / 255) * (high - low), mm = this.rendering.toSpace(place).map((x) => x.toFixed(1)).join(', ');
     const edges = [bins[voxel], bins[voxel] + 1].map((bin) => shortNumber(lowerEdge(bin))).join(' to ');
-    return `${mm} mm (LPS), intensity about ${shortNumber(value)}, ${quantity.name} ${edges}${line ? `, line ${line}` : ''}`;
+    return `${mm} mm (LPS), intensity about ${shortNumber(value)}, ${quantity.name} ${edges}${line ? `, line ${line}` : ''}${object ? `, object ${object}` : ''}`;
   }
 
   // text: message on the last action, if any.
@@ -414,6 +491,7 @@ async function openExplorer(folder) {
   first.axisCounts ??= info.hasAxis ? await readBlock(folder, 'axis') : first.histogram;
   const explorer = new HeatExplorer(folder, Object.assign(info, first.state), gray, first.histogram, first.axisCounts);
   explorer.live = first.live ?? null;
+  if (info.objects) explorer.labels = await readBlock(folder, 'labels');
   Object.assign(explorer, await explorer.load(explorer.step)); // if the first step is unreadable, only the error is shown
   explorer.makeViews();
   await explorer.follow();

@@ -95,15 +95,16 @@ export function volumeProperty(lines, unit) {
   return `${['0', '1', '0.6', '0.3', '0.2', '10', ...points.map((p) => pointsText(p, unit))].join('\n')}\n`;
 }
 
-// Text for HeatTransferFunction --from.
-export function savedText(lines, quantity, timeStep) {
+// Text for HeatTransferFunction --from. objects: {number, labels, voxels, color, opacity}; version 2 has some.
+export function savedText(lines, quantity, timeStep, objects = []) {
   const saved = lines.map(({ lower, upper, color, opacity }) => ({ lower, upper, color, opacity }));
-  return `${JSON.stringify({ shapeton: 'transfer function', version: 1, quantity, timeStep, lines: saved }, null, 2)}\n`;
+  const more = objects.length ? { objects } : {}, version = objects.length ? 2 : 1;
+  return `${JSON.stringify({ shapeton: 'transfer function', version, quantity, timeStep, lines: saved, ...more }, null, 2)}\n`;
 }
 
-// Parses the lines of such text. Throws an error with a user message if invalid; HeatTransferFunction checks more
-// strictly.
-export function linesFromText(text, quantity) {
+// Parses the lines and objects of such text. Throws an error with a user message if invalid; HeatTransferFunction checks
+// more strictly.
+export function savedFromText(text, quantity) {
   let saved = null;
   try {
     saved = JSON.parse(text);
@@ -111,11 +112,12 @@ export function linesFromText(text, quantity) {
     throw new Error('This file is not a transfer function: it is not JSON.');
   }
   const isRange = (a, b) => a >= 0 && a < b && b <= 1, isShare = (x) => x >= 0 && x <= 1;
-  const isLine = (l) => isRange(l.lower, l.upper) && isShare(l.opacity) && /^#[0-9a-f]{6}$/.test(l.color);
-  const isKnown = saved?.shapeton === 'transfer function' && saved.version === 1 && Array.isArray(saved.lines);
-  if (!isKnown || saved.lines.length > MOST_LINES || !saved.lines.every(isLine)) {
+  const isStyle = (l) => isShare(l.opacity) && /^#[0-9a-f]{6}$/.test(l.color), isLine = (l) => isRange(l.lower, l.upper) && isStyle(l);
+  const { lines, version, objects = [] } = saved ?? {};
+  const isKnown = saved?.shapeton === 'transfer function' && version === (objects.length ? 2 : 1) && Array.isArray(lines);
+  if (!isKnown || lines.length > MOST_LINES || !lines.every(isLine) || !objects.every(isStyle)) {
     throw new Error('This file is not a transfer function saved by this page.');
   }
   if (saved.quantity !== quantity) throw new Error(`This transfer function is for ${saved.quantity}, not for ${quantity}.`);
-  return saved.lines.reduce((lines, line) => withLine(lines, { ...line, isOn: true }), []);
+  return { lines: lines.reduce((all, line) => withLine(all, { ...line, isOn: true }), []), objects };
 }

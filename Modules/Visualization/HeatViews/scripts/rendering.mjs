@@ -67,7 +67,7 @@ void main() {
 // colors: its color and, in the highest byte, its opacity.
 export function contentsOf(bins, numbers, colors, [nx, ny, nz]) {
   const bx = Math.ceil(nx / BLOCK), by = Math.ceil(ny / BLOCK), bz = Math.ceil(nz / BLOCK), any = new Uint8Array(bx * by * bz);
-  const least = new Uint8Array(any.length).fill(255), most = new Uint8Array(any.length), isSeen = colors.map((color) => color >>> 24);
+  const least = new Uint16Array(any.length).fill(65535), most = new Uint16Array(any.length), isSeen = colors.map((color) => color >>> 24);
   for (let z = 0, v = 0; z < nz; z++) {
     for (let y = 0; y < ny; y++) {
       const own = ((z >> 3) * by + (y >> 3)) * bx, rows = [own];
@@ -75,7 +75,7 @@ export function contentsOf(bins, numbers, colors, [nx, ny, nz]) {
       if (z > 0 && z % BLOCK === 0) rows.push(...rows.map((row) => row - bx * by));
       for (let b = 0; b < bx; b++) {
         const isFirstSeen = isSeen[bins[v]];
-        let all = 0, low = 255, high = 0;
+        let all = 0, low = 65535, high = 0;
         for (const end = Math.min(nx, BLOCK * (b + 1)) - BLOCK * b + v; v < end; v++) {
           const bin = bins[v], line = numbers[bin];
           all |= isSeen[bin];
@@ -136,14 +136,14 @@ class RayCaster {
     return texture;
   }
 
-  load(bins, numbers, colors) {
+  load(values, numbers, colors) {
     const { gl, words } = this, fill = (texture, size, format, bytes) => {
       gl.bindTexture(gl.TEXTURE_3D, texture);
       gl.texSubImage3D(gl.TEXTURE_3D, 0, 0, 0, 0, ...size, format, gl.UNSIGNED_BYTE, bytes);
     };
-    for (let i = 0; i < words.length; i++) words[i] = colors[bins[i]];
+    for (let i = 0; i < words.length; i++) words[i] = colors[values[i]];
     fill(this.voxels, this.size, gl.RGBA, new Uint8Array(words.buffer));
-    fill(this.contents, this.blocks, gl.RED, contentsOf(bins, numbers, colors, this.size));
+    fill(this.contents, this.blocks, gl.RED, contentsOf(values, numbers, colors, this.size));
   }
 
   // view: origin, across, below, stride, toLight, halfway, normals.
@@ -184,9 +184,9 @@ export class RenderingView extends View {
     return axes.reduce((sum, axis, k) => add(sum, scaled(axis, index[k] * spacing[k])), origin);
   }
 
-  load(bins, numbers, colors) {
+  load(values, numbers, colors) {
     if (!this.isPossible) return;
-    this.caster.load(bins, numbers, colors);
+    this.caster.load(values, numbers, colors);
     this.cost = null; // the cost of rays through opaque voxels does not predict the cost of transparent ones
     this.quickly();
   }
@@ -258,20 +258,21 @@ export class RenderingView extends View {
 
   // Moves the crosshair to the first voxel of a line on the ray through the pixel.
   pick(x, y) {
-    const { bins, colors, volume: { size, spacing, origin } } = this.page, { w, h } = this;
+    const { shown: { values, colors }, volume: { size, spacing, origin } } = this.page, { w, h } = this;
     const { right, up, forward, mm, middle } = this.projection(w, h);
     const far = Math.hypot(...size.map((n, k) => n * spacing[k])), step = Math.min(...spacing) / 2;
     const at = add(add(middle, scaled(right, (x - (w - 1) / 2) * mm)), scaled(up, ((h - 1) / 2 - y) * mm));
     for (let t = -far; t < far; t += step) {
       const index = this.toIndex(sub(add(at, scaled(forward, t)), origin)).map(Math.round);
       if (!index.every((i, k) => i >= 0 && i < size[k])) continue;
-      if (colors[bins[(index[2] * size[1] + index[1]) * size[0] + index[0]]] >>> 24 > 12) { this.page.moveTo(index); return true; }
+      if (colors[values[(index[2] * size[1] + index[1]) * size[0] + index[0]]] >>> 24 > 12) { this.page.moveTo(index); return true; }
     }
     return false;
   }
 
   drag(dx, dy) { this.turn([-dx / 2, dy / 2]); }
-  wheel(d) { this.enlarge(1.15 ** -d); }
+  clicked() { this.page.clicked(); }
+  wheel(d, at, isScaling, amount, isClimbing) { if (isClimbing) this.page.climb(-d); else this.enlarge(1.15 ** -d); }
   enlarge(by) { this.enlarged = clamp(this.enlarged * by, 0.5, 8); this.quickly(); }
 
   turn([azimuth, elevation]) {

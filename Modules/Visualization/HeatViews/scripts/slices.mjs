@@ -59,19 +59,20 @@ export class HeatSliceView extends View {
 
   // Voxels are classified first: colors are interpolated between voxels, heat is not.
   fill() {
-    const { plane, page: { volume, gray, bins, numbers, place, paints } } = this, [nx, ny] = this.size;
+    const { plane, page: { volume, gray, shown: { values, numbers }, place, paints } } = this, [nx, ny] = this.size;
     const strides = [1, volume.size[0], volume.size[0] * volume.size[1]], out = new Uint32Array(this.pixels.data.buffer);
     const across = strides[plane.across] * (plane.flipAcross ? -1 : 1), down = strides[plane.down] * (plane.flipDown ? -1 : 1);
     let row = place[plane.through] * strides[plane.through] - Math.min(0, across) * (nx - 1) - Math.min(0, down) * (ny - 1);
     for (let j = 0, o = 0; j < ny; j++, row += down) {
-      for (let i = 0, v = row; i < nx; i++, v += across, o++) out[o] = paints[(numbers[bins[v]] << 8) | gray[v]];
+      for (let i = 0, v = row; i < nx; i++, v += across, o++) out[o] = paints[(numbers[values[v]] << 8) | gray[v]];
     }
     this.image.getContext('2d').putImageData(this.pixels, 0, 0);
   }
 
   pick(x, y) { this.page.moveTo(this.frame().back(x, y)); return true; }
-  wheel(d, at, isScaling) {
-    if (isScaling) this.scaleBy(1.25 ** -d); else this.page.stepSlice([this.page.info.planes.indexOf(this.plane), d]);
+  clicked() { this.page.clicked(); }
+  wheel(d, at, isScaling, amount, isClimbing) {
+    if (isClimbing) this.page.climb(-d); else if (isScaling) this.scaleBy(1.25 ** -d); else this.page.stepSlice([this.page.info.planes.indexOf(this.plane), d]);
   }
 
   scaleBy(by) { this.zoom = clamp(this.zoom * by, 1, 12); this.changed(); }

@@ -22,7 +22,7 @@ using ImageType = itk::Image<float, 3>;
 class VoxelGrid
 {
 public:
-  explicit VoxelGrid(const ImageType * image, std::size_t greatestNumber = ExplorerVoxels) : m_Image(image)
+  explicit VoxelGrid(const itk::ImageBase<3> * image, std::size_t greatestNumber = ExplorerVoxels) : m_Image(image)
   {
     do
     {
@@ -40,13 +40,14 @@ public:
     return m_Size[0] * m_Size[1];
   }
 
-  template <typename TValue, typename TFunction>
+  /** Values of the voxels of an image of the same size. */
+  template <typename TValue, typename TPixel, typename TFunction>
   std::vector<TValue>
-  Values(const TFunction & valueOf) const
+  Values(const itk::Image<TPixel, 3> * image, const TFunction & valueOf) const
   {
-    const auto          size = m_Image->GetBufferedRegion().GetSize();
-    const float * const voxels = m_Image->GetBufferPointer();
-    std::vector<TValue> values;
+    const auto           size = image->GetBufferedRegion().GetSize();
+    const TPixel * const voxels = image->GetBufferPointer();
+    std::vector<TValue>  values;
     values.reserve(this->VoxelsOfSlice() * m_Size[2]);
     for (std::size_t z = 0; z < size[2]; z += m_Stride)
     {
@@ -79,7 +80,7 @@ public:
   }
 
 private:
-  const ImageType *          m_Image;
+  const itk::ImageBase<3> *  m_Image;
   std::size_t                m_Stride{ 0 };
   std::array<std::size_t, 3> m_Size{};
 };
@@ -137,8 +138,8 @@ void
 PutBins(PageBlocks & blocks, const std::string & name, const ImageType * values)
 {
   const VoxelGrid grid(values);
-  const auto      bins =
-    grid.Values<std::uint16_t>([](float value) { return static_cast<std::uint16_t>(HeatHistogram::BinOf(value)); });
+  const auto      bins = grid.Values<std::uint16_t>(
+    values, [](float value) { return static_cast<std::uint16_t>(HeatHistogram::BinOf(value)); });
   blocks.Put(name, bins, grid.VoxelsOfSlice());
 }
 
@@ -150,7 +151,15 @@ PutGray(PageBlocks & blocks, const ImageType * gray, const IntensityWindow & win
     const double share = (intensity - window.lower) / (window.upper - window.lower);
     return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
   };
-  blocks.Put("gray", grid.Values<std::uint8_t>(grayOf), grid.VoxelsOfSlice());
+  blocks.Put("gray", grid.Values<std::uint8_t>(gray, grayOf), grid.VoxelsOfSlice());
+}
+
+void
+PutLabels(PageBlocks & blocks, const HeatObjectList::LabelImage * labels)
+{
+  const VoxelGrid grid(labels);
+  blocks.Put(
+    "labels", grid.Values<std::uint16_t>(labels, [](unsigned short label) { return label; }), grid.VoxelsOfSlice());
 }
 
 void
@@ -179,6 +188,25 @@ JsonOf(const ShapeTransferFunction & transferFunction)
                       { "opacity", line.opacity } });
   }
   return lines;
+}
+
+Json
+JsonOf(const std::vector<HeatObject> & objects)
+{
+  constexpr int digits = 3;
+  Json          list = Json::array();
+  for (const HeatObject & object : objects)
+  {
+    list.push_back({ { "number", list.size() + 1 },
+                     { "parent", object.parent },
+                     { "kind", object.isWarm ? "warm" : "cold" },
+                     { "heat", RoundedJson(object.heat) },
+                     { "voxels", object.voxels },
+                     { "volume", RoundedJson(object.volume) },
+                     { "center", { object.center[0], object.center[1], object.center[2] } },
+                     { "probability", RoundedJson(object.probability, digits) } });
+  }
+  return list;
 }
 
 Json

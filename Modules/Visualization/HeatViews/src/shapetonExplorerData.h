@@ -17,6 +17,10 @@ PutBins(PageBlocks & blocks, const std::string & name, const itk::Image<float, 3
 void
 PutGray(PageBlocks & blocks, const itk::Image<float, 3> * gray, const IntensityWindow & window);
 
+/** The smallest object of each voxel. */
+void
+PutLabels(PageBlocks & blocks, const HeatObjectList::LabelImage * labels);
+
 void
 PutCounts(PageBlocks & blocks, const std::string & name, const HeatHistogram & histogram);
 

@@ -41,6 +41,11 @@ HeatExplorer::Write(const HeatExplorerContent & content)
   info["stored"] = m_TimeSteps;
   info["hasAxis"] = content.axisHistogram != nullptr;
   info["lines"] = JsonOf(content.lines);
+  if (content.objects)
+  {
+    PutLabels(m_Blocks, content.objects->labels);
+    info["objects"] = JsonOf(content.objects->objects);
+  }
   m_Blocks.PutJson("info", info);
   WriteExplorerPage(m_OutputPath(m_Folder + "/explorer.html"), DataFolder);
 }

@@ -8,14 +8,17 @@
 namespace shapeton
 {
 ShapeAnalysis
-AnalyzeHeat(const itk::Image<float, 3> * heat, std::uint64_t timeStep)
+AnalyzeHeat(const itk::Image<float, 3> * heat, std::uint64_t timeStep, bool wantLabels)
 {
   ShapeAnalysis analysis;
   analysis.values = heat;
   analysis.histogram = HeatHistogram({ timeStep });
   analysis.histogram.AddToRow(0, heat->GetBufferPointer(), heat->GetBufferedRegion().GetNumberOfPixels());
   analysis.classes = FindHeatClasses(analysis.histogram, 0);
-  analysis.labels = LabelHeat(heat, analysis.classes);
+  if (wantLabels)
+  {
+    analysis.labels = LabelHeat(heat, analysis.classes);
+  }
   analysis.axisHistogram = analysis.histogram;
   return analysis;
 }

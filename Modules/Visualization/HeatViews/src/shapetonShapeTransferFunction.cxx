@@ -287,6 +287,20 @@ ShapeTransferFunction::ShapeTransferFunction(std::vector<TransferFunctionLine> l
 }
 
 ShapeTransferFunction
+ShapeTransferFunction::OfClasses(std::vector<TransferFunctionLine> lines)
+{
+  const auto number = static_cast<double>(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    lines[i].lowerHeat = static_cast<double>(i) / number;
+    lines[i].upperHeat = static_cast<double>(i + 1) / number;
+  }
+  ShapeTransferFunction classes;
+  classes.m_Lines = std::move(lines);
+  return classes;
+}
+
+ShapeTransferFunction
 ShapeTransferFunction::Parse(const std::string & text)
 {
   std::vector<TransferFunctionLine> lines;

@@ -246,7 +246,8 @@ LegendOf(const ShapeTransferFunction & transferFunction)
   std::vector<LegendEntry> legend;
   for (const TransferFunctionLine & line : transferFunction.GetLines())
   {
-    legend.push_back({ line.color, HeatLabel(line.lowerHeat) + " to " + HeatLabel(line.upperHeat) });
+    const std::string range = HeatLabel(line.lowerHeat) + " to " + HeatLabel(line.upperHeat);
+    legend.push_back({ line.color, line.name.empty() ? range : line.name });
   }
   return legend;
 }

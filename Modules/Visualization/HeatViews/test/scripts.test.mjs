@@ -6,7 +6,7 @@ import { equalization, HeatAxis, rangeOfCounts } from '../scripts/axis.mjs';
 import { History } from '../scripts/history.mjs';
 import { lineAround, lineNear } from '../scripts/line-search.mjs';
 import {
-  binOf, linesFromText, linesOfBins, lowerEdge, NUMBER_OF_BINS, rounded, savedText, volumeProperty, withLine,
+  binOf, linesOfBins, lowerEdge, NUMBER_OF_BINS, rounded, savedFromText, savedText, volumeProperty, withLine,
 } from '../scripts/lines.mjs';
 import { contentsOf } from '../scripts/rendering.mjs';
 
@@ -60,12 +60,12 @@ test('a new line removes its heat range from the lines that it overlaps', () => 
 test('saved lines are read back, and invalid ones rejected', () => {
   const lines = [line(lowerEdge(3001), lowerEdge(3100)), line(0.5, 1, '#05bffa', 0.05)];
   const text = savedText(lines, 'heat', 100);
-  assert.deepEqual(linesFromText(text, 'heat'), lines);
+  assert.deepEqual(savedFromText(text, 'heat'), { lines, objects: [] });
   const other = [['0.5,', '2.5,'], ['#05bffa', 'blue'], ['"version": 1', '"version": 9']].map((pair) => text.replace(...pair));
   for (const wrong of ['', '{}', ...other]) {
-    assert.throws(() => linesFromText(wrong, 'heat'), /This file is not a transfer function/);
+    assert.throws(() => savedFromText(wrong, 'heat'), /This file is not a transfer function/);
   }
-  assert.throws(() => linesFromText(text, 'density'), /for heat, not for density/);
+  assert.throws(() => savedFromText(text, 'density'), /for heat, not for density/);
 });
 
 test('the axis is equalized in the full and in each opened range, and is invertible', () => {
