@@ -4,7 +4,7 @@ import { byId, element, letGo } from '../../../Core/Report/scripts/page.mjs';
 // Objects: {number, parent, voxels, volume, probability}, the largest first; the number counts from 1, and the parent is the smallest
 // object that contains it, or 0. The label of a voxel is the number of the smallest object there.
 export const MOST_OBJECTS = 200; // in a transfer function, as in SavedTransferFunction
-const OPACITY_OF_OBJECT = 0.9, OPACITY_AROUND = 0.15; // the latter of objects that contain others
+const OPACITY_OF_OBJECT = 0.9, OPACITY_AROUND = 0.3; // the latter of objects that contain others
 
 export const OBJECT_CONTROLS = `
   <label><input id="picking" type="checkbox"> a click selects</label>

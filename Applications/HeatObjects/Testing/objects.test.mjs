@@ -1,0 +1,232 @@
+// Selects, colors and saves objects on the page of HeatObjects, in a headless Chromium, and passes the saved file to the tool.
+// usage: PAGE=folder of explorer.html TABLE=objects.csv LABELS=volume INPUT=volume HEAT=volume OTHER=labels of other objects
+//        FIND=HeatObjects DRAW=HeatTransferFunction WORK=folder to write to [SHOTS=folder for pictures] node --test objects.test.mjs
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { launch } from '../../../Testing/Browser/browser.mjs';
+
+const { PAGE, TABLE, LABELS, INPUT, HEAT, OTHER, FIND, DRAW, WORK, SHOTS } = process.env;
+const CTRL = 2, SHIFT = 8, BALL = [13, 0, -8]; // LPS in mm, of the scene
+const rows = readFileSync(TABLE, 'utf8').trim().split('\n').map((row) => row.split(','));
+const table = rows.slice(1).map((row) => Object.fromEntries(rows[0].map((name, i) => [name, Number(row[i])])));
+let page;
+
+const idle = () => page.evaluate(() => explorer.idle(true));
+const press = async (key, modifiers = 0) => { await page.key(key, modifiers); await idle(); };
+const selected = () => page.evaluate(() => explorer.selected);
+const status = () => page.evaluate(() => document.getElementById('status').textContent);
+const shot = async (name) => {
+  if (!SHOTS) return;
+  await page.evaluate(() => explorer.idle());
+  await page.screenshot(`${SHOTS}/${name}.png`);
+};
+
+// Clicks the voxel of a point in the axial slice through it.
+async function clickAt(point) {
+  const [x, y] = await page.evaluate((p) => {
+    const { origin, axes, spacing } = explorer.volume, [slice] = explorer.slices;
+    const index = axes.map((axis, k) => Math.round(axis.reduce((sum, c, i) => sum + c * (p[i] - origin[i]), 0) / spacing[k]));
+    explorer.moveTo(explorer.place.map((i, k) => (k === slice.plane.through ? index[k] : i)));
+    const { x: left, y: top } = slice.canvas.getBoundingClientRect(), [a, b] = slice.frame().at(index);
+    return [left + a, top + b];
+  }, point);
+  await page.click(x, y);
+  await idle();
+  return [x, y];
+}
+
+// Operates a field in the list entry of an object.
+const enter = async (number, selector, property, value) => {
+  await page.evaluate((n, s, p, v) => {
+    const field = document.querySelectorAll('#objects li')[n - 1].querySelector(s);
+    field[p] = v;
+    for (const type of ['input', 'change']) field.dispatchEvent(new Event(type));
+  }, number, selector, property, value);
+  await idle();
+};
+const show = (number, isShown) => enter(number, '[type=checkbox]', 'checked', isShown);
+
+// Number of voxels of each class that the views show.
+const voxelsOfClasses = () => page.evaluate(() => {
+  const { values, numbers } = explorer.shown, out = {};
+  for (const value of values) out[numbers[value]] = (out[numbers[value]] ?? 0) + 1;
+  return out;
+});
+
+const saved = async (name, key, modifiers = 0) => {
+  const file = `${WORK}/downloads/${name}`;
+  rmSync(file, { force: true });
+  await press(key, modifiers);
+  for (let i = 0; i < 100 && !existsSync(file); i++) await new Promise((done) => { setTimeout(done, 50); });
+  return file;
+};
+const run = (tool, ...options) => {
+  const { status: code, stderr } = spawnSync(tool, [...options, '--quiet'], { encoding: 'utf8' });
+  return { code, stderr };
+};
+const runWell = (...options) => assert.deepEqual(run(...options), { code: 0, stderr: '' });
+
+// Number of different pixels of two pictures of HeatTransferFunction, in the rendering and the slices; the legend differs.
+const differences = (a, b) => page.evaluate(async (one, other) => {
+  const dataOf = async (base64) => {
+    const picture = new Image();
+    picture.src = `data:image/png;base64,${base64}`;
+    await picture.decode();
+    const { width, height } = picture, context = Object.assign(document.createElement('canvas'), { width, height }).getContext('2d');
+    context.drawImage(picture, 0, 0);
+    return [context.getImageData(16, 64, 860, 620), context.getImageData(0, 690, width, height - 690)].map(({ data }) => new Uint32Array(data.buffer));
+  };
+  const [p, q] = [await dataOf(one), await dataOf(other)];
+  return p.map((part, k) => part.reduce((sum, pixel, i) => sum + (pixel !== q[k][i]), 0));
+}, ...[a, b].map((file) => readFileSync(file).toString('base64')));
+
+before(async () => {
+  rmSync(WORK, { recursive: true, force: true });
+  mkdirSync(`${WORK}/downloads`, { recursive: true });
+  page = await launch({ width: 1280, height: 720, downloads: `${WORK}/downloads` });
+  await page.open(`${PAGE}/explorer.html`);
+  await page.until(() => Boolean(window.explorer) || document.body.classList.contains('failed'));
+  await idle();
+});
+after(() => page.close());
+
+test('opens without errors and without a network, with the objects of the table', async () => {
+  await shot('1-open');
+  assert.deepEqual(page.errors, []);
+  assert.deepEqual(page.requests.filter((r) => !/^(file|blob|data):/.test(r)), []);
+  const texts = await page.evaluate(() => [...document.querySelectorAll('#objects .head')].map((head) => head.textContent));
+  assert.equal(texts.length, table.length);
+  texts.forEach((text, i) => assert.ok(text.startsWith(`${i + 1}: `) && text.endsWith(`${Math.round(100 * table[i].probability)} %`), text));
+  const counts = await page.evaluate(() => explorer.labels.reduce((out, label) => { out[label]++; return out; }, Array(explorer.objects.length + 1).fill(0)));
+  const isIn = (row, object) => row.object === object || (row.parent > 0 && isIn(table[row.parent - 1], object));
+  for (const { object, voxels } of table) { // with those in it
+    assert.equal(table.reduce((sum, row) => sum + (isIn(row, object) ? counts[row.object] : 0), 0), voxels, `object ${object}`);
+  }
+});
+
+test('a click on a slice selects the smallest object, and the wheel and keys climb', async () => {
+  const ball = table.find(({ x, z }) => Math.abs(x - BALL[0]) < 1 && Math.abs(z - BALL[2]) < 1);
+  const [x, y] = await clickAt(BALL);
+  assert.equal(await selected(), ball.object);
+  assert.match(await status(), new RegExp(`, object ${ball.object} in ${ball.parent}`));
+  const voxels = await voxelsOfClasses(), [shown] = Object.keys(voxels).filter((n) => n > 0);
+  assert.equal(voxels[shown], ball.voxels); // nothing else is shown
+  await shot('2-selected');
+  await press('u');
+  assert.equal(await selected(), ball.parent);
+  assert.equal(Math.max(...Object.entries(await voxelsOfClasses()).filter(([n]) => n > 0).map(([, n]) => n)), table[ball.parent - 1].voxels);
+  await press('u'); // there is no larger one
+  assert.equal(await selected(), ball.parent);
+  await press('U', SHIFT);
+  assert.equal(await selected(), ball.object);
+  for (const [deltaY, object] of [[-100, ball.parent], [100, ball.object]]) {
+    await page.wheel(x, y, deltaY, { modifiers: SHIFT });
+    await page.until((n) => explorer.selected === n, 5000, object);
+  }
+  await page.evaluate(() => document.getElementById('larger').click());
+  assert.equal(await selected(), ball.parent);
+  await page.evaluate(() => document.querySelectorAll('#objects .head')[5].click());
+  assert.equal(await selected(), 6);
+  for (const object of [4, 2]) { await press('u'); assert.equal(await selected(), object); }
+  await page.evaluate(() => document.getElementById('all').click());
+  assert.equal(await selected(), 0);
+  await clickAt([28, 28, 28]);
+  assert.equal(await selected(), 0);
+  assert.match(await status(), /no object contains the voxel/);
+});
+
+test('a click on the rendering selects the first visible object', async () => {
+  const clickRendering = async (point) => {
+    const [x, y] = await page.evaluate((p) => {
+      const { rendering, volume: { origin, axes, spacing } } = explorer, { x: left, y: top } = rendering.canvas.getBoundingClientRect();
+      const [a, b] = rendering.pixelOf(axes.map((axis, k) => axis.reduce((sum, c, i) => sum + c * (p[i] - origin[i]), 0) / spacing[k]));
+      return [left + a, top + b];
+    }, point);
+    await page.click(x, y);
+    await idle();
+  };
+  await clickRendering(BALL); // the halo is in front of the ball
+  assert.equal(await selected(), 1);
+  await page.evaluate(() => document.getElementById('all').click());
+  await show(1, false);
+  await clickRendering(BALL);
+  assert.equal(await selected(), 5);
+  await page.evaluate(() => document.getElementById('all').click());
+  await page.evaluate(() => document.getElementById('picking').click());
+  await clickRendering(BALL);
+  assert.equal(await selected(), 0);
+  await page.evaluate(() => document.getElementById('picking').click());
+});
+
+test('colors are saved, and the tool draws the same objects', async () => {
+  for (const { object } of table) await show(object, false);
+  await enter(5, '[type=color]', 'value', '#ff0000');
+  await enter(5, '[type=range]', 'value', '1');
+  assert.deepEqual(await page.evaluate(() => explorer.state.styles[4]), { isOn: true, color: '#ff0000', opacity: 1 });
+  await shot('3-colored');
+  const json = await saved('transfer-function.json', 's', CTRL), { version, lines, objects } = JSON.parse(readFileSync(json, 'utf8'));
+  assert.deepEqual([version, lines, objects], [2, [], [{ number: 5, labels: [5], voxels: table[4].voxels, color: '#ff0000', opacity: 1 }]]);
+  runWell(DRAW, INPUT, HEAT, `${WORK}/object.vp`, '--from', json, '--objects', LABELS, '--picture', `${WORK}/object.png`, '--report', `${WORK}/report`);
+  // The same voxels, found by a point and drawn as the only line of their mask.
+  runWell(FIND, INPUT, PAGE.replace(/page$/, 'windows'), `${WORK}/mask.nrrd`, `${WORK}/mask.csv`, '--select', BALL.join(','), '--leastProbability', '0.02');
+  runWell(DRAW, INPUT, `${WORK}/mask.nrrd`, `${WORK}/mask.vp`, '--lines', '0.5-1:#ff0000:1', '--picture', `${WORK}/mask.png`);
+  assert.deepEqual(await differences(`${WORK}/object.png`, `${WORK}/mask.png`), [0, 0]);
+  assert.match(readFileSync(`${WORK}/report/report.json`, 'utf8'), /"chosen\.objects": "5:#ff0000:1"/);
+});
+
+test('an object in another one is drawn above it, as on the page', async () => {
+  await enter(1, '[type=color]', 'value', '#0000ff');
+  const json = await saved('transfer-function.json', 's', CTRL);
+  const [, halo, ball] = Object.values(await voxelsOfClasses()); // none, object 1, object 5; object 3 is not shown
+  assert.deepEqual([halo, ball], [table[0].voxels - table[4].voxels, table[4].voxels]);
+  const { objects } = JSON.parse(readFileSync(json, 'utf8'));
+  assert.deepEqual(objects.map(({ number, labels }) => [number, labels]), [[1, [1, 3, 5]], [5, [5]]]);
+  runWell(DRAW, INPUT, HEAT, `${WORK}/two.vp`, '--from', json, '--objects', LABELS, '--picture', `${WORK}/two.png`);
+  writeFileSync(json, readFileSync(json, 'utf8').replace(`"voxels": ${table[4].voxels}`, '"voxels": 3'));
+  const { code, stderr } = run(DRAW, INPUT, HEAT, `${WORK}/x.vp`, '--from', json, '--objects', LABELS);
+  assert.equal(code, 3);
+  assert.match(stderr, /object 5 has \d+ voxels in .*, but 3 in the transfer function: use the labels/);
+});
+
+test('undo, and files that are opened again', async () => {
+  const styles = () => page.evaluate(() => explorer.state.styles), colored = await styles();
+  const json = await saved('transfer-function.json', 's', CTRL);
+  for (const { object } of table) await show(object, false);
+  await press('z', CTRL);
+  await press('y', CTRL);
+  assert.ok((await styles()).every(({ isOn }) => !isOn));
+  await page.chooseFile('#file', json);
+  await page.until(() => explorer.state.styles.some(({ isOn }) => isOn));
+  await idle();
+  assert.deepEqual(await styles(), colored);
+  writeFileSync(`${WORK}/other.json`, readFileSync(json, 'utf8').replace('"number": 5', '"number": 6'));
+  await page.chooseFile('#file', `${WORK}/other.json`);
+  await page.until(() => /colors other objects/.test(document.getElementById('notices').textContent));
+  assert.deepEqual(await styles(), colored);
+});
+
+test('a .vp has the heat range of an object, if picked as a line', async () => {
+  await press('w');
+  assert.match(await status(), /pick a line first; a \.vp has heat ranges, not objects/);
+  await page.evaluate(() => [...document.querySelectorAll('#objects li')[4].querySelectorAll('button')].at(-1).click());
+  await idle();
+  const [line, isWhole] = await page.evaluate(() => {
+    const { lines: [first], counts, labels, bins, numbers } = explorer;
+    return [first, labels.every((label, v) => label !== 5 || numbers[bins[v]] === 1) && counts.length > 0];
+  });
+  assert.ok(isWhole && line.color === '#ff0000');
+  const vp = await saved('transfer-function.vp', 'w');
+  assert.match(await status(), /saved without the objects/);
+  const json = await saved('transfer-function.json', 's', CTRL);
+  runWell(DRAW, INPUT, HEAT, `${WORK}/line.vp`, '--from', json, '--objects', LABELS);
+  assert.ok(readFileSync(vp).equals(readFileSync(`${WORK}/line.vp`)));
+  const refused = run(DRAW, INPUT, HEAT, `${WORK}/x.vp`, '--from', json);
+  assert.equal(refused.code, 2);
+  assert.match(refused.stderr, /colors objects: state their labels, written by HeatObjects, with --objects/);
+  const other = run(DRAW, INPUT, HEAT, `${WORK}/x.vp`, '--from', json, '--objects', OTHER);
+  assert.equal(other.code, 3);
+  assert.match(other.stderr, /other\.nrrd: the labels and the volume have different grids/);
+  assert.deepEqual(page.errors, []);
+});
