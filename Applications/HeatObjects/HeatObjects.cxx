@@ -65,7 +65,7 @@ Find(CommandLine & commandLine, const Heats & heats)
   shapeton::HeatObjectOptions options;
   shapeton::ReadOptions(commandLine, options);
   const auto find = heats.windows.empty() ? &shapeton::FindHeatObjects : &shapeton::FindWindowObjects;
-  auto list = find(heats.images, options, commandLine.PartOfProgress(0.2, 0.9).Part("Finding objects", 0.0, 1.0));
+  auto       list = find(heats.images, options, commandLine.PartOfProgress(0.2, 0.9).Part("Finding objects", 0.0, 1.0));
   if (list.objects.empty())
   {
     commandLine.Warn("no object was found: diffuse heat with the preset objects, or reduce --leastProbability");

@@ -37,7 +37,7 @@ export function chainOf(objects, number) {
 // The object and those in it, ascending.
 export const labelsOf = (objects, number) => objects.map((o) => o.number).filter((n) => chainOf(objects, n).includes(number));
 
-export const shortVolume = (mm3) => (mm3 < 1000 ? `${mm3.toPrecision(2)} mm³` : `${(mm3 / 1000).toPrecision(3)} ml`);
+export const shortVolume = (mm3) => (mm3 < 1000 ? `${Number(mm3.toPrecision(2))} mm³` : `${Number((mm3 / 1000).toPrecision(3))} ml`);
 
 // The list of objects; a click selects one. rowOf: the controls of an object, if any.
 export function fillObjectList(root, page, objects, selected, rowOf = () => []) {

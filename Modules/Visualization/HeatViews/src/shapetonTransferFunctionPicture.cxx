@@ -80,8 +80,10 @@ DrawTransferFunction(const itk::Image<float, 3> *  gray,
   DrawText(page, title, pageMargin, pageMargin, style);
   PastePicture(page, rendering, pageMargin, top);
   style.size = headingSize;
-  const int legendLeft = pageMargin + renderingWidth + 16;
-  DrawText(page, "Lines: range of " + quantity.plural, legendLeft, top, style);
+  const int    legendLeft = pageMargin + renderingWidth + 16;
+  const auto & lines = transferFunction.GetLines();
+  const bool   isNamed = std::any_of(lines.begin(), lines.end(), [](const auto & line) { return !line.name.empty(); });
+  DrawText(page, isNamed ? "Lines and objects" : "Lines: range of " + quantity.plural, legendLeft, top, style);
   DrawLegend(page, LegendWithVoxels(heat, transferFunction), legendLeft, top + 32, top + renderingHeight);
   PastePicture(page, montage, 0, montageTop);
   return page;

@@ -8,6 +8,7 @@ import { lineAround, lineNear } from '../scripts/line-search.mjs';
 import {
   binOf, linesOfBins, lowerEdge, NUMBER_OF_BINS, rounded, savedFromText, savedText, volumeProperty, withLine,
 } from '../scripts/lines.mjs';
+import { binsOfObject, chainOf, classesOf, labelsOf, objectsToSave, shortVolume, shownObjects, stylesOf, stylesOfSaved } from '../scripts/objects.mjs';
 import { contentsOf } from '../scripts/rendering.mjs';
 
 // Deterministic random numbers.
@@ -66,6 +67,44 @@ test('saved lines are read back, and invalid ones rejected', () => {
     assert.throws(() => savedFromText(wrong, 'heat'), /This file is not a transfer function/);
   }
   assert.throws(() => savedFromText(text, 'density'), /for heat, not for density/);
+});
+
+// 1 contains 2 and 4, 2 contains 5; 3 is alone.
+const objects = [0, 1, 0, 1, 2].map((parent, i) => ({ number: i + 1, parent, voxels: 100 - i, volume: 10 ** (5 - i), probability: 0.5 }));
+const colors = ['#ff0000', '#00ff00', '#0000ff'];
+
+test('objects are climbed, and hold the labels in them', () => {
+  assert.deepEqual([0, 3, 4, 5].map((number) => chainOf(objects, number)), [[], [3], [4, 1], [5, 2, 1]]);
+  assert.deepEqual([1, 2, 3].map((number) => labelsOf(objects, number)), [[1, 2, 4, 5], [2, 5], [3]]);
+  assert.deepEqual([181, 999.9, 12345, 1e9].map(shortVolume), ['180 mm³', '1000 mm³', '12.3 ml', '1000000 ml']);
+});
+
+test('the smallest shown object colors a voxel, or the selected one only', () => {
+  const styles = stylesOf(objects, colors), hide = (...numbers) => styles.map((s, i) => ({ ...s, isOn: !numbers.includes(i + 1) }));
+  assert.deepEqual(styles.map(({ color, isOn }) => [color, isOn]), [0, 1, 2, 0, 1].map((i) => [colors[i], true]));
+  assert.ok(styles[0].opacity < styles[3].opacity && styles[1].opacity < styles[4].opacity && styles[2].opacity === styles[4].opacity);
+  assert.deepEqual([...shownObjects(objects, styles, 0)], [0, 1, 2, 3, 4, 5]);
+  assert.deepEqual([...shownObjects(objects, hide(2, 3, 5), 0)], [0, 1, 1, 0, 4, 1]);
+  assert.deepEqual([...shownObjects(objects, hide(2), 2)], [0, 0, 2, 0, 0, 2]);
+  const labels = Uint16Array.of(0, 1, 5, 2, 0), bins = Uint16Array.of(7, 7, 8, 20, 0);
+  assert.deepEqual([...classesOf(labels, [0, 0, 0, 0, 0, 9], bins, Array(21).fill(0).fill(1, 7, 9), new Uint16Array(5))], [1, 1, 9, 0, 0]);
+  assert.deepEqual([binsOfObject(objects, 2, labels, bins), binsOfObject(objects, 1, labels, bins)], [[8, 20], [7, 20]]);
+});
+
+test('saved objects are read back; those of another page and other kinds are rejected', () => {
+  const styles = stylesOf(objects, colors).map((style, i) => ({ ...style, isOn: i === 1 || i === 2 })), saved = objectsToSave(objects, styles);
+  assert.deepEqual(saved.map(({ number, labels, voxels }) => [number, labels, voxels]), [[2, [2, 5], 99], [3, [3], 98]]);
+  const text = savedText([], 'heat', 100, saved);
+  assert.equal(JSON.parse(text).version, 2);
+  assert.deepEqual(savedFromText(text, 'heat'), { lines: [], objects: saved });
+  assert.deepEqual(stylesOfSaved(saved, objects, stylesOf(objects, colors)), styles);
+  for (const wrong of [[{ ...saved[0], voxels: 98 }], [{ ...saved[0], labels: [2] }], [{ ...saved[0], number: 6 }]]) {
+    assert.throws(() => stylesOfSaved(wrong, objects, styles), /colors other objects/);
+  }
+  assert.throws(() => stylesOfSaved(saved, [], []), /colors other objects/);
+  for (const pair of [['"version": 2', '"version": 1'], ['"opacity": 0.3', '"opacity": 3']]) {
+    assert.throws(() => savedFromText(text.replace(...pair), 'heat'), /not a transfer function/);
+  }
 });
 
 test('the axis is equalized in the full and in each opened range, and is invertible', () => {

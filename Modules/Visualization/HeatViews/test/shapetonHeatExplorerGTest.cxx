@@ -40,10 +40,9 @@ FolderFor(const std::string & name)
 
 /** The page of a volume after steps 10 and 20. */
 std::string
-WritePage(const std::string & name, const ImageType::SizeType & size = { { 9, 8, 7 } })
+WritePage(const std::string & name, const ImageType * volume, const shapeton::HeatObjectList * objects = nullptr)
 {
   const std::string       folder = FolderFor(name);
-  const auto              volume = VolumeOf(size);
   shapeton::HeatHistogram histogram({ 0, 10, 20 });
   histogram.AddToRow(2, volume->GetBufferPointer(), volume->GetBufferedRegion().GetNumberOfPixels());
   shapeton::HeatExplorer explorer(folder, AsItIs);
@@ -56,8 +55,15 @@ WritePage(const std::string & name, const ImageType::SizeType & size = { { 9, 8,
   content.gray = volume;
   content.lines = shapeton::ShapeTransferFunction::Parse("0.18359375-0.25:#05bffa:0.6");
   content.ranges = shapeton::HeatRangesOf({ 0.125, 0.5, 0.25, 0.375 });
+  content.objects = objects;
   explorer.Write(content);
   return folder;
+}
+
+std::string
+WritePage(const std::string & name, const ImageType::SizeType & size = { { 9, 8, 7 } })
+{
+  return WritePage(name, VolumeOf(size));
 }
 
 shapeton::Json
@@ -106,6 +112,54 @@ TEST(HeatExplorer, OfALargeVolumeEveryNthVoxelIsKept)
   EXPECT_EQ(volume["stride"], 2);
   EXPECT_EQ(volume["size"], shapeton::Json({ 200, 200, 113 }));
   EXPECT_EQ(volume["spacing"], shapeton::Json({ 1.0, 1.5, 4.0 }));
+}
+
+TEST(HeatExplorer, StoresObjectsOnTheGridOfTheVolume)
+{
+  using LabelImage = shapeton::HeatObjectList::LabelImage;
+  const itk::Matrix<double, 3, 3> turn(basetest::Rotation(0, 0.3) * basetest::Rotation(2, 0.4));
+  const ImageType::SizeType       size{ { 9, 8, 7 } };
+  const auto               volume = basetest::NewImage<ImageType>(size, { 0.7, 1.1, 1.9 }, { 12.0, -31.0, 5.5 }, turn);
+  shapeton::HeatObjectList list;
+  list.labels = basetest::NewImageLike<LabelImage>(volume);
+  std::vector<std::uint16_t> expected(volume->GetBufferedRegion().GetNumberOfPixels());
+  for (std::size_t voxel = 0; voxel < expected.size(); ++voxel)
+  {
+    expected[voxel] = static_cast<std::uint16_t>(voxel * 7 % 300);
+    list.labels->GetBufferPointer()[voxel] = expected[voxel];
+  }
+  list.objects.resize(2);
+  list.objects[1].parent = 1;
+  list.objects[1].voxels = 12;
+  const std::string    folder = WritePage("explorer-objects", volume, &list);
+  shapeton::PageBlocks blocks("", true, AsItIs);
+  blocks.Put("labels", expected, 9 * 8);
+  EXPECT_EQ(shapeton::ReadFileBytes(folder + "/explorer/labels.js"), blocks.Script());
+
+  const shapeton::Json info = InfoOf(folder);
+  EXPECT_EQ(info["objects"][1]["number"], 2);
+  EXPECT_EQ(info["objects"][1]["parent"], 1);
+  EXPECT_EQ(info["objects"][1]["voxels"], 12);
+  const itk::Index<3>   index{ { 5, 2, 6 } };
+  itk::Point<double, 3> point;
+  list.labels->TransformIndexToPhysicalPoint(index, point);
+  for (unsigned int k = 0; k < 3; ++k) // as the page finds a point
+  {
+    double position = info["volume"]["origin"][k].get<double>();
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      position += info["volume"]["axes"][axis][k].get<double>() * info["volume"]["spacing"][axis].get<double>() *
+                  static_cast<double>(index[axis]);
+    }
+    EXPECT_NEAR(position, point[k], 1e-9);
+  }
+}
+
+TEST(HeatExplorer, WithoutObjectsThePageHasNoLabels)
+{
+  const std::string folder = WritePage("explorer-lines");
+  EXPECT_FALSE(std::filesystem::exists(folder + "/explorer/labels.js"));
+  EXPECT_FALSE(InfoOf(folder).contains("objects"));
 }
 
 TEST(HeatExplorer, NeedsATimeStep)

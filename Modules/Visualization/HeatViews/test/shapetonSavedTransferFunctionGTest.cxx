@@ -74,6 +74,44 @@ TEST(SavedTransferFunction, RefusesWhatThePageDoesNotSave)
   }
 }
 
+TEST(SavedTransferFunction, ObjectsAreWrittenAndRead)
+{
+  const shapeton::ObjectColor toe{ 4, { 4, 12 }, 35935, shapeton::MakeColor(255, 128, 0), 0.25 };
+  const std::string           path = FileWith("");
+  shapeton::WriteTransferFunction({ "heat", 9, {}, { toe } }, path);
+  const auto saved = ReadTransferFunction(path);
+  EXPECT_TRUE(saved.lines.GetLines().empty());
+  ASSERT_EQ(saved.objects.size(), 1U);
+  EXPECT_EQ(shapeton::TextOf(saved.objects), "4:#ff8000:0.25");
+  EXPECT_EQ(saved.objects[0].labels, toe.labels);
+  EXPECT_EQ(saved.objects[0].voxels, toe.voxels);
+}
+
+TEST(SavedTransferFunction, RefusesWrongObjects)
+{
+  const std::string head =
+    R"("shapeton": "transfer function", "version": 2, "quantity": "heat", "timeStep": 7, "objects": )";
+  const auto with = [&](const std::string & numbers, const std::string & opacity) {
+    return Document("", head + "[{" + numbers + R"(, "color": "#05bffa", "opacity": )" + opacity + "}]");
+  };
+  const std::string good = R"("number": 1, "labels": [1], "voxels": 5)";
+  EXPECT_NO_THROW(ReadTransferFunction(FileWith(with(good, "1"))));
+  const std::pair<std::string, std::string> faults[] = {
+    { Document("", head + "[]"), "\"objects\" is not a non-empty list" },
+    { Document("", head + "[3]"), "an object is not an object" },
+    { with(good, "2"), "the opacity of object 1 is not from 0 to 1" },
+    { with(R"("number": 0, "labels": [1], "voxels": 5)", "1"), "is not from 1 to 65535" },
+    { with(R"("number": 1, "labels": [70000], "voxels": 5)", "1"), "is not from 1 to 65535" },
+    { with(R"("number": 1, "labels": [], "voxels": 5)", "1"), "\"labels\" is not a non-empty list" },
+    { with(R"("number": 1, "labels": [1], "voxels": -5)", "1"), "not a number of voxels" },
+    { with(R"("number": 1, "voxels": 5)", "1"), "lacks \"labels\"" },
+  };
+  for (const auto & [text, fault] : faults)
+  {
+    EXPECT_NE(FaultOf(text).find(fault), std::string::npos) << text << " gives " << FaultOf(text);
+  }
+}
+
 TEST(SavedTransferFunction, RefusesAMissingFile)
 {
   EXPECT_THROW(ReadTransferFunction(testing::TempDir() + "/nowhere.json"), InputError);
