@@ -1,7 +1,7 @@
 import { readBlock } from '../../../Core/Report/scripts/bytes.mjs';
 import { clamp } from '../../../Core/Report/scripts/math.mjs';
 import { toggle } from '../../../Core/Report/scripts/keys.mjs';
-import { byId, element, letGo, notice, openPage, saveFile } from '../../../Core/Report/scripts/page.mjs';
+import { byId, letGo, notice, openPage, saveFile } from '../../../Core/Report/scripts/page.mjs';
 import { scaleViews, View } from '../../../Core/Report/scripts/view.mjs';
 import { equalization, HeatAxis, rangeOfCounts } from './axis.mjs';
 import { History } from './history.mjs';
@@ -12,10 +12,8 @@ import { lineAround, lineNear } from './line-search.mjs';
 import {
   binOf, linesOfBins, lowerEdge, MOST_LINES, NUMBER_OF_BINS, premultiplied, savedFromText, savedText, volumeProperty, withLine,
 } from './lines.mjs';
-import {
-  binsOfObject, chainOf, classesOf, fillObjectList, listenToObjects, MOST_OBJECTS, OBJECT_CONTROLS, objectKeys, objectsToSave, rowOfObject,
-  shownObjects, stylesOf, stylesOfSaved,
-} from './objects.mjs';
+import { PageWithObjects } from './object-page.mjs';
+import { chainOf, objectKeys, objectsToSave, stylesOf, stylesOfSaved } from './objects.mjs';
 import { RenderingView } from './rendering.mjs';
 import { HeatSliceView, paintsOf } from './slices.mjs';
 
@@ -37,11 +35,11 @@ export const PAGE = `
 
 // The lines picked on a heat histogram, and all views. `history` stores the undoable state: time step, lines, opened
 // ranges, colors of objects; it does not include crosshair, chosen line, selected object and camera.
-export class HeatExplorer {
+export class HeatExplorer extends PageWithObjects {
   constructor(folder, info, gray, histogram, axisCounts) {
-    const { volume, objects = [], lineColors } = info, styles = stylesOf(objects, lineColors);
+    super(info.objects ?? []);
+    const { volume } = info, styles = stylesOf(this.objects, info.lineColors);
     const state = { step: info.stored.at(-1), lines: shownLines(info.lines), ranges: info.ranges, styles };
-    Object.assign(this, { objects, selected: 0, chain: [], labels: null });
     Object.assign(this, { folder, info, volume, gray, isEqualized: info.isEqualized, live: null });
     Object.assign(this, { times: {}, steps: new Map(), chosen: -1, busy: 0, isSaved: true, history: new History(state) });
     this.place = volume.size.map((n) => n >> 1);
@@ -144,16 +142,23 @@ export class HeatExplorer {
   }
 
   // What the views show. values: the bin of each voxel, or its class if there are objects; numbers: the class of each value, which is
-  // a line or a shown object; colors: the premultiplied color of each value.
+  // a line or an object; colors: the premultiplied color of each value.
   recolor() {
-    const started = performance.now(), { bins, lines } = this, styles = [...lines, ...this.state.styles], seen = [0, ...styles.map(premultiplied)];
-    const numbers = linesOfBins(lines), colorsOf = (classes) => Uint32Array.from(classes, (n) => seen[n]);
+    const started = performance.now(), { bins, lines } = this, styles = [...lines, ...this.state.styles];
+    const seen = [0, ...styles.map(premultiplied)];
+    this.numbers = linesOfBins(lines);
     this.paints = paintsOf(styles);
-    this.numbers = numbers;
-    this.shown = this.labels ? this.classes(numbers, colorsOf) : { values: bins, numbers, colors: colorsOf(numbers) };
-    this.rendering.load(this.shown.values, this.shown.numbers, this.shown.colors);
+    const { values, numbers } = this.labels ? this.classes() : { values: bins, numbers: this.numbers };
+    const colors = Uint32Array.from(numbers, (n) => seen[n]);
+    this.shown = { values, numbers, colors };
+    this.rendering.load(values, numbers, colors);
     this.repaint();
     this.times.recolor = performance.now() - started;
+  }
+
+  fillLists() {
+    fillLineList(byId('lines'), this);
+    if (this.labels) this.fillObjects();
   }
 
   setAxis() {
@@ -181,7 +186,8 @@ export class HeatExplorer {
   openPlaces(a, b) { this.openRange(...this.rangeOf(a, b)); }
 
   pick(lower, upper, wanted = null) {
-    const { lineColors } = this.info, color = wanted ?? lineColors.find((c) => this.lines.every((l) => l.color !== c)) ?? lineColors[0];
+    const { lineColors } = this.info, isFree = (c) => this.lines.every((l) => l.color !== c);
+    const color = wanted ?? lineColors.find(isFree) ?? lineColors[0];
     this.setLines(withLine(this.lines, { lower, upper, color, opacity: 0.6, isOn: true }), lower);
   }
 
@@ -280,71 +286,6 @@ export class HeatExplorer {
     return `${stride > 1 ? 'about ' : ''}${(voxels * stride ** 3).toLocaleString('en')} voxels, ${shortNumber(ml)} ml`;
   }
 
-  // ---- objects ----
-  listenToObjects() {
-    const section = element('section', { id: 'object-panel', innerHTML: `<b>Objects</b>${OBJECT_CONTROLS}` });
-    byId('lines').before(section);
-    byId('picking').checked = true;
-    listenToObjects(this);
-    if (this.objects.length > MOST_OBJECTS) notice(`Only the ${MOST_OBJECTS} largest of ${this.objects.length} objects are shown.`);
-  }
-
-  fillLists() {
-    fillLineList(byId('lines'), this);
-    const row = (object) => rowOfObject(object, this.state.styles[object.number - 1], this);
-    if (this.labels) fillObjectList(byId('objects'), this, this.objects, this.selected, row);
-  }
-
-  // Objects take precedence over lines, the smallest first; with a selected object, nothing else is shown.
-  classes(lineOfBin, colorsOf) {
-    const { objects, labels, bins, lines, selected, state: { styles } } = this, ofBin = selected ? new Uint8Array(NUMBER_OF_BINS) : lineOfBin;
-    const ofLabel = shownObjects(objects, styles, selected).map((n) => (n ? lines.length + n : 0));
-    this.ofVoxels ??= new Uint16Array(labels.length);
-    const numbers = Uint16Array.from({ length: lines.length + styles.length + 1 }, (_, n) => n);
-    return { values: classesOf(labels, ofLabel, bins, ofBin, this.ofVoxels), numbers, colors: colorsOf(numbers) };
-  }
-
-  get isPicking() { return this.labels !== null && byId('picking').checked; }
-  clicked() { if (this.isPicking) this.selectHere(); }
-
-  selectHere() {
-    const object = this.labels[this.voxel];
-    if (!object) { this.tell('no object contains the voxel under the crosshair'); return; }
-    this.chain = [];
-    this.select({ object });
-  }
-
-  // Shows only this object; 0: all.
-  select({ object }) {
-    this.noteObject(object);
-    this.recolor();
-    this.fillLists();
-    this.tell();
-  }
-
-  // Later, climb() follows the objects that contain this one, or those that contained the last picked one.
-  noteObject(object) {
-    this.selected = object;
-    if (!this.chain.includes(object)) this.chain = chainOf(this.objects, object);
-  }
-
-  climb(by) {
-    const next = this.chain[this.chain.indexOf(this.selected) + by];
-    if (next && this.selected) this.select({ object: next });
-  }
-
-  alterObject(number, part, kind = null) {
-    const styles = this.state.styles.map((style, i) => (i + 1 === number ? { ...style, ...part } : style));
-    if (styles.filter((style) => style.isOn).length > MOST_OBJECTS) { this.tell(`the maximum is ${MOST_OBJECTS} objects: hide one first`); return; }
-    this.change({ styles }, kind && `${kind} of object ${number}`);
-  }
-
-  // Picks the heat range of an object as a line.
-  pickObject(number) {
-    const [first, last] = binsOfObject(this.objects, number, this.labels, this.bins);
-    this.pick(lowerEdge(first), lowerEdge(last + 1), this.state.styles[number - 1].color);
-  }
-
   // ---- crosshair ----
   get voxel() { const [x, y, z] = this.place, [nx, ny] = this.volume.size; return (z * ny + y) * nx + x; }
   heatHere() { return this.bins ? lowerEdge(this.bins[this.voxel]) : -1; }
@@ -380,8 +321,9 @@ export class HeatExplorer {
 
   // 3D Slicer knows heat only.
   saveVp() {
-    const lines = this.shownLines, unit = Math.max(1, this.info.quantity.greatestVisits), hasObjects = this.state.styles.some((s) => s.isOn);
-    if (!lines.length) { this.tell(`nothing to save: pick a line first${hasObjects ? '; a .vp has heat ranges, not objects' : ''}`); return; }
+    const lines = this.shownLines, unit = Math.max(1, this.info.quantity.greatestVisits);
+    const hasObjects = this.state.styles.some((style) => style.isOn), hint = hasObjects ? '; a .vp has heat ranges, not objects' : '';
+    if (!lines.length) { this.tell(`nothing to save: pick a line first${hint}`); return; }
     this.save('transfer-function.vp', volumeProperty(lines, unit), 'text/plain');
     if (hasObjects) this.tell('saved without the objects: a .vp has heat ranges only');
   }
@@ -418,10 +360,11 @@ export class HeatExplorer {
   // Description of the voxel under the crosshair.
   describe() {
     const { info: { quantity, window: [low, high] }, gray, voxel, place, bins, numbers, labels, objects } = this;
-    const line = numbers[bins[voxel]], object = chainOf(objects, labels?.[voxel] ?? 0).join(' in ');
+    const line = numbers[bins[voxel]], chain = chainOf(objects, labels?.[voxel] ?? 0).join(' in ');
+    const classes = `${line ? `, line ${line}` : ''}${chain ? `, object ${chain}` : ''}`;
     const value = low + (gray[voxel] / 255) * (high - low), mm = this.rendering.toSpace(place).map((x) => x.toFixed(1)).join(', ');
     const edges = [bins[voxel], bins[voxel] + 1].map((bin) => shortNumber(lowerEdge(bin))).join(' to ');
-    return `${mm} mm (LPS), intensity about ${shortNumber(value)}, ${quantity.name} ${edges}${line ? `, line ${line}` : ''}${object ? `, object ${object}` : ''}`;
+    return `${mm} mm (LPS), intensity about ${shortNumber(value)}, ${quantity.name} ${edges}${classes}`;
   }
 
   // text: message on the last action, if any.

@@ -55,7 +55,8 @@ export function rowOfObject({ number }, { isOn, color, opacity }, page) {
   const shown = element('input', { type: 'checkbox', checked: isOn, ...label('show'), onclick: letGo });
   const hue = element('input', { type: 'color', value: color, ...label('color') });
   const share = element('input', { type: 'range', min: 0, max: 1, step: 0.01, value: opacity, ...label('opacity') });
-  const line = element('button', { textContent: 'line', ...label('pick the heat range as a line: it also shows other parts of this heat') });
+  const hint = label('pick the heat range, also of other parts, as a line');
+  const line = element('button', { textContent: 'line', ...hint });
   shown.onchange = () => page.alterObject(number, { isOn: shown.checked });
   hue.oninput = () => { shown.checked = true; page.alterObject(number, { color: hue.value, isOn: true }, 'color'); };
   share.oninput = () => page.alterObject(number, { opacity: Number(share.value) }, 'opacity');
@@ -107,7 +108,7 @@ export function objectsToSave(objects, styles) {
 // The colors of saved objects; the others are not shown. Throws an error with a user message if they are other objects.
 export function stylesOfSaved(saved, objects, styles) {
   const isSame = (s) => s.voxels === objects[s.number - 1]?.voxels && String(s.labels) === String(labelsOf(objects, s.number));
-  if (!saved.every(isSame)) throw new Error('This transfer function colors other objects than those of this page: open it in its own page.');
+  if (!saved.every(isSame)) throw new Error('This transfer function colors other objects than this page has: open it in its own page.');
   const found = new Map(saved.map((s) => [s.number, s]));
   return styles.map((style, i) => {
     const { color, opacity } = found.get(i + 1) ?? style;

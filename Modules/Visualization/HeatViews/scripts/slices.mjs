@@ -72,7 +72,9 @@ export class HeatSliceView extends View {
   pick(x, y) { this.page.moveTo(this.frame().back(x, y)); return true; }
   clicked() { this.page.clicked(); }
   wheel(d, at, isScaling, amount, isClimbing) {
-    if (isClimbing) this.page.climb(-d); else if (isScaling) this.scaleBy(1.25 ** -d); else this.page.stepSlice([this.page.info.planes.indexOf(this.plane), d]);
+    if (isClimbing) this.page.climb(-d);
+    else if (isScaling) this.scaleBy(1.25 ** -d);
+    else this.page.stepSlice([this.page.info.planes.indexOf(this.plane), d]);
   }
 
   scaleBy(by) { this.zoom = clamp(this.zoom * by, 1, 12); this.changed(); }

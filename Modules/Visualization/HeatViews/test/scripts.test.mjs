@@ -8,7 +8,9 @@ import { lineAround, lineNear } from '../scripts/line-search.mjs';
 import {
   binOf, linesOfBins, lowerEdge, NUMBER_OF_BINS, rounded, savedFromText, savedText, volumeProperty, withLine,
 } from '../scripts/lines.mjs';
-import { binsOfObject, chainOf, classesOf, labelsOf, objectsToSave, shortVolume, shownObjects, stylesOf, stylesOfSaved } from '../scripts/objects.mjs';
+import {
+  binsOfObject, chainOf, classesOf, labelsOf, objectsToSave, shortVolume, shownObjects, stylesOf, stylesOfSaved,
+} from '../scripts/objects.mjs';
 import { contentsOf } from '../scripts/rendering.mjs';
 
 // Deterministic random numbers.
@@ -92,7 +94,8 @@ test('the smallest shown object colors a voxel, or the selected one only', () =>
 });
 
 test('saved objects are read back; those of another page and other kinds are rejected', () => {
-  const styles = stylesOf(objects, colors).map((style, i) => ({ ...style, isOn: i === 1 || i === 2 })), saved = objectsToSave(objects, styles);
+  const styles = stylesOf(objects, colors).map((style, i) => ({ ...style, isOn: i === 1 || i === 2 }));
+  const saved = objectsToSave(objects, styles);
   assert.deepEqual(saved.map(({ number, labels, voxels }) => [number, labels, voxels]), [[2, [2, 5], 99], [3, [3], 98]]);
   const text = savedText([], 'heat', 100, saved);
   assert.equal(JSON.parse(text).version, 2);
