@@ -137,6 +137,15 @@ test('objects are found, and a click selects one', async () => {
   await page.evaluate(() => session.idle(true));
   assert.equal(await page.evaluate(() => document.querySelectorAll('#objects .selected').length), 1);
   await shoot('object');
+  await page.evaluate(() => session.alterLine(0, { opacity: 0.9 })); // only the object is visible
+  const inRendering = await page.evaluate(() => {
+    session.chain = [];
+    const { rendering } = session, { left, top } = rendering.canvas.getBoundingClientRect();
+    return rendering.pixelOf(rendering.page.place).map((x, i) => x + [left, top][i]);
+  });
+  await page.click(...inRendering);
+  await page.until(() => session.chain[0] > 0 && session.chain[0] === session.state0.selected);
+  await page.evaluate(() => session.undo());
   await press('all');
   await page.until(() => session.state0.selected === 0);
   await press('picking');
