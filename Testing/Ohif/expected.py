@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""expected.py SERIES_FOLDER RESULT_FOLDER
+"""expected.py SERIES_FOLDER RESULT_FOLDER [SECOND_SERIES_FOLDER SECOND_RESULT_FOLDER]
 
-Prints as JSON what a viewer must show of the DICOM results: for each segmentation and label map the voxels of every segment,
-with a hash for each slice; for each measurement report the patient coordinates of every measurement group. Read by pydicom.
+Prints as JSON what a viewer must show of the DICOM results of one or two series of a study: for each segmentation and label map
+the voxels of every segment, with a hash for each slice; for each measurement report the patient coordinates of every measurement
+group. Read by pydicom.
 """
 
 import hashlib
@@ -119,26 +120,42 @@ def groups_of(report, series):
         yield {"uid": next(items_of(group, TRACKING_UID)).UID, "identifier": identifier, "place": place}
 
 
-def main(series_folder, result_folder):
-    series = {s.SOPInstanceUID: s for s in (pydicom.dcmread(p, stop_before_pixels=True) for p in series_folder.glob("*.dcm"))}
+def axes_of(series):
+    """Returns the directions of rows, columns and slices, with their spacing."""
     some = next(iter(series.values()))
     row, column = numpy.array(some.ImageOrientationPatient, float).reshape(2, 3)
-    heights = sorted(float(numpy.cross(row, column) @ numpy.array(s.ImagePositionPatient, float)) for s in series.values())
-    axes = [(row, float(some.PixelSpacing[1])), (column, float(some.PixelSpacing[0])), (numpy.cross(row, column), heights[1] - heights[0])]
-    expected = {"study": some.StudyInstanceUID, "axes": [{"direction": d.tolist(), "spacing": s} for d, s in axes], "objects": []}
+    normal = numpy.cross(row, column)
+    heights = sorted(float(normal @ numpy.array(s.ImagePositionPatient, float)) for s in series.values())
+    axes = [(row, float(some.PixelSpacing[1])), (column, float(some.PixelSpacing[0])), (normal, heights[1] - heights[0])]
+    return [{"direction": direction.tolist(), "spacing": spacing} for direction, spacing in axes]
+
+
+def objects_of(series, result_folder, position):
+    axes = axes_of(series)
     for path in sorted(result_folder.glob("*.dcm")):
         result = pydicom.dcmread(path)
-        known = {"file": path.name, "uid": result.SOPInstanceUID, "isShown": result.SOPClassUID not in NOT_FOR_OHIF}
+        shown = result.SOPClassUID not in NOT_FOR_OHIF
+        known = {"file": "second-" * position + path.name, "position": position, "uid": result.SOPInstanceUID, "isShown": shown}
         if result.SOPClassUID in (SEGMENTATION, LABEL_MAP):
             known["segments"] = list(segments_of(result))
         if result.SOPClassUID in REPORTS:
-            known["groups"] = list(groups_of(result, series))
-        expected["objects"].append(known)
+            known.update(axes=axes, groups=list(groups_of(result, series)))
+        yield known
+
+
+def main(folders):
+    expected = {"series": len(folders) // 2, "objects": []}
+    studies = set()
+    for position, (series_folder, result_folder) in enumerate(zip(folders[::2], folders[1::2])):
+        series = {s.SOPInstanceUID: s for s in (pydicom.dcmread(p, stop_before_pixels=True) for p in series_folder.glob("*.dcm"))}
+        studies.update(s.StudyInstanceUID for s in series.values())
+        expected["objects"] += objects_of(series, result_folder, position)
+    (expected["study"],) = studies
     json.dump(expected, sys.stdout)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3 or "--help" in sys.argv:
+    if len(sys.argv) not in (3, 5) or "--help" in sys.argv:
         print(__doc__)
         sys.exit(0 if "--help" in sys.argv else 2)
-    main(*(pathlib.Path(argument) for argument in sys.argv[1:]))
+    main([pathlib.Path(argument) for argument in sys.argv[1:]])

@@ -67,7 +67,7 @@ function checkPlaces(taken, groups, axes) {
 }
 
 async function readInOhif(expected) {
-  const [{ uid, groups }] = expected.objects;
+  const [{ uid, groups, axes }] = expected.objects;
   const server = await serve(PACKAGE, join(WORK, 'orthanc'));
   const page = await launch({ width: 1400, height: 900 });
   try {
@@ -77,7 +77,7 @@ async function readInOhif(expected) {
     await page.evaluate(show, uid);
     await page.until(isTaken, undefined, uid);
     await page.until(hasMeasurements, undefined, groups.length);
-    checkPlaces(await page.evaluate(measurements), groups, expected.axes);
+    checkPlaces(await page.evaluate(measurements), groups, axes);
     await page.evaluate(rename, 0, 'Polyp, broad');
     await page.evaluate(rename, 1, 'not a polyp');
     await page.evaluate(remove, 2);

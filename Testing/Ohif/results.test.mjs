@@ -1,6 +1,7 @@
-// Loads the DICOM results of a run in OHIF, and compares what it holds and draws with what pydicom reads.
-// usage: PACKAGE=folder for OHIF SERIES=folder RESULTS=folder,... WORK=folder to write to PYTHON=python3 [SHOTS=folder for pictures]
-//   node --test results.test.mjs
+// Loads the DICOM results of a run in OHIF, and compares what it holds and draws with what pydicom reads. A run of two positions has
+// two series and two folders, joined by "+"; all are loaded in one study.
+// usage: PACKAGE=folder for OHIF SERIES=folder[+second] RESULTS=folder[+second],... WORK=folder to write to PYTHON=python3
+//   [SHOTS=folder for pictures] node --test results.test.mjs
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { readdirSync } from 'node:fs';
@@ -20,36 +21,30 @@ const DISTINCT = 30; // least distance of two colors
 const SAME_HUE = 0.95; // cosine between the change and the way to the color of the segment
 const HALF = 0.5; // of a pixel or a slice: largest distance of a measurement from its place
 
-const folders = RESULTS.split(',');
-const expectations = folders.map((folder) => {
+// Pairs of series and results, for each position.
+const runs = RESULTS.split(',').map((run) => run.split('+').map((folder, i) => [SERIES.split('+')[i], folder]));
+const expectations = runs.map((pairs) => {
   const options = { encoding: 'utf8', maxBuffer: 1 << 28 };
-  const { status, stdout, stderr } = spawnSync(PYTHON, [join(HERE, 'expected.py'), SERIES, folder], options);
+  const { status, stdout, stderr } = spawnSync(PYTHON, [join(HERE, 'expected.py'), ...pairs.flat()], options);
   return status === 0 ? JSON.parse(stdout) : { reason: stderr.trim().split('\n').pop() };
 });
+const nameOf = ([[, folder]]) => basename(folder);
 const reason = expectations.map((one) => one.reason).find((text) => /No module named/.test(text || '')) || missing(PACKAGE);
 if (reason) console.log(`skipped: ${reason}`);
-else folders.forEach((folder, i) => test(`results in ${basename(folder)}`, (context) => check(context, folder, expectations[i])));
+else runs.forEach((pairs, i) => test(`results in ${nameOf(pairs)}`, (context) => check(context, pairs, expectations[i])));
 
-async function check(context, folder, expected) {
+async function check(context, pairs, expected) {
   assert.equal(expected.reason, undefined);
   const server = await serve(PACKAGE, join(WORK, 'orthanc'));
   const page = await launch({ width: 1400, height: 900 });
   try {
-    for (const path of [SERIES, folder]) {
+    for (const path of pairs.flat()) {
       for (const file of readdirSync(path).filter((name) => name.endsWith('.dcm'))) await server.store(join(path, file));
     }
-    const viewer = { page, server, expected, name: basename(folder), loaded: [] };
+    const viewer = { page, server, expected, name: nameOf(pairs) };
     await open(viewer);
     await context.test('every object is listed, and marked if OHIF cannot show it', () => listed(viewer));
-    const segmentations = expected.objects.filter(({ segments }) => segments);
-    for (const one of segmentations) {
-      await context.test(`${one.file}: loads`, async () => {
-        await load(viewer, one.uid);
-        viewer.loaded.push(one);
-      });
-    }
-    for (const one of segmentations) await context.test(`${one.file}: every segment has its voxels`, () => hasVoxels(viewer, one));
-    for (const one of segmentations) await context.test(`${one.file}: every segment is drawn in its color`, () => isDrawn(viewer, one));
+    for (let i = 0; i < pairs.length; ++i) await checkSegmentations(context, viewer, i);
     for (const one of expected.objects.filter(({ groups }) => groups)) {
       await context.test(`${one.file}: every measurement is in its place`, () => isInPlace(viewer, one));
     }
@@ -58,6 +53,15 @@ async function check(context, folder, expected) {
     await page.close();
     await server.close();
   }
+}
+
+// Loads the segmentations of a position; those of the position before must keep their voxels.
+async function checkSegmentations(context, viewer, position) {
+  const all = viewer.expected.objects.filter((one) => one.segments && one.position <= position);
+  viewer.loaded = all.filter((one) => one.position === position);
+  for (const one of viewer.loaded) await context.test(`${one.file}: loads`, () => load(viewer, one.uid));
+  for (const one of all) await context.test(`${one.file}: every segment has its voxels`, () => hasVoxels(viewer, one));
+  for (const one of viewer.loaded) await context.test(`${one.file}: every segment is drawn in its color`, () => isDrawn(viewer, one));
 }
 
 // ---- functions that run in the page ----
@@ -159,8 +163,8 @@ async function isDrawn(viewer, { file, uid, segments }) {
   assert.deepEqual(similar, [], `similar colors: ${JSON.stringify(colors)}`);
 }
 
-async function isInPlace(viewer, { file, uid, groups }) {
-  const { page, expected } = viewer;
+async function isInPlace(viewer, { file, uid, axes, groups }) {
+  const { page } = viewer;
   await open(viewer);
   await load(viewer, uid);
   const found = Object.fromEntries((await page.evaluate(annotationsOf)).map((one) => [one.uid, one]));
@@ -169,7 +173,7 @@ async function isInPlace(viewer, { file, uid, groups }) {
   let farthest = 0;
   for (const { uid: group, identifier, place } of groups) {
     const { place: shown, slice } = found[group];
-    const distances = expected.axes.map(({ direction, spacing }) => dot(direction, difference(shown, place)) / spacing);
+    const distances = axes.map(({ direction, spacing }) => dot(direction, difference(shown, place)) / spacing);
     assert.ok(distances.every((pixels) => Math.abs(pixels) <= HALF), `${identifier}: at ${shown}, not ${place}`);
     farthest = Math.max(farthest, ...distances.slice(0, 2).map(Math.abs));
     const [tip] = await page.until(goTo, undefined, slice, [], [shown]);

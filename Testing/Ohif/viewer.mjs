@@ -36,7 +36,7 @@ const isSegmentationShown = (uid) => {
 const isReportShown = (uid) => {
   const question = document.querySelector('[data-cy="no-hydrate-btn"]');
   question?.click();
-  return helpers.setOf(uid).isLoaded && (question || !helpers.setOf(uid).isRehydratable);
+  return helpers.setOf(uid).isLoaded && (question || !helpers.setOf(uid).isRehydratable) && helpers.viewport() !== null;
 };
 
 const pixelsOf = async (picture) => {
@@ -56,7 +56,7 @@ export async function open({ page, server, expected }) {
   await page.visit(`${server.url}/viewer?StudyInstanceUIDs=${expected.study}`);
   await page.until(() => Boolean(globalThis.services?.displaySetService && globalThis.cornerstone));
   await page.evaluate(addHelpers);
-  await page.until((count) => helpers.sets().length === count, undefined, expected.objects.length + 1);
+  await page.until((count) => helpers.sets().length === count, undefined, expected.objects.length + expected.series);
   await page.until(() => helpers.viewport()?.getImageIds?.().length > 1 && helpers.viewport().viewportStatus === 'rendered');
   await new Promise((done) => { setTimeout(done, PAUSE); });
 }
