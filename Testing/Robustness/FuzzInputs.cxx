@@ -37,6 +37,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -375,6 +376,22 @@ CrashInChild(const std::string &)
   waitpid(child, nullptr, 0);
   return true;
 }
+
+/** A contained process that asks for more memory than its limit: the sanitizer reports this, but it is no fault. */
+bool
+AskForTooMuchInChild(const std::string &)
+{
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    const rlimit limit{ std::size_t(64) << 20, std::size_t(64) << 20 };
+    setrlimit(RLIMIT_DATA, &limit);
+    const std::vector<char> block(std::size_t(256) << 20, 'x');
+    _exit(block[block.size() / 2] == 'x' ? 0 : 1);
+  }
+  waitpid(child, nullptr, 0);
+  return true;
+}
 #endif
 
 int
@@ -398,6 +415,8 @@ SelfTest(const Options & options)
   };
 #if defined(__SANITIZE_ADDRESS__)
   faulty.emplace_back("reportOfChild", CrashInChild);
+  faulty.emplace_back("reportOfChildAfterMemoryLimit",
+                      [](const std::string & path) { return AskForTooMuchInChild(path) && CrashInChild(path); });
 #endif
   int missed = 0;
   for (const auto & reader : faulty)
@@ -416,6 +435,14 @@ SelfTest(const Options & options)
   Campaign sound(std::chrono::seconds(60));
   shapeton::WriteText(options.folder + "/sound", "x");
   sound.Start(options.folder + "/sound", [](const std::string &) { return true; });
+#if defined(__SANITIZE_ADDRESS__)
+  shapeton::WriteText(options.folder + "/memoryLimit", "x");
+  sound.Start(options.folder + "/memoryLimit", AskForTooMuchInChild);
+#endif
+  const shapeton::DicomSource source = MakeResultSource(shapeton::MakeFolder(options.folder + "/source"));
+  const std::string           falseLength = options.folder + "/falseLength" + ResultExtension;
+  shapeton::WriteText(falseLength, MakeResultOfFalseLength(options.folder, source));
+  sound.Start(falseLength, [&](const std::string & file) { return ReadAllOfResult(file, source); });
   sound.Finish();
   std::cout << faulty.size() - static_cast<std::size_t>(missed) << " of " << faulty.size() << " faults detected\n";
   return missed == 0 && sound.GetFaults() == 0 ? 0 : 1;

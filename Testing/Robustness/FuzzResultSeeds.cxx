@@ -129,6 +129,23 @@ MakeResultSource(const std::string & folder)
   return ReadDicomSource(folder);
 }
 
+std::string
+MakeResultOfFalseLength(const std::string & folder, const DicomSource & source)
+{
+  const std::string path = folder + "/seed.dcm";
+  MakeSegmentation(path, source, DicomSegmentationFormat::Binary);
+  StateTransferSyntax(path, "1.2.840.10008.1.2.1.99"); // deflated
+  const std::string     bytes = ReadFileBytes(path);
+  constexpr std::size_t groupLength = 140; // value of (0002,0000)
+  const std::size_t     start = groupLength + 4 + static_cast<unsigned char>(bytes.at(groupLength));
+  std::string           dataset = bytes.substr(start);
+  const std::size_t     pixels = dataset.rfind(std::string("\xE0\x7F\x10\0OB\0\0", 8));
+  dataset.replace(pixels + 8, 4, std::string("\0\0\0\xE0", 4));
+  const std::string     gzipped = Gzip(dataset);
+  constexpr std::size_t header = 10, trailer = 8; // RFC 1952
+  return bytes.substr(0, start) + gzipped.substr(header, gzipped.size() - header - trailer);
+}
+
 std::vector<FuzzSeed>
 MakeResultSeeds(const std::string & folder, const DicomSource & source)
 {

@@ -16,6 +16,10 @@ MakeResultSource(const std::string & folder);
 std::vector<FuzzSeed>
 MakeResultSeeds(const std::string & folder, const shapeton::DicomSource & source);
 
+/** A deflated segmentation whose pixels state 3.5 GB: DCMTK asks for this memory before it reads them. */
+std::string
+MakeResultOfFalseLength(const std::string & folder, const shapeton::DicomSource & source);
+
 /** Reads a file as a segmentation and as a report; returns whether one of them succeeded. */
 bool
 ReadAllOfResult(const std::string & path, const shapeton::DicomSource & source);

@@ -5,14 +5,17 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <fcntl.h>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <vector>
 
 namespace
 {
@@ -99,11 +102,17 @@ IsForeign(const std::string & library)
   return false;
 }
 
+std::string
+FirstLineOf(const std::string & text)
+{
+  return text.substr(0, text.find('\n'));
+}
+
 /** Library at fault in a sanitizer's report: the first library of the stack that is not in every stack. */
 std::string
-LibraryAtFault(const std::string & log)
+LibraryAtFault(const std::string & report)
 {
-  std::istringstream stream(log);
+  std::istringstream stream(report);
   for (std::string line; std::getline(stream, line);)
   {
     const auto number = line.find_first_not_of(' ');
@@ -116,22 +125,81 @@ LibraryAtFault(const std::string & log)
       }
     }
   }
-  // At the memory limit, the sanitizer cannot print a stack.
-  return log.find("allocator is out of memory") != std::string::npos ? MemoryLimit : "unknown";
+  return "unknown";
 }
 
-std::string
-FirstReport(const std::string & log)
+bool
+Begins(const std::string & report, const char * start)
 {
-  for (const char * sign : { "runtime error: ", "ERROR: AddressSanitizer: ", "ERROR: LeakSanitizer: " })
+  return report.compare(0, std::strlen(start), start) == 0;
+}
+
+/** An allocation that the sanitizer refuses, as operator new would by an exception, in any library. */
+bool
+IsRefusedAllocation(const std::string & report)
+{
+  const std::string sanitizer = "ERROR: AddressSanitizer: ";
+  for (const char * kind : { "allocator is out of memory",
+                             "out-of-memory",
+                             "out of memory",
+                             "allocation-size-too-big",
+                             "requested allocation size" })
   {
-    const auto place = log.find(sign);
-    if (place != std::string::npos)
+    if (Begins(report, (sanitizer + kind).c_str()))
     {
-      return log.substr(place, log.find('\n', place) - place);
+      return true;
     }
   }
-  return {};
+  return false;
+}
+
+/** The reports of sanitizers in a log, each from its sign to the next one. */
+std::vector<std::string>
+ReportsIn(const std::string & log)
+{
+  std::set<std::size_t> places;
+  for (const char * sign : { "runtime error: ", "ERROR: AddressSanitizer: ", "ERROR: LeakSanitizer: " })
+  {
+    for (auto place = log.find(sign); place != std::string::npos; place = log.find(sign, place + 1))
+    {
+      places.insert(place);
+    }
+  }
+  std::vector<std::string> reports;
+  for (auto place = places.begin(); place != places.end(); ++place)
+  {
+    const auto next = std::next(place);
+    reports.push_back(log.substr(*place, next == places.end() ? std::string::npos : *next - *place));
+  }
+  return reports;
+}
+
+/** What a contained process reported, if the reader read or refused the file nevertheless. */
+struct Containment
+{
+  /** A fault, with its library; empty if there is none. */
+  std::string fault;
+  /** The library that crashed, or the limit of memory; empty if there is none. */
+  std::string contained;
+};
+
+Containment
+ContainmentOf(const std::vector<std::string> & reports)
+{
+  Containment found;
+  for (const std::string & report : reports)
+  {
+    const bool        isRefused = IsRefusedAllocation(report);
+    const std::string library = isRefused ? MemoryLimit : LibraryAtFault(report);
+    const bool        isUndefined = Begins(report, "runtime error"); // only Shapeton is instrumented for this
+    if (!isRefused && (isUndefined || !IsForeign(library)))
+    {
+      found.fault = FirstLineOf(report) + " in " + library;
+      return found;
+    }
+    found.contained = library;
+  }
+  return found;
 }
 } // namespace
 
@@ -176,10 +244,9 @@ FuzzTrial::HasEnded()
 void
 FuzzTrial::Judge(int status, long peakKilobytes)
 {
-  const std::string log = TextOf(m_Log);
-  const std::string report = FirstReport(log);
-  const std::string library = report.empty() ? "" : LibraryAtFault(log);
-  const bool        isUndefined = report.compare(0, 13, "runtime error") == 0; // only Shapeton is instrumented for this
+  const auto        reports = ReportsIn(TextOf(m_Log));
+  const std::string first = reports.empty() ? "" : FirstLineOf(reports.front());
+  const Containment containment = ContainmentOf(reports);
   const int         exitStatus = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   m_Outcome.kind = FuzzOutcome::Kind::fault;
   if (m_IsOutOfTime)
@@ -188,19 +255,19 @@ FuzzTrial::Judge(int status, long peakKilobytes)
   }
   else if (WIFSIGNALED(status))
   {
-    m_Outcome.reason = "crash: signal " + std::to_string(WTERMSIG(status)) + " " + report;
+    m_Outcome.reason = "crash: signal " + std::to_string(WTERMSIG(status)) + " " + first;
   }
   else if (exitStatus == WrongException)
   {
-    m_Outcome.reason = "unexpected type of error: " + log;
+    m_Outcome.reason = "unexpected type of error: " + TextOf(m_Log);
   }
   else if (exitStatus != Read && exitStatus != Refused)
   {
-    m_Outcome.reason = "crash: exit status " + std::to_string(exitStatus) + " " + report;
+    m_Outcome.reason = "crash: exit status " + std::to_string(exitStatus) + " " + first;
   }
-  else if (!report.empty() && (isUndefined || !IsForeign(library)))
+  else if (!containment.fault.empty())
   {
-    m_Outcome.reason = report + " in " + library;
+    m_Outcome.reason = containment.fault;
   }
   else if (peakKilobytes > MostKilobytes)
   {
@@ -209,7 +276,7 @@ FuzzTrial::Judge(int status, long peakKilobytes)
   else
   {
     m_Outcome.kind = exitStatus == Read ? FuzzOutcome::Kind::read : FuzzOutcome::Kind::refused;
-    m_Outcome.contained = library;
+    m_Outcome.contained = containment.contained;
     std::remove(m_Path.c_str());
     std::remove(m_Log.c_str());
   }

@@ -180,7 +180,8 @@ RequirePixels(DcmFileFormat & format, const DicomSegmentationFile & file)
   DcmDataset &        dataset = *format.getDataset();
   const DcmXfer       syntax(dataset.getOriginalXfer());
   const DicomEncoding encoding = DicomEncodingOf(format);
-  if (!encoding.isSupported || (IsCompressed(format) && !HasWholeBytes(file) && !encoding.hasDeflatedFrames))
+  const bool          hasFramesOfBits = encoding.hasDeflatedFrames || encoding.isJpeg2000;
+  if (!encoding.isSupported || (IsCompressed(format) && !HasWholeBytes(file) && !hasFramesOfBits))
   {
     throw std::runtime_error("is compressed as " + encoding.name + ", which is not supported; decompress it");
   }

@@ -5,6 +5,7 @@
 #include "shapetonDicomSegmentationReader.h"
 #include "shapetonFileBytes.h"
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
@@ -238,34 +239,129 @@ TEST(DicomResultsOfOtherPrograms, CompressedFramesAreRead)
   map.Expect(ReadDicomSegmentation(map.path), { 2, 7 }, "JPEG 2000");
 }
 
-/** 7 x 9 bits are not a multiple of a byte: frames are padded when compressed, but not otherwise. */
+std::string
+FromHexadecimal(const std::string & digits)
+{
+  std::string bytes;
+  for (std::size_t i = 0; i < digits.size(); i += 2)
+  {
+    bytes += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
+  }
+  return bytes;
+}
+
+/** Segments 1 to `count` of a label image on the slices of a series, in single bits: 7 x 9 bits are not a multiple of a
+ * byte. */
+class Bits
+{
+public:
+  Bits()
+    : m_Folder(TestFolder())
+    , m_Source(SourceOf(ObliqueFixture(), m_Folder))
+    , m_Labels(DicomLabelImage::New())
+    , m_Path(m_Folder + "/seg.dcm")
+  {
+    m_Labels->CopyInformation(m_Source.grid);
+    m_Labels->SetRegions(m_Source.grid->GetLargestPossibleRegion().GetSize());
+    m_Labels->Allocate();
+  }
+
+  /** Labels each voxel, from the first one of the first slice. */
+  void
+  Write(const std::function<unsigned short(std::size_t)> & labelOf, unsigned short count)
+  {
+    for (std::size_t i = 0; i < this->Voxels(); ++i)
+    {
+      m_Labels->GetBufferPointer()[i] = labelOf(i);
+    }
+    std::vector<DicomSegment> segments(count);
+    for (unsigned short i = 0; i < count; ++i)
+    {
+      segments[i].name = segments[i].trackingID = "segment";
+      segments[i].category = segments[i].type = { "71854001", "SCT", "Colon" };
+      segments[i].trackingUID = "2.25.1";
+      segments[i].labels = m_Labels;
+      segments[i].label = static_cast<unsigned short>(i + 1);
+      m_Numbers.push_back(i + 1);
+    }
+    WriteDicomSegmentation(m_Source, segments, HeaderOfTest(), m_Path);
+  }
+
+  const std::string &
+  Path() const
+  {
+    return m_Path;
+  }
+
+  bool
+  AreReadBack() const
+  {
+    const auto         back = ReadDicomSegments(ReadDicomSegmentation(m_Path), m_Numbers, m_Source).labels;
+    const auto * const labels = m_Labels->GetBufferPointer();
+    return std::equal(labels, labels + this->Voxels(), back->GetBufferPointer());
+  }
+
+private:
+  std::size_t
+  Voxels() const
+  {
+    return m_Labels->GetLargestPossibleRegion().GetNumberOfPixels();
+  }
+
+  std::string              m_Folder;
+  DicomSource              m_Source;
+  DicomLabelImage::Pointer m_Labels;
+  std::string              m_Path;
+  std::vector<int>         m_Numbers;
+};
+
+/** Frames are padded when compressed, but not otherwise. */
 TEST(DicomResultsOfOtherPrograms, DeflatedFramesOfBitsAreRead)
 {
-  const std::string folder = TestFolder();
-  const DicomSource source = SourceOf(ObliqueFixture(), folder);
-  const auto        labels = DicomLabelImage::New();
-  labels->CopyInformation(source.grid);
-  labels->SetRegions(source.grid->GetLargestPossibleRegion().GetSize());
-  labels->Allocate();
+  Bits         bits;
   std::mt19937 random(5);
-  const auto   count = labels->GetLargestPossibleRegion().GetNumberOfPixels();
-  std::generate(labels->GetBufferPointer(), labels->GetBufferPointer() + count, [&] {
-    return static_cast<unsigned short>(random() % 3);
-  });
-  std::vector<DicomSegment> segments(2);
-  for (unsigned short i = 0; i < 2; ++i)
+  bits.Write([&](std::size_t) { return static_cast<unsigned short>(random() % 3); }, 2);
+  DeflateDicomFrames(bits.Path());
+  EXPECT_TRUE(bits.AreReadBack());
+}
+
+/** The frames are streams of opj_compress of OpenJPEG 2.5.0. */
+TEST(DicomResultsOfOtherPrograms, FramesOfBitsInJpeg2000AreRead)
+{
+  const std::string patterns[2] = { "110100001101000011010001000000001100001101100101101011111011001",
+                                    "011011101000001111101101001101101110001100010011110001100010011" };
+  const std::string header = "ff4fff51002900000000000700000009000000000000000000000007000000090000000000000000000100"
+                             "0101ff52000c00000001000004040001ff5c00044008";
+  const std::string streams[2] = {
+    FromHexadecimal(header + "ff90000a00000000001d0001ff93d5a00bfe022acfc812d5d18238fb2fffd9"),
+    FromHexadecimal(header + "ff90000a00000000001c0001ff93d58010f45a7fe1bc0a4809934537ffd9")
+  };
+  const std::string     lossless = "1.2.840.10008.1.2.4.90";
+  constexpr std::size_t pixels = 63;
+  Bits                  bits;
+  bits.Write([&](std::size_t i) { return static_cast<unsigned short>(patterns[i / pixels % 2][i % pixels] - '0'); }, 1);
+  std::vector<std::string> frames;
+  for (std::size_t slice = 0; slice < 6; ++slice)
   {
-    segments[i].name = segments[i].trackingID = "segment";
-    segments[i].category = segments[i].type = { "71854001", "SCT", "Colon" };
-    segments[i].trackingUID = "2.25.1";
-    segments[i].labels = labels;
-    segments[i].label = static_cast<unsigned short>(i + 1);
+    frames.push_back(streams[slice % 2]);
   }
-  const std::string path = folder + "/seg.dcm";
-  WriteDicomSegmentation(source, segments, HeaderOfTest(), path);
-  DeflateDicomFrames(path);
-  const auto back = ReadDicomSegments(ReadDicomSegmentation(path), { 1, 2 }, source).labels;
-  EXPECT_TRUE(std::equal(labels->GetBufferPointer(), labels->GetBufferPointer() + count, back->GetBufferPointer()));
+  ReplaceFrames(bits.Path(), frames, lossless);
+  EXPECT_TRUE(bits.AreReadBack());
+
+  const auto [columns, components, precision] = std::array<std::size_t, 3>{ 11, 41, 42 }; // bytes of the stream
+  for (const auto & [place, value] : std::map<std::size_t, char>{ { columns, 6 }, { components, 3 }, { precision, 7 } })
+  {
+    std::vector<std::string> others = frames;
+    others[3][place] = value;
+    ReplaceFrames(bits.Path(), others, lossless);
+    EXPECT_TRUE(Contains(InputErrorOf([&] { bits.AreReadBack(); }), "not the single bits of its header")) << place;
+  }
+  std::vector<std::string> truncated = frames;
+  truncated[5].resize(50);
+  ReplaceFrames(bits.Path(), truncated, lossless);
+  EXPECT_NE(InputErrorOf([&] { bits.AreReadBack(); }), "");
+  ReplaceFrames(bits.Path(), frames, "1.2.840.10008.1.2.4.80");
+  EXPECT_TRUE(Contains(InputErrorOf([&] { bits.AreReadBack(); }), "which is not supported; decompress it"));
 }
 
 TEST(DicomResultsOfOtherPrograms, NamesOfSegmentsAreDecoded)

@@ -64,6 +64,7 @@ struct DicomEncoding
   bool isUnknown{ false };
   /** Deflated Image Frame Compression (Supplement 244). */
   bool hasDeflatedFrames{ false };
+  bool isJpeg2000{ false };
 };
 
 ShapetonVolumeFiles_EXPORT DicomEncoding
@@ -75,9 +76,10 @@ DicomEncodingOf(DcmFileFormat & file);
 ShapetonVolumeFiles_EXPORT std::string
 LoadDicomFile(DcmFileFormat & file, const std::string & path, unsigned int maximumEagerValue);
 
-/** Decodes a frame, from 0, of a loaded file into exactly `bytes` bytes. Native frames of single bits are not
- * supported. Returns the bits of a decoded pixel, or 0 if they are defined by the header: JPEG 2000 streams encode
- * numbers, sometimes with more bits than Bits Stored; other encodings store words. Throws std::runtime_error. */
+/** Decodes a frame, from 0, of a loaded file into exactly `bytes` bytes. Frames of single bits must be deflated or in
+ * JPEG 2000; they are packed, the first pixel in the lowest bit. Returns the bits of a decoded pixel, or 0 if they are
+ * defined by the header: JPEG 2000 streams encode numbers, sometimes with more bits than Bits Stored; other encodings
+ * store words. Throws std::runtime_error. */
 ShapetonVolumeFiles_EXPORT std::uint16_t
                            DecodeDicomFrame(DcmFileFormat & file, unsigned int frame, std::size_t bytes, char * pixels);
 

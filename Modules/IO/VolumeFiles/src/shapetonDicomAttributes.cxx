@@ -101,12 +101,13 @@ DicomEncodingOf(DcmFileFormat & file)
   DicomEncoding     encoding;
   if (stated == DeflatedFramesUID)
   {
-    return { "Deflated Image Frame Compression", true, false, true };
+    return { "Deflated Image Frame Compression", true, false, true, false };
   }
   encoding.isUnknown = !stated.empty() && DcmXfer(stated.c_str()).getXfer() == EXS_Unknown;
   const DcmXfer syntax(file.getDataset()->getOriginalXfer());
   encoding.name = encoding.isUnknown ? NameOfNewTransferSyntax(stated) : std::string(syntax.getXferName());
   encoding.isSupported = !encoding.isUnknown && IsSupported(syntax.getXfer());
+  encoding.isJpeg2000 = syntax.getXfer() == EXS_JPEG2000 || syntax.getXfer() == EXS_JPEG2000LosslessOnly;
   return encoding;
 }
 

@@ -187,6 +187,10 @@ ReadGdcmPixelFormat(DcmDataset & dataset)
   high = static_cast<Uint16>(stored - 1);
   dataset.findAndGetUint16(DCM_HighBit, high);
   dataset.findAndGetUint16(DCM_PixelRepresentation, representation);
+  if (allocated == 1)
+  {
+    return gdcm::PixelFormat(1, 8, 1, 0, 0); // decoded to bytes
+  }
   return gdcm::PixelFormat(1, allocated, stored, high, representation);
 }
 
@@ -232,6 +236,53 @@ DecodeFragments(DcmDataset & dataset, const std::vector<Fragment> & fragments, s
   }
   std::copy(decoded.begin(), decoded.end(), pixels);
   return image.GetPixelFormat().GetBitsStored();
+}
+
+/** Requires a JPEG 2000 stream with one component of single bits and this size, which GDCM does not check. The first
+ * segment of the stream (ISO/IEC 15444-1, A.5.1) has big-endian numbers. */
+void
+RequireStreamOfBits(const Fragment & start, std::size_t columns, std::size_t rows)
+{
+  constexpr std::size_t width = 8, height = 12, left = 16, top = 20, components = 40, depth = 42, length = 43; // bytes
+  const auto            numberAt = [&](std::size_t place) {
+    std::size_t number = 0;
+    for (std::size_t i = place; i < place + 4; ++i)
+    {
+      number = number << 8 | static_cast<unsigned char>(start.data[i]);
+    }
+    return number;
+  };
+  const bool isStream = start.size >= length && numberAt(0) == 0xFF4FFF51; // start of the stream, size
+  if (!isStream || numberAt(width) != columns + numberAt(left) || numberAt(height) != rows + numberAt(top) ||
+      start.data[components] != 0 || start.data[components + 1] != 1 || start.data[depth] != 0)
+  {
+    throw std::runtime_error("its compressed pixels are not the single bits of its header");
+  }
+}
+
+/** Decodes a frame of single bits into packed bits, the first pixel in the lowest bit. */
+void
+DecodeFragmentsOfBits(DcmDataset & dataset, const std::vector<Fragment> & fragments, std::size_t bytes, char * packed)
+{
+  constexpr std::size_t bitsOfByte = 8;
+  Uint16                rows = 0;
+  Uint16                columns = 0;
+  dataset.findAndGetUint16(DCM_Rows, rows);
+  dataset.findAndGetUint16(DCM_Columns, columns);
+  const std::size_t count = std::size_t(rows) * columns;
+  if (fragments.empty() || (count + bitsOfByte - 1) / bitsOfByte != bytes)
+  {
+    throw std::runtime_error("its header is inconsistent about the frame size");
+  }
+  RequireStreamOfBits(fragments.front(), columns, rows);
+  std::vector<char> pixels(count);
+  DecodeFragments(dataset, fragments, count, pixels.data());
+  std::fill(packed, packed + bytes, '\0');
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    char & byte = packed[i / bitsOfByte];
+    byte = static_cast<char>(byte | (pixels[i] & 1) << (i % bitsOfByte));
+  }
 }
 
 /** Inflates a frame (RFC 1951) into exactly this number of bytes, so a false header cannot allocate more. */
@@ -393,14 +444,22 @@ DecodeDicomFrame(DcmFileFormat & file, unsigned int frame, std::size_t bytes, ch
   {
     throw std::runtime_error("it has no frame " + std::to_string(frame + 1));
   }
-  const auto fragments = SelectFragments(SequenceOf(*pixelData), count, frame);
-  if (DicomEncodingOf(file).hasDeflatedFrames)
+  const auto          fragments = SelectFragments(SequenceOf(*pixelData), count, frame);
+  const DicomEncoding encoding = DicomEncodingOf(file);
+  if (encoding.hasDeflatedFrames)
   {
     InflateFragments(fragments, bytes, pixels);
     return 0;
   }
+  Uint16 allocated = 0;
+  dataset.findAndGetUint16(DCM_BitsAllocated, allocated);
+  if (allocated == 1 && encoding.isJpeg2000)
+  {
+    DecodeFragmentsOfBits(dataset, fragments, bytes, pixels);
+    return 0;
+  }
   const std::uint16_t bits = DecodeFragments(dataset, fragments, bytes, pixels);
-  return syntax.getXfer() == EXS_JPEG2000 || syntax.getXfer() == EXS_JPEG2000LosslessOnly ? bits : std::uint16_t(0);
+  return encoding.isJpeg2000 ? bits : std::uint16_t(0);
 }
 
 ContainedService

@@ -525,6 +525,29 @@ Deflated(std::string bytes)
 } // namespace
 
 void
+ReplaceFrames(const std::string & path, std::vector<std::string> frames, const std::string & syntax)
+{
+  DcmFileFormat file;
+  Check(file.loadFile(path.c_str()), "load");
+  DcmElement * pixels = nullptr;
+  Check(file.getDataset()->findAndGetElement(DCM_PixelData, pixels), "pixels");
+  auto * const  sequence = new DcmPixelSequence(DCM_PixelSequenceTag);
+  auto * const  table = new DcmPixelItem(DCM_PixelItemTag);
+  DcmOffsetList offsets;
+  sequence->insert(table);
+  for (std::string & frame : frames)
+  {
+    Check(sequence->storeCompressedFrame(
+            offsets, reinterpret_cast<Uint8 *>(&frame[0]), static_cast<Uint32>(frame.size()), 0),
+          "store");
+  }
+  Check(table->createOffsetTable(offsets), "table");
+  dynamic_cast<DcmPixelData &>(*pixels).putOriginalRepresentation(EXS_RLELossless, nullptr, sequence);
+  Check(file.saveFile(path.c_str(), EXS_RLELossless), "save"); // encapsulated in the same way
+  StateTransferSyntax(path, syntax);
+}
+
+void
 DeflateDicomFrames(const std::string & path)
 {
   DcmFileFormat file;
@@ -540,25 +563,15 @@ DeflateDicomFrames(const std::string & path)
   Check(dataset.findAndGetElement(DCM_PixelData, pixels), "pixels");
   std::string all(pixels->getLength(), '\0');
   Check(pixels->getPartialValue(&all[0], 0, pixels->getLength()), "read");
-  auto * const   sequence = new DcmPixelSequence(DCM_PixelSequenceTag);
-  auto * const   table = new DcmPixelItem(DCM_PixelItemTag);
-  DcmOffsetList  offsets;
-  const unsigned pixelsOfFrame = unsigned{ rows } * columns;
-  sequence->insert(table);
+  std::vector<std::string> deflated;
+  const unsigned           pixelsOfFrame = unsigned{ rows } * columns;
   for (Sint32 i = 0; i < std::max<Sint32>(frames, 1); ++i)
   {
     const auto        frame = static_cast<std::size_t>(i);
     const std::size_t bytes = std::size_t{ pixelsOfFrame } * bits / 8;
-    std::string       deflated =
-      Deflated(bits == 1 ? BitsOfFrame(all, frame, pixelsOfFrame) : all.substr(frame * bytes, bytes));
-    Check(sequence->storeCompressedFrame(
-            offsets, reinterpret_cast<Uint8 *>(&deflated[0]), static_cast<Uint32>(deflated.size()), 0),
-          "store");
+    deflated.push_back(Deflated(bits == 1 ? BitsOfFrame(all, frame, pixelsOfFrame) : all.substr(frame * bytes, bytes)));
   }
-  Check(table->createOffsetTable(offsets), "table");
-  dynamic_cast<DcmPixelData &>(*pixels).putOriginalRepresentation(EXS_RLELossless, nullptr, sequence);
-  Check(file.saveFile(path.c_str(), EXS_RLELossless), "save"); // encapsulated in the same way
-  StateTransferSyntax(path, "1.2.840.10008.1.2.8.1");
+  ReplaceFrames(path, std::move(deflated), "1.2.840.10008.1.2.8.1");
 }
 
 void

@@ -151,6 +151,10 @@ CompressDicom(const std::string & path, const std::string & syntax);
 void
 CompressSegmentation(const std::string & path, const std::string & syntax);
 
+/** Replaces the pixels of a file by these compressed frames, encoded as the transfer syntax states. */
+void
+ReplaceFrames(const std::string & path, std::vector<std::string> frames, const std::string & syntax);
+
 /** Compresses the frames of an uncompressed file in place, as in Deflated Image Frame Compression. */
 void
 DeflateDicomFrames(const std::string & path);
