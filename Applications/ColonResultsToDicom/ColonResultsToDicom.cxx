@@ -3,20 +3,13 @@
 #include "shapetonColonDicomResults.h"
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
+#include "shapetonReadOptions.h"
 
 #include <filesystem>
 
 namespace
 {
 using shapeton::CommandLine;
-
-shapeton::DicomSegmentationFormat
-FormatOf(bool isLabelMap, bool isDeflated)
-{
-  using Format = shapeton::DicomSegmentationFormat;
-  return isLabelMap ? (isDeflated ? Format::DeflatedLabelMap : Format::LabelMap)
-                    : (isDeflated ? Format::DeflatedBinary : Format::Binary);
-}
 
 /** Writes the results of a position, 0 or 1; [begin, end] is its part of the progress. */
 void
@@ -31,11 +24,7 @@ Write(CommandLine &       commandLine,
   const std::string exam = position == 0 ? run : run + "/second";
   CommandLine::RequireApart(source, folder, "use the folder with the DICOM series from which the run was computed");
   shapeton::ColonDicomOptions options;
-  options.segmentation = FormatOf(commandLine.GetFlag("labelMap"), commandLine.GetFlag("deflate"));
-  options.forOhif = commandLine.GetFlag("ohif");
-  options.dates =
-    commandLine.GetString("dates") == "now" ? shapeton::DicomResultDates::Now : shapeton::DicomResultDates::Source;
-  options.fhir = commandLine.GetFlag("fhir");
+  ReadOptions(commandLine, options);
   options.reader = { commandLine.GetString("verdicts"), run, position, commandLine.GetString("observer") };
   options.progress = commandLine.PartOfProgress(begin, end);
   commandLine.MakeFolder(folder);

@@ -43,16 +43,15 @@ struct Stage
   double      begin;
 };
 
-using Format = shapeton::DicomSegmentationFormat;
+using Objects = shapeton::ColonDicomObjectOptions;
 
 /** Stages of writing all objects into `folder`; the last one marks the end. */
 std::vector<Stage>
-WriteAll(const std::string & exam, const std::string & source, const std::string & folder, Format format)
+WriteAll(const std::string & exam, const std::string & source, const std::string & folder, const Objects & objects)
 {
   fs::create_directories(folder);
   std::vector<Stage>          stages;
-  shapeton::ColonDicomOptions options;
-  options.segmentation = format;
+  shapeton::ColonDicomOptions options{ objects, {}, {} };
   options.progress = [&](const std::string & name, double) { stages.push_back({ name, ProcessorSeconds() }); };
   shapeton::WriteColonDicomResults(exam, source, folder, options, [](const std::string & path) { return path; });
   return stages;
@@ -64,10 +63,10 @@ Measure(const std::string & exam,
         const std::string & source,
         const std::string & folder,
         const char *        name,
-        Format              format,
+        const Objects &     objects,
         double              megabytes)
 {
-  const std::vector<Stage> stages = WriteAll(exam, source, folder, format);
+  const std::vector<Stage> stages = WriteAll(exam, source, folder, objects);
   const double             whole = stages.back().begin - stages.front().begin;
   std::printf("all objects, segmentations %s: %.2f s\n", name, whole);
   for (std::size_t i = 0; i + 1 < stages.size(); ++i)
@@ -118,10 +117,13 @@ main(int argc, char * argv[])
     const basetest::Folder folder;
     const auto             run = argc == 3 ? std::make_pair(std::string(argv[1]), std::string(argv[2]))
                                            : MakePhantomRun(fs::canonical("/proc/self/exe").parent_path(), folder);
-    Measure(run.first, run.second, folder / "plain", "binary", Format::Binary, 80.0);
-    Measure(run.first, run.second, folder / "deflated", "binary, deflated", Format::DeflatedBinary, 8.0);
-    Measure(run.first, run.second, folder / "map", "label maps, RLE", Format::LabelMap, 8.0);
-    Measure(run.first, run.second, folder / "deflatedMap", "label maps, deflated", Format::DeflatedLabelMap, 1.5);
+    Objects                plain, deflated, map, deflatedMap;
+    deflated.deflate = deflatedMap.deflate = true;
+    map.labelMap = deflatedMap.labelMap = true;
+    Measure(run.first, run.second, folder / "plain", "binary", plain, 80.0);
+    Measure(run.first, run.second, folder / "deflated", "binary, deflated", deflated, 8.0);
+    Measure(run.first, run.second, folder / "map", "label maps, RLE", map, 8.0);
+    Measure(run.first, run.second, folder / "deflatedMap", "label maps, deflated", deflatedMap, 1.5);
   }
   catch (const std::exception & error)
   {

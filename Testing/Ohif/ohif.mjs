@@ -60,8 +60,8 @@ const ask = (port, method, path, body = '') => new Promise((done) => {
 });
 
 // Returns the bytes of an answer.
-const get = (port, path, headers) => new Promise((done, fail) => {
-  const asked = request({ host: LOOPBACK, port, path, headers }, (answer) => {
+const get = (port, path) => new Promise((done, fail) => {
+  const asked = request({ host: LOOPBACK, port, path }, (answer) => {
     const parts = [];
     answer.on('data', (part) => parts.push(part)).on('end', () => done(Buffer.concat(parts)));
   });
@@ -109,7 +109,7 @@ function forward(port, asked, response) {
   asked.pipe(onward);
 }
 
-// Serves OHIF of the package folder. Returns its URL, and functions that store and return a file and end everything.
+// Serves OHIF of the package folder. Returns its URL, and functions that store, list and return files and end everything.
 export async function serve(packageFolder, workFolder) {
   const orthanc = await startOrthanc(workFolder);
   const root = join(packageFolder, 'ohif');
@@ -126,12 +126,9 @@ export async function serve(packageFolder, workFolder) {
       const status = await ask(orthanc.port, 'POST', '/instances', readFileSync(file));
       if (status !== OK) throw new Error(`Orthanc does not store ${file}: status ${status}`);
     },
-    // The bytes of a DICOM file that OHIF saved.
-    async saved({ uid, series, study }) {
-      const path = `/dicom-web/studies/${study}/series/${series}/instances/${uid}`;
-      const bytes = await get(orthanc.port, path, { Accept: 'multipart/related; type="application/dicom"' });
-      return bytes.subarray(bytes.indexOf('\r\n\r\n') + 4, bytes.lastIndexOf('\r\n--'));
-    },
+    // Orthanc's identifiers of all files.
+    async files() { return JSON.parse(await get(orthanc.port, '/instances')); },
+    fileOf: (identifier) => get(orthanc.port, `/instances/${identifier}/file`),
     async close() {
       server.closeAllConnections();
       server.close();

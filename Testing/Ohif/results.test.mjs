@@ -123,6 +123,8 @@ async function listed({ page, expected }) {
   assert.deepEqual(shown.map(({ file, uid }) => [file, sets[uid]]), shown.map(({ file }) => [file, true]));
   const unsupported = Object.values(sets).filter((isShown) => !isShown).length;
   assert.equal(unsupported > 0, shown.length < expected.objects.length);
+  const descriptions = await page.evaluate(() => helpers.sets().map(({ SeriesDescription }) => SeriesDescription));
+  assert.deepEqual(descriptions.filter((text, i) => descriptions.indexOf(text) < i), [], 'series of the same description');
 }
 
 async function hasVoxels({ page }, { file, uid, segments }) {

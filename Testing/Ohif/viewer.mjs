@@ -47,6 +47,15 @@ const pixelsOf = async (picture) => {
   return [...context.getImageData(0, 0, image.width, image.height).data];
 };
 
+// Returns where to press the element with this text, role or data-cy, once it is there and uncovered.
+const placeOf = (name) => {
+  const pressed = [...document.querySelectorAll('button, [role=tab], [role=combobox], [role=option], input, [data-cy]')];
+  const element = pressed.find(({ dataset, textContent, role, placeholder }) => [dataset.cy, textContent.trim(), role, placeholder].includes(name));
+  const { x, y, width, height } = element?.getBoundingClientRect() || {};
+  const place = [x + width / 2, y + height / 2];
+  return element && width > 0 && element.contains(document.elementFromPoint(...place)) && place;
+};
+
 const drawn = (page) => page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
 
 // Opens the study; returns when all its series are listed and the CT is drawn.
@@ -75,5 +84,12 @@ export async function look(page, [x, y], radius) {
 export async function load({ page }, uid) {
   await page.evaluate(show, uid);
   await page.until(await page.evaluate(isReport, uid) ? isReportShown : isSegmentationShown, undefined, uid);
+  await drawn(page);
+}
+
+// Presses the element with this text, role or data-cy with the mouse.
+export async function press(page, name) {
+  const place = await page.until(placeOf, undefined, name);
+  await page.click(...place);
   await drawn(page);
 }

@@ -2,7 +2,7 @@
 #define shapetonColonDicomResults_h
 
 #include "ShapetonColonToolsExport.h"
-#include "shapetonDicomSegmentation.h"
+#include "shapetonColonDicomObjectOptions.h"
 #include "shapetonHtmlReport.h"
 #include "shapetonProgress.h"
 #include "shapetonRemarks.h"
@@ -25,15 +25,9 @@ struct ColonDicomReader
 };
 
 /** Options for writing the results of an examination. \ingroup ShapetonColonTools */
-struct ColonDicomOptions
+struct ColonDicomOptions : public ColonDicomObjectOptions
 {
-  DicomSegmentationFormat segmentation{ DicomSegmentationFormat::Binary };
-  DicomResultDates        dates{ DicomResultDates::Source };
-  /** Whether to write sr-ohif.dcm as well: the candidates as measurements that a reader can change in OHIF. */
-  bool             forOhif{ false };
   ColonDicomReader reader;
-  /** Whether to write fhir.json, too. */
-  bool fhir{ false };
   /** Progress receiver; its stages are "Reading" and the file names. */
   Progress progress;
 };

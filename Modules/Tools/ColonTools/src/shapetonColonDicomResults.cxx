@@ -14,6 +14,7 @@
 #include "itkPNGImageIO.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 namespace shapeton
@@ -70,6 +71,7 @@ public:
     , m_OutputPath(outputPath)
     , m_Dates(dates)
     , m_Version(exam.quality.value("/provenance/version"_json_pointer, std::string("unknown")))
+    , m_Title(TitleOf(exam.quality.value("/lumen/position"_json_pointer, std::string())))
   {}
 
   const DicomSource &
@@ -94,7 +96,7 @@ public:
         const Writer &      write)
   {
     constexpr int           firstSeries = 9000;
-    const DicomResultHeader header{ m_Tool, m_Version, firstSeries + number, "Research: " + what, "COLON", m_Dates };
+    const DicomResultHeader header{ m_Tool, m_Version, firstSeries + number, m_Title + what, "COLON", m_Dates };
     m_Written.push_back({ write(header, this->PathOf(name)), modality, header.seriesDescription });
   }
 
@@ -114,6 +116,17 @@ public:
   }
 
 private:
+  /** Start of series descriptions; tells the series of two positions apart in viewers. */
+  static std::string
+  TitleOf(const std::string & position)
+  {
+    static const std::map<std::string, std::string> words{
+      { "supine", "supine" }, { "prone", "prone" }, { "leftDecubitus", "left side" }, { "rightDecubitus", "right side" }
+    };
+    const auto word = words.find(position);
+    return word == words.end() ? "Research: " : "Research, " + word->second + ": ";
+  }
+
   static constexpr const char * m_Tool = "VirtualColonoscopy";
 
   const DicomSource &       m_Series;
@@ -121,8 +134,17 @@ private:
   const OutputPath &        m_OutputPath;
   DicomResultDates          m_Dates;
   std::string               m_Version;
+  std::string               m_Title;
   std::vector<WrittenDicom> m_Written;
 };
+
+DicomSegmentationFormat
+FormatOf(const ColonDicomObjectOptions & options)
+{
+  using Format = DicomSegmentationFormat;
+  return options.labelMap ? (options.deflate ? Format::DeflatedLabelMap : Format::LabelMap)
+                          : (options.deflate ? Format::DeflatedBinary : Format::Binary);
+}
 
 /** Writes both segmentations. */
 void
@@ -132,7 +154,7 @@ WriteSegments(ResultFiles & files, const ColonDicomOptions & options, ColonSegme
   constexpr int anatomy = 6; // added after the other series
   const auto    write = [&](int number, const char * name, const char * what, Part part) {
     files.Write(number, name, what, "SEG", [&](const auto & header, const std::string & path) {
-      return segments.Write(part, files.Series(), header, path, options.segmentation);
+      return segments.Write(part, files.Series(), header, path, FormatOf(options));
     });
   };
   options.progress("seg.dcm", 0.4);
@@ -172,7 +194,7 @@ WriteReports(ResultFiles &                       files,
 {
   Reports reports{ MeasurementsOfColon(exam, segments), {} };
   WriteMeasurements(files, 1, "sr.dcm", "colon measurements", reports.program);
-  if (options.forOhif)
+  if (options.ohif)
   {
     constexpr int     seriesForOhif = 7;
     const std::string what = "candidates to be read in OHIF";

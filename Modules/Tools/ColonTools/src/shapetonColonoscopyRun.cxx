@@ -339,6 +339,10 @@ RunColonoscopy(CommandLine & commandLine, const std::string & toolFolder)
         commandLine.GetString(input), folder, "use a folder with a DICOM series, a DICOM file or a volume");
     }
   }
+  if (!commandLine.GetFlag("dicomResults"))
+  {
+    commandLine.LeaveOutOfProvenance("dates");
+  }
   const SceneFiles sceneFiles = SceneFilesOf(commandLine);
   SeriesRun        first(commandLine, toolFolder, ColonoscopySeries::First);
   commandLine.RecordRun(folder + "/run.json");

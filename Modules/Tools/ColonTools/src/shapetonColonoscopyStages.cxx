@@ -1,5 +1,6 @@
 #include "shapetonColonoscopyStages.h"
 
+#include "shapetonColonDicomObjectOptions.h"
 #include "shapetonColonoscopyResults.h"
 #include "shapetonCommandLine.h"
 #include "shapetonCsvTable.h"
@@ -111,6 +112,31 @@ Stage
 NewStage(const char * name)
 {
   return { name, names::ToolOf(name) };
+}
+
+/** Options of dicomResults. */
+std::vector<std::string>
+OptionsOfDicomResults()
+{
+  ColonDicomObjectOptions  options;
+  std::vector<std::string> names;
+  ColonDicomObjectOptions::VisitOptions(options,
+                                        [&](const OptionInfo & info, auto &) { names.push_back(info.GetName()); });
+  return names;
+}
+
+std::vector<std::string>
+FilesOfDicomResults(const CommandLine & commandLine)
+{
+  std::vector<std::string> files{ "seg.dcm", "sr.dcm", "cad.dcm", "sc.dcm", "stl.dcm" };
+  for (const auto & [option, file] : { std::pair("ohif", "sr-ohif.dcm"), std::pair("fhir", "fhir.json") })
+  {
+    if (commandLine.GetFlag(option))
+    {
+      files.push_back(file);
+    }
+  }
+  return files;
 }
 
 Stage
@@ -399,6 +425,11 @@ StageOfViewer(const CommandLine & commandLine)
 void
 CheckDicomResults(const CommandLine & commandLine)
 {
+  for (const std::string & option : OptionsOfDicomResults())
+  {
+    RequireParameter(commandLine.GetFlag("dicomResults") || !commandLine.IsGiven(option),
+                     "the parameter \"" + option + "\" requires \"dicomResults\"");
+  }
   for (const char * const input : { "inputVolume", "second" })
   {
     RequireParameter(!commandLine.GetFlag("dicomResults") || !commandLine.IsGiven(input) ||
@@ -413,6 +444,7 @@ StageOfDicomResults(const CommandLine & commandLine, ColonoscopySeries series)
 {
   const OptionPasser passer(commandLine, series);
   const std::string  folder = FolderOfSeries(commandLine.GetString("outputFolder"), series);
+  const auto         files = FilesOfDicomResults(commandLine);
   const auto         make = [=](const StagedRun &) {
     Stage stage = NewStage(names::dicom);
     stage
@@ -430,7 +462,8 @@ StageOfDicomResults(const CommandLine & commandLine, ColonoscopySeries series)
                      "polyps/heads.nrrd" })
       .Output("", "")
       .Input("source", passer.Volume())
-      .Expect({ "seg.dcm", "sr.dcm", "cad.dcm", "sc.dcm", "stl.dcm" });
+      .Expect(files);
+    passer.Pass(stage, OptionsOfDicomResults());
     return stage;
   };
   return { names::dicom, 1.0, make };

@@ -62,7 +62,8 @@ StageOfPolyps(const CommandLine & commandLine, ColonoscopySeries series);
 ColonoscopyStage
 StageOfViewer(const CommandLine & commandLine);
 
-/** Throws ParameterError if DICOM results are requested and a series is not DICOM. */
+/** Throws ParameterError if DICOM results are requested and a series is not DICOM, or if they are not requested, but
+ * one of their options is given. */
 void
 CheckDicomResults(const CommandLine & commandLine);
 
