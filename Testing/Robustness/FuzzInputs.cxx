@@ -20,6 +20,7 @@
 #include "shapetonDicomSeriesScan.h"
 #include "shapetonEmbeddingVerification.h"
 #include "shapetonGraphReader.h"
+#include "shapetonOperatingSystem.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonSurfaceRepair.h"
@@ -37,7 +38,6 @@
 #include <memory>
 #include <set>
 #include <string>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -256,6 +256,18 @@ public:
     return m_Faults;
   }
 
+  /** Reports of sanitizers that are no faults. */
+  std::size_t
+  GetContained() const
+  {
+    std::size_t count = 0;
+    for (const auto & contained : m_Contained)
+    {
+      count += contained.second;
+    }
+    return count;
+  }
+
 private:
   void
   Collect()
@@ -384,8 +396,8 @@ AskForTooMuchInChild(const std::string &)
   const pid_t child = fork();
   if (child == 0)
   {
-    const rlimit limit{ std::size_t(64) << 20, std::size_t(64) << 20 };
-    setrlimit(RLIMIT_DATA, &limit);
+    const shapeton::MemoryLimit limit;
+    limit.Set(std::size_t(64) << 20, 0);
     const std::vector<char> block(std::size_t(256) << 20, 'x');
     _exit(block[block.size() / 2] == 'x' ? 0 : 1);
   }
@@ -445,7 +457,13 @@ SelfTest(const Options & options)
   sound.Start(falseLength, [&](const std::string & file) { return ReadAllOfResult(file, source); });
   sound.Finish();
   std::cout << faulty.size() - static_cast<std::size_t>(missed) << " of " << faulty.size() << " faults detected\n";
-  return missed == 0 && sound.GetFaults() == 0 ? 0 : 1;
+#if defined(__SANITIZE_ADDRESS__)
+  constexpr std::size_t contained = 2; // memoryLimit, falseLength
+#else
+  constexpr std::size_t contained = 0;
+#endif
+  std::cout << sound.GetContained() << " of " << contained << " reports are contained\n";
+  return missed == 0 && sound.GetFaults() == 0 && sound.GetContained() == contained ? 0 : 1;
 }
 } // namespace
 

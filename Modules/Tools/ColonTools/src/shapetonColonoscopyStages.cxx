@@ -428,7 +428,7 @@ CheckDicomResults(const CommandLine & commandLine)
   for (const std::string & option : OptionsOfDicomResults())
   {
     RequireParameter(commandLine.GetFlag("dicomResults") || !commandLine.IsGiven(option),
-                     "the parameter \"" + option + "\" requires \"dicomResults\"");
+                     "the parameter \"" + option + "\" requires the parameter \"dicomResults\"");
   }
   for (const char * const input : { "inputVolume", "second" })
   {
