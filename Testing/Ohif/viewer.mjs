@@ -47,10 +47,11 @@ const pixelsOf = async (picture) => {
   return [...context.getImageData(0, 0, image.width, image.height).data];
 };
 
-// Returns where to press the element with this text, role or data-cy, once it is there and uncovered.
+// Returns where to press the element with this text, placeholder, role or data-cy, once it is there and uncovered.
 const placeOf = (name) => {
   const pressed = [...document.querySelectorAll('button, [role=tab], [role=combobox], [role=option], input, [data-cy]')];
-  const element = pressed.find(({ dataset, textContent, role, placeholder }) => [dataset.cy, textContent.trim(), role, placeholder].includes(name));
+  const namesOf = ({ dataset, textContent, role, placeholder }) => [dataset.cy, textContent.trim(), role, placeholder];
+  const element = pressed.find((one) => namesOf(one).includes(name));
   const { x, y, width, height } = element?.getBoundingClientRect() || {};
   const place = [x + width / 2, y + height / 2];
   return element && width > 0 && element.contains(document.elementFromPoint(...place)) && place;
@@ -87,7 +88,7 @@ export async function load({ page }, uid) {
   await drawn(page);
 }
 
-// Presses the element with this text, role or data-cy with the mouse.
+// Presses the element with this text, placeholder, role or data-cy with the mouse.
 export async function press(page, name) {
   const place = await page.until(placeOf, undefined, name);
   await page.click(...place);
