@@ -1,6 +1,6 @@
 // Drives Debian's Chromium without npm packages, by the DevTools protocol over a pipe (file descriptors 3 and 4, 0-terminated).
 import { spawn } from 'node:child_process';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 
@@ -113,6 +113,15 @@ class Page {
     await this.send('DOM.setFileInputFiles', { files: [resolve(file)], nodeId });
   }
 
+  // The file of this name that act() saves in the folder `downloads` of launch(), after at most 5 s.
+  async saved(name, act) {
+    const file = join(this.downloads, name);
+    rmSync(file, { force: true });
+    await act();
+    for (let i = 0; i < 100 && !existsSync(file); i++) await new Promise((done) => { setTimeout(done, 50); });
+    return file;
+  }
+
   async screenshot(file) {
     const { data } = await this.send('Page.captureScreenshot', { format: 'png' });
     writeFileSync(file, Buffer.from(data, 'base64'));
@@ -142,6 +151,7 @@ export async function launch({ width = 1600, height = 1000, downloads = null, ha
   const page = new Page(child, pipe, sessionId, profile);
   for (const domain of ['Page', 'Runtime', 'Network', 'DOM']) await page.send(`${domain}.enable`);
   await page.size(width, height);
-  if (downloads) await pipe.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: resolve(downloads) });
+  page.downloads = downloads && resolve(downloads);
+  if (downloads) await pipe.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: page.downloads });
   return page;
 }

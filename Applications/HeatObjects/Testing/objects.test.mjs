@@ -3,7 +3,7 @@
 //        FIND=HeatObjects DRAW=HeatTransferFunction WORK=folder to write to [SHOTS=folder for pictures] node --test objects.test.mjs
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { after, before, test } from 'node:test';
 import { launch } from '../../../Testing/Browser/browser.mjs';
@@ -56,13 +56,7 @@ const voxelsOfClasses = () => page.evaluate(() => {
   return out;
 });
 
-const saved = async (name, key, modifiers = 0) => {
-  const file = `${WORK}/downloads/${name}`;
-  rmSync(file, { force: true });
-  await press(key, modifiers);
-  for (let i = 0; i < 100 && !existsSync(file); i++) await new Promise((done) => { setTimeout(done, 50); });
-  return file;
-};
+const saved = (name, key, modifiers = 0) => page.saved(name, () => press(key, modifiers));
 const run = (tool, ...options) => {
   const { status: code, stderr } = spawnSync(tool, [...options, '--quiet'], { encoding: 'utf8' });
   return { code, stderr };

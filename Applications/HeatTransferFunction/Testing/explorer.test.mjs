@@ -3,7 +3,7 @@
 //        TOOL=HeatTransferFunction WORK=folder to write to [SHOTS=folder for pictures] node --test explorer.test.mjs
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { lowerEdge, volumeProperty } from '../../../Modules/Visualization/HeatViews/scripts/lines.mjs';
 import { launch } from '../../../Testing/Browser/browser.mjs';
@@ -75,13 +75,7 @@ const setLines = async (lines) => {
   await idle();
 };
 
-const saved = async (name, key, modifiers = 0) => {
-  const file = `${WORK}/downloads/${name}`;
-  rmSync(file, { force: true });
-  await press(key, modifiers);
-  for (let i = 0; i < 100 && !existsSync(file); i++) await new Promise((done) => { setTimeout(done, 50); });
-  return file;
-};
+const saved = (name, key, modifiers = 0) => page.saved(name, () => press(key, modifiers));
 const run = (...options) => {
   const { status, stderr } = spawnSync(TOOL, [...options, '--quiet'], { encoding: 'utf8' });
   return { status, stderr };
