@@ -63,6 +63,8 @@ class ProgressTest(TestCase):
         self.check(shapeton.diffuse_heat, image, preset="published", time_steps=10**6, until_steady=True)
         self.check(shapeton.diffuse_heat, image, preset="published", time_steps=100, histogram_steps=[0, 50], components=True, initial_heat=True)
         self.check(shapeton.diffuse_heat, image.like(np.zeros_like(image.array)), preset="published", time_steps=100)
+        self.check(shapeton.object_windows, image)
+        self.check(shapeton.find_objects, [shapeton.diffuse_heat(image, preset="objects").heat])
         self.check(shapeton.diffuse_shapetons, image, shapetons=100, time_steps=20)
         self.check(shapeton.diffuse_shapetons, image, time_steps=10**6, until_steady=True)
 
@@ -86,6 +88,11 @@ class ProgressTest(TestCase):
         self.check(graphs.embed_graph, grid, rotation=rotation)
         self.check(graphs.compare_graphs, grid, graphs.grid_graph(6, 5))
         self.check(graphs.compare_graphs, grid, grid)
+        for method in ("ollivier", "forman"):
+            self.check(graphs.ricci_curvature, grid, method=method)
+        tilings = [graphs.regular_tiling_graph(3, 6, radius) for radius in (2, 4, 6)]
+        self.check(graphs.conformal_type, tilings[-1])
+        self.check(graphs.conformal_type_of_sequence, tilings, [0] * len(tilings))
 
     def test_surfaces(self):
         tube = cylinder(15.0, 80.0)
@@ -98,6 +105,7 @@ class ProgressTest(TestCase):
         self.check(surfaces.remesh_surface, tube, 4.0)
         for domain in ("annulus", "slit"):
             self.check(flattening.conformal_map, tube, domain=domain)
+        self.check(flattening.flow_surface, tube)
         for metric in ("heatDiffusion", "euclidean", "truncatedHeatDiffusion"):
             self.check(flattening.flatten_tube, tube, metric=metric)
         for topology in ("raw", "denoised", "published"):

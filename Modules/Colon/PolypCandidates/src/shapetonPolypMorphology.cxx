@@ -1,5 +1,7 @@
 #include "shapetonPolypMorphology.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -3,6 +3,8 @@
 #include "shapetonPrincipalAxes.h"
 #include "shapetonWallPolygon.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

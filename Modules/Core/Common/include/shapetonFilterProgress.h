@@ -23,6 +23,15 @@ ReportProgress(itk::ProcessObject & filter, double share)
   filter.UpdateProgress(static_cast<float>(share));
   AbortIfAsked(filter);
 }
+
+/** Reports the progress of a filter again, unchanged: a filter's progress is rounded down whenever it is set. Throws
+ * and is called as ReportProgress(). \ingroup ShapetonCommon */
+inline void
+RepeatProgress(itk::ProcessObject & filter)
+{
+  filter.InvokeEvent(itk::ProgressEvent());
+  AbortIfAsked(filter);
+}
 } // namespace shapeton
 
 #endif

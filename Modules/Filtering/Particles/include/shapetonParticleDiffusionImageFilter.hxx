@@ -151,7 +151,7 @@ ParticleDiffusionImageFilter<TInputImage>::PlaceShapetons()
                                                     settings,
                                                     mask ? mask->GetBufferPointer() : nullptr,
                                                     this->GetOutput()->GetBufferPointer(),
-                                                    [this] { ReportProgress(*this, this->GetProgress()); });
+                                                    [this] { RepeatProgress(*this); });
   m_DeviceUse = m_Diffusion->GetDeviceUse();
   if (m_InitialState)
   {

@@ -1,6 +1,8 @@
 #include "shapetonPolygonTriangulation.h"
 #include "shapetonTriangleShape.h"
 
+#include <Eigen/Geometry>
+
 namespace shapeton
 {
 namespace

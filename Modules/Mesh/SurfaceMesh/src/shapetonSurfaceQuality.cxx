@@ -4,6 +4,8 @@
 #include "shapetonSurfaceFormats.h"
 #include "shapetonTriangleShape.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -7,6 +7,8 @@
 #include "shapetonExceptions.h"
 #include "shapetonTriangleShape.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <queue>

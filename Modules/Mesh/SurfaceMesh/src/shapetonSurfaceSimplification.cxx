@@ -8,6 +8,8 @@
 #include "shapetonExceptions.h"
 #include "shapetonTriangleShape.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cstdint>
 #include <cstring>

@@ -12,6 +12,8 @@
 #include "shapetonSurfaceLaplacian.h"
 #include "shapetonTrianglesOfGeometry.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 
 namespace shapeton

@@ -9,6 +9,8 @@
 #include "shapetonSurfaceRicciFlow.h"
 #include "shapetonTorusInSpace.h"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <numeric>
 
