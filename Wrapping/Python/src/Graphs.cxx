@@ -271,7 +271,7 @@ AddCurvature(py::module_ & module)
       "Sum over the edges of each node; a view.");
   module.def("ricci_curvature",
              Reporting(+[](const Graph & graph, const Given<GraphCurvatureOptions> & given, const Progress & progress) {
-               return MeasureCurvature(graph, { given.options, progress });
+               return MeasureCurvature(graph, { given.options, progress.Part("Measuring curvature", 0.0, 1.0) });
              }),
              ReleaseGil());
 }

@@ -241,7 +241,7 @@ FindConformalType(const std::vector<Graph> & graphs, const std::vector<int> & ro
   result.root = roots.front();
   for (std::size_t i = 0; i < graphs.size(); ++i)
   {
-    progress(static_cast<double>(i) / static_cast<double>(graphs.size()));
+    progress("Packing balls", static_cast<double>(i) / static_cast<double>(graphs.size()));
     RequireSound(graphs[i], "graph " + std::to_string(i + 1));
     const BallMap disk = WholeDisk(RootedMap(graphs[i], roots[i]));
     if (!result.balls.empty() && disk.radius <= result.balls.back().radius)

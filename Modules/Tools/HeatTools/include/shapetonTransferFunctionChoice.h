@@ -34,8 +34,8 @@ ShapetonHeatTools_EXPORT TransferFunctionChoice
 ReadTransferFunctionChoice(CommandLine & commandLine);
 
 /** What the pictures show: the values with their lines, or classes if there are objects, whose labels are then read.
- * Warns that the volume property lacks the objects. Throws InputError if the labels do not fit. \ingroup
- * ShapetonHeatTools */
+ * Warns that the volume property lacks the objects. Throws InputError if the labels do not fit.
+ * \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT ColoredClasses
 ColorChoice(CommandLine &                  commandLine,
             const TransferFunctionChoice & choice,
