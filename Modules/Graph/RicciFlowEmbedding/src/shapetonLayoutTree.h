@@ -50,7 +50,7 @@ HalfEdgeAngles(const CombinatorialMap & map, const CirclePacking & packing)
       const int face = map.Face(h);
       angles[h] = static_cast<TReal>(angle);
       angle +=
-        2.0L * HalfKiteAngle(packing.geometry, radius, FaceRadius<TReal>(packing, face), IsHorocycle(packing, face));
+        2 * HalfKiteAngle(packing.geometry, radius, FaceRadius<TReal>(packing, face), IsHorocycle(packing, face));
       h = map.NextAround(h);
     } while (h != first);
   });
