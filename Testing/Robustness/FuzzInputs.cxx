@@ -256,7 +256,7 @@ public:
     return m_Faults;
   }
 
-  /** Reports of sanitizers that are no faults. */
+  /** Number of files whose sanitizer reports concern a contained process only. */
   std::size_t
   GetContained() const
   {
@@ -389,7 +389,8 @@ CrashInChild(const std::string &)
   return true;
 }
 
-/** A contained process that asks for more memory than its limit: the sanitizer reports this, but it is no fault. */
+/** A contained process asks for more memory than its limit. The sanitizer reports this; the trial must count it as
+ * contained. */
 bool
 AskForTooMuchInChild(const std::string &)
 {

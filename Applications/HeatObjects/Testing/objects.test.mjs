@@ -119,7 +119,7 @@ test('a click on a slice selects the smallest object, and the wheel and keys cli
   await press('u');
   assert.equal(await selected(), ball.parent);
   assert.deepEqual(Object.values(await voxelsOfClasses()).slice(1), [table[ball.parent - 1].voxels]);
-  await press('u'); // there is no larger one
+  await press('u'); // this object is the largest of its chain
   assert.equal(await selected(), ball.parent);
   await press('U', SHIFT);
   assert.equal(await selected(), ball.object);
@@ -179,6 +179,7 @@ test('colors are saved, and the tool draws the same objects', async () => {
   runWell(DRAW, INPUT, `${WORK}/mask.nrrd`, `${WORK}/mask.vp`, '--lines', '0.5-1:#ff0000:1', '--picture', `${WORK}/mask.png`);
   assert.deepEqual(await differences(`${WORK}/object.png`, `${WORK}/mask.png`), [0, 0]);
   assert.match(readFileSync(`${WORK}/report/report.json`, 'utf8'), /"chosen\.objects": "5:#ff0000:1"/);
+  assert.match(readFileSync(`${WORK}/report/index.html`, 'utf8'), /The heat volume with objects/);
 });
 
 test('an object in another one is drawn above it, as on the page', async () => {

@@ -11,8 +11,8 @@
 
 namespace shapeton
 {
-/** Converts a label map read from `path` to seeds on the grid of the image. Throws InputError for another grid, and
- * for values that are not integers from 0 to 65535. \ingroup ShapetonHeatTools */
+/** Converts a label map read from `path`, of seeds or objects, to labels on the grid of the image. Throws InputError
+ * for another grid, and for values that are not integers from 0 to 65535. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT SeedImage::Pointer
 LabelsOfVolume(const Volume & volume, const std::string & path, const itk::ImageBase<3> * image);
 

@@ -213,6 +213,18 @@ JsonOf(const HeatReportContent & content, const HeatAxis & axis, const ShapeTran
   return document;
 }
 
+/** The lines, and whether classes of objects follow them. */
+std::string
+TextOfClasses(const ShapeTransferFunction & lines, const ShapeTransferFunction & classes)
+{
+  const bool hasObjects = classes.GetLines().size() > lines.GetLines().size();
+  if (lines.GetLines().empty() && hasObjects)
+  {
+    return "objects";
+  }
+  return "the lines " + lines.ToText() + (hasObjects ? " and objects" : "");
+}
+
 Picture::Pointer
 Slices(const HeatReportContent &        content,
        const std::string &              title,
@@ -592,8 +604,7 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
     "rendering.png",
     DrawTransferFunction(
       content.gray, drawn.values, drawn.lines, "Transfer function" + time, content.window, quantity, content.renderer),
-    "The " + quantity.name + " volume with the lines " + transferFunction.ToText() +
-      (content.drawn ? "and objects" : ""));
+    "The " + quantity.name + " volume with " + TextOfClasses(transferFunction, drawn.lines));
   if (!content.ranges.empty())
   {
     const ShapeTransferFunction inside = OpenedRange(content).lines;

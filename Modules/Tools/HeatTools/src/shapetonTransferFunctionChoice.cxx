@@ -23,7 +23,6 @@ RequireObjects(CommandLine & commandLine, const TransferFunctionChoice & choice)
   if (isGiven)
   {
     commandLine.AddProvenance("chosen.objects", TextOf(choice.objects));
-    commandLine.Warn("the volume property shows heat ranges only, not the objects");
   }
 }
 } // namespace
@@ -68,6 +67,7 @@ ColorChoice(CommandLine &                  commandLine,
   {
     return { values, lines };
   }
+  commandLine.Warn("the volume property shows heat ranges only, not the objects");
   const std::string path = commandLine.GetString("objects");
   const Volume      volume = ReadVolume(path);
   commandLine.AddInput("objects", volume.identity);

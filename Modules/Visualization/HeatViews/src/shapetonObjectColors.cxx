@@ -77,7 +77,11 @@ ClassesOf(const ShapeTransferFunction & transferFunction, const std::vector<Obje
   }
   for (const ObjectColor & object : objects)
   {
-    lines.push_back({ 0.0, 0.0, object.color, object.opacity, "object " + std::to_string(object.number) });
+    TransferFunctionLine line; // its range comes from OfClasses()
+    line.color = object.color;
+    line.opacity = object.opacity;
+    line.name = "object " + std::to_string(object.number);
+    lines.push_back(line);
   }
   return ShapeTransferFunction::OfClasses(std::move(lines));
 }
