@@ -2,6 +2,7 @@
 // Usage: ExampleHaustralFolds FOLDS.csv
 #include "shapetonColonFlattening.h"
 #include "shapetonHaustralFoldFiles.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,12 +23,12 @@ main(int argc, char * argv[])
   tube.F.resize(2 * around * along, 3);
   for (int i = 0; i < tube.V.rows(); ++i)
   {
-    const double angle = 2.0 * M_PI * (i % around) / around;
+    const double angle = shapeton::TwoPi * (i % around) / around;
     const double z = i / around;
     double       radius = 20.0;
     for (const auto & place : places) // 6 mm high, 1.5 mm thick, 36 mm long
     {
-      const double side = std::min(1.0, std::abs(std::remainder(angle - place[1], 2.0 * M_PI)) * 20.0 / 18.0);
+      const double side = std::min(1.0, std::abs(std::remainder(angle - place[1], shapeton::TwoPi)) * 20.0 / 18.0);
       radius -= 6.0 * (1.0 - side * side * side) * std::exp(-0.5 * std::pow((z - place[0]) / 1.5, 2));
     }
     tube.V.row(i) << radius * std::cos(angle), radius * std::sin(angle), z;

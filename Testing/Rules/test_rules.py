@@ -181,6 +181,8 @@ class Repository(RuleTest):
         thread = "std::thread other("
         self.check(repository.texts, {"Modules/a.cxx": f"{thread}work);\n", "Modules/test/a.cxx": f"{thread}work);\n"},
                    f"Modules/a.cxx:1: starts a thread without shapetonParallelFor.h: {thread}")
+        pi = "M_" "PI"
+        self.check(repository.texts, {"a.cxx": f"x = {pi};\n"}, f"a.cxx:1: does not use shapetonPi.h: {pi}")
 
     def test_option_tables(self):
         marker = "<!-- options VolumeGradientOptions: p -->\n"

@@ -3,6 +3,7 @@
 #include "shapetonHeatDiffusionSolver.h"
 #include "shapetonShapeComponents.h"
 #include "shapetonDiffusionTestVolumes.h"
+#include "shapetonPi.h"
 
 #include <functional>
 
@@ -53,8 +54,8 @@ Sphere(double radius)
 Distance
 TurnedCube(double side, double degrees)
 {
-  const double c = std::cos(degrees * M_PI / 180.0);
-  const double s = std::sin(degrees * M_PI / 180.0);
+  const double c = std::cos(degrees * shapeton::Pi / 180.0);
+  const double s = std::sin(degrees * shapeton::Pi / 180.0);
   return [=](double x, double y, double z) {
     return std::max({ std::abs(c * x + s * y), std::abs(c * y - s * x), std::abs(z) }) - side / 2.0;
   };
@@ -96,7 +97,7 @@ ValidateHeatOfShapes(const ValidationSettings & settings, ValidationReport & rep
                    CsvTable::Rounded(m.component.normalizedHeat, 4),
                    report.Check(std::abs(m.component.normalizedHeat - normalized) <= bound) });
   };
-  const double sphere = 4.0 * M_PI / (6.0 * std::pow(4.0 / 3.0 * M_PI, 2.0 / 3.0));
+  const double sphere = 4.0 * shapeton::Pi / (6.0 * std::pow(4.0 / 3.0 * shapeton::Pi, 2.0 / 3.0));
   for (const double radius : settings.quick ? std::vector<double>{ 8.0 } : std::vector<double>{ 4.0, 8.0, 16.0 })
   {
     add("sphere, radius " + CsvTable::Number(radius),

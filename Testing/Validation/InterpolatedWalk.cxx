@@ -3,6 +3,7 @@
 #include "shapetonParallelFor.h"
 #include "shapetonParticleDiffusion.h"
 #include "shapetonPhiloxStream.h"
+#include "shapetonPi.h"
 #include "shapetonVisitDensity.h"
 
 #include <Eigen/Core>
@@ -83,7 +84,7 @@ private:
 Eigen::Array3d
 AnyDirection(PhiloxStream & random)
 {
-  const double z = 2.0 * random.Unit() - 1.0, angle = 2.0 * M_PI * random.Unit();
+  const double z = 2.0 * random.Unit() - 1.0, angle = shapeton::TwoPi * random.Unit();
   const double radius = std::sqrt(1.0 - z * z);
   return { radius * std::cos(angle), radius * std::sin(angle), z };
 }
@@ -93,8 +94,8 @@ double
 RadiusOf(const Eigen::Array3d & weights, const Eigen::Array3d & direction)
 {
   const Eigen::Array3d d = direction.abs();
-  const double         u = 2.0 / M_PI * std::acos(std::min(1.0, d[0]));
-  const double         s = 2.0 / M_PI * std::atan2(d[2], d[1]);
+  const double         u = 2.0 / shapeton::Pi * std::acos(std::min(1.0, d[0]));
+  const double         s = 2.0 / shapeton::Pi * std::atan2(d[2], d[1]);
   return weights[0] * (1.0 - u) + (weights[1] * (1.0 - s) + weights[2] * s) * u;
 }
 

@@ -1,6 +1,7 @@
 #include "LandmarkErrors.h"
 
 #include "BoundTable.h"
+#include "shapetonPi.h"
 #include "shapetonSurfaceLocator.h"
 
 #include <Eigen/Geometry>
@@ -131,7 +132,7 @@ OpenStretches(const shapeton::ColonAnatomy & anatomy, const shapeton::ColonWallT
       if (stretchOf[i] >= 0 && !AreOnePoint(taeniae, k) && locator.FindClosest(taeniae.V.row(vertex)).distance < close)
       {
         result[stretchOf[i]].taeniae[t].push_back(taeniae.V.row(vertex).transpose());
-        result[stretchOf[i]].circumferences[t].push_back(2.0 * M_PI * radius[i]);
+        result[stretchOf[i]].circumferences[t].push_back(shapeton::TwoPi * radius[i]);
       }
     }
   }

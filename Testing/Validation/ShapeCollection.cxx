@@ -3,6 +3,7 @@
 #include "shapetonExceptions.h"
 #include "shapetonParallelFor.h"
 #include "shapetonPhiloxStream.h"
+#include "shapetonPi.h"
 #include "shapetonShapePhantomImageSource.h"
 #include "shapetonSquaredDistances.h"
 #include "shapetonVolumeReader.h"
@@ -275,7 +276,7 @@ RandomAxis(PhiloxStream & stream)
 Eigen::Matrix3d
 RandomTurn(double degrees, PhiloxStream & stream)
 {
-  return Eigen::AngleAxisd(degrees * M_PI / 180.0, RandomAxis(stream)).toRotationMatrix();
+  return Eigen::AngleAxisd(degrees * shapeton::Pi / 180.0, RandomAxis(stream)).toRotationMatrix();
 }
 
 /** Image centered on another one, large enough for its rotated and scaled content. */

@@ -1,6 +1,7 @@
 #include "SurfaceDistances.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonPi.h"
 
 #include "itkImageRegionIteratorWithIndex.h"
 
@@ -22,8 +23,8 @@ MakeMask(const std::array<unsigned int, 3> & size, const std::array<double, 3> &
   mask->SetSpacing(spacing.data());
   LumenMask::DirectionType direction;
   direction.SetIdentity();
-  direction(0, 0) = direction(1, 1) = std::cos(M_PI / 6.0);
-  direction(1, 0) = std::sin(M_PI / 6.0);
+  direction(0, 0) = direction(1, 1) = std::cos(shapeton::Pi / 6.0);
+  direction(1, 0) = std::sin(shapeton::Pi / 6.0);
   direction(0, 1) = -direction(1, 0);
   mask->SetDirection(direction);
   mask->Allocate();

@@ -18,6 +18,7 @@ MACHINE = re.compile(r"/(?:home|root|work|Users)/|:\\Users")
 LICENSE = re.compile(r"General[ ]Public License|All rights[ ]reserved|Copyright[ ]\(")
 # ITK's loops: nested calls may deadlock, and if progress throws, a call returns while its threads are still running.
 LOOP = re.compile(r"(?:MultiThreaderBase::New|GetMultiThreader)\(\)->Parallelize")
+PI = re.compile(r"\bM_PI\b")
 THREAD = re.compile(r"std::async\(|std::thread(?:>| \w+[({])")
 
 
@@ -88,7 +89,7 @@ def sizes(tree):
 
 def texts(tree):
     """Texts contain no machine-specific paths; sources contain no license or copyright notice, which would indicate
-    copied code, and use only the parallel loops of shapetonParallelFor.h."""
+    copied code, and use only the parallel loops of shapetonParallelFor.h and the constants of shapetonPi.h."""
     for file in tree.files:
         if "\0" in tree.text(file):
             continue
@@ -96,6 +97,7 @@ def texts(tree):
         if is_source(file):
             yield from find(tree, file, LICENSE, "contains a foreign license: ")
             yield from find(tree, file, LOOP, "has a loop that does not use shapetonParallelFor.h: ")
+            yield from find(tree, file, PI, "does not use shapetonPi.h: ")
             if file.parts[0] == "Modules" and "test" not in file.parts:
                 yield from find(tree, file, THREAD, "starts a thread without shapetonParallelFor.h: ")
 

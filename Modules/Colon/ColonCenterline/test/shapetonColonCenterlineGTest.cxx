@@ -1,4 +1,5 @@
 #include "shapetonColonCenterline.h"
+#include "shapetonPi.h"
 
 #include "shapetonTubeMask.h"
 
@@ -148,7 +149,7 @@ Serpentine(int limbs, double length, double pitch)
     {
       points.emplace_back(x + direction * t, 0.0, pitch * k);
     }
-    for (double angle = 0.01; k + 1 < limbs && angle < M_PI; angle += 0.02)
+    for (double angle = 0.01; k + 1 < limbs && angle < shapeton::Pi; angle += 0.02)
     {
       const double r = 0.5 * pitch;
       points.emplace_back(x + direction * (length + r * std::sin(angle)), 0.0, pitch * k + r * (1.0 - std::cos(angle)));
@@ -207,8 +208,8 @@ TEST(ColonCenterline, CoversAWideLumenButNotABranch)
   }
   mask.Paint(branch, 12.0);
   const ColonCenterline line = shapeton::TraceColonCenterline(mask.Get());
-  const double          volume = line.pieces.front().volume;                            // ml
-  const double          away = (130.0 + 8.0 - 10.0 - 36.0) * M_PI * 12.0 * 12.0 * 1e-3; // beyond 10 mm + 2 radii; a cap
+  const double          volume = line.pieces.front().volume;                           // ml
+  const double away = (130.0 + 8.0 - 10.0 - 36.0) * shapeton::Pi * 12.0 * 12.0 * 1e-3; // beyond 10 mm + 2 radii; a cap
   EXPECT_NEAR((1.0 - line.coverage) * volume, away, 0.15 * away);
   EXPECT_TRUE(HasWarning(line, "side branch"));
 }
@@ -249,11 +250,11 @@ TEST(ColonCenterline, HasArraysThatFitItsPoints)
 TEST(ColonCenterline, OfATorusArcAndAHelixHasTheClosedLength)
 {
   TubePoints arc, helix;
-  for (double t = 0.0; t <= 1.5 * M_PI; t += 0.01)
+  for (double t = 0.0; t <= 1.5 * shapeton::Pi; t += 0.01)
   {
     arc.emplace_back(60.0 * std::cos(t), 0.0, 60.0 * std::sin(t));
   }
-  for (double t = 0.0; t <= 4.0 * M_PI; t += 0.01)
+  for (double t = 0.0; t <= 4.0 * shapeton::Pi; t += 0.01)
   {
     helix.emplace_back(50.0 * std::cos(t), 50.0 * std::sin(t), 8.0 * t);
   }

@@ -1,6 +1,7 @@
 #include "shapetonCenterlineShape.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -124,7 +125,7 @@ CenterlineShape::Turning(double chord, double deviation) const
     const Eigen::RowVector3d before = points.row(i) - points.row(std::max(i - reach, 0));
     const Eigen::RowVector3d behind = points.row(std::min(i + reach, this->Size() - 1)) - points.row(i);
     const double             norms = before.norm() * behind.norm();
-    result[i] = norms > 0.0 ? std::acos(std::clamp(before.dot(behind) / norms, -1.0, 1.0)) * 180.0 / M_PI : 0.0;
+    result[i] = norms > 0.0 ? std::acos(std::clamp(before.dot(behind) / norms, -1.0, 1.0)) * 180.0 / Pi : 0.0;
   }
   return result;
 }

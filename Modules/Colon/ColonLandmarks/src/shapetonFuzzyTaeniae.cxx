@@ -1,3 +1,4 @@
+#include "shapetonPi.h"
 #include "shapetonTaeniaEvidence.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ using Complex = std::complex<double>;
 Complex
 OnCircle(double turns)
 {
-  return std::polar(1.0, 2.0 * M_PI * turns);
+  return std::polar(1.0, TwoPi * turns);
 }
 
 /** Three centers on the circle; `spread` is the mean squared distance of their members. */
@@ -72,7 +73,7 @@ ClusterFrom(const std::vector<Complex> & points, const TaeniaAngles & start)
     {
       centers[c] = sums[c] / (std::abs(sums[c]) + 1e-12);
       result.spread[c] = spread[c] / weights[c];
-      result.angles[c] = std::arg(centers[c]) / (2.0 * M_PI);
+      result.angles[c] = std::arg(centers[c]) / TwoPi;
     }
   }
   return result;

@@ -1,3 +1,4 @@
+#include "shapetonPi.h"
 #include "shapetonPublishedFlexures.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ BendInPlane(const VertexMatrix & points, int i, int reach, int first, int second
   const Eigen::RowVector3d before = points.row(i) - points.row(i - reach);
   const Eigen::RowVector3d behind = points.row(i + reach) - points.row(i);
   const double angle = std::atan2(behind[second], behind[first]) - std::atan2(before[second], before[first]);
-  return std::abs(std::remainder(angle, 2.0 * M_PI)) * 180.0 / M_PI;
+  return std::abs(std::remainder(angle, TwoPi)) * 180.0 / Pi;
 }
 
 std::vector<int>

@@ -2,6 +2,7 @@
 
 #include "shapetonFlatColonAxis.h"
 #include "shapetonGaussianWeights.h"
+#include "shapetonPi.h"
 #include "shapetonSmoothedRows.h"
 #include "shapetonWallBetweenFolds.h"
 
@@ -100,7 +101,7 @@ EndsOfFolds(const FlatColonGrid & grid, const HaustralFolds & folds, const Taeni
   std::vector<FoldEnd> ends;
   for (const HaustralFold & fold : folds.folds)
   {
-    if (std::abs(std::sin(fold.angle * M_PI / 180.0)) < leastSine)
+    if (std::abs(std::sin(fold.angle * Pi / 180.0)) < leastSine)
     {
       continue;
     }
@@ -135,7 +136,7 @@ MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const Hau
   {
     const int column = std::min(static_cast<int>((row + 0.5) * evidence.columnsPerRow), grid.Columns() - 1);
     evidence.arcLength.push_back(tube.ArcLengthOfU(grid.UvOfPixel(column, 0).x()));
-    evidence.girth.push_back(2.0 * M_PI * axis.radii[column]);
+    evidence.girth.push_back(TwoPi * axis.radii[column]);
   }
   evidence.ends = EndsOfFolds(grid, folds, evidence);
 

@@ -1,3 +1,4 @@
+#include "shapetonPi.h"
 #include "shapetonWallBetweenFolds.h"
 
 #include <algorithm>
@@ -28,14 +29,14 @@ RemoveBends(std::vector<double> & wall, int rows)
       double sine = 0.0;
       for (int a = 0; a < anglesAround; ++a)
       {
-        cosine += cells[a] * std::cos(2.0 * M_PI * harmonic * a / anglesAround);
-        sine += cells[a] * std::sin(2.0 * M_PI * harmonic * a / anglesAround);
+        cosine += cells[a] * std::cos(TwoPi * harmonic * a / anglesAround);
+        sine += cells[a] * std::sin(TwoPi * harmonic * a / anglesAround);
       }
       const double share = (harmonic == 0 ? 1.0 : 2.0) / anglesAround;
       for (int a = 0; a < anglesAround; ++a)
       {
-        cells[a] -= share * (cosine * std::cos(2.0 * M_PI * harmonic * a / anglesAround) +
-                             sine * std::sin(2.0 * M_PI * harmonic * a / anglesAround));
+        cells[a] -= share * (cosine * std::cos(TwoPi * harmonic * a / anglesAround) +
+                             sine * std::sin(TwoPi * harmonic * a / anglesAround));
       }
     }
   }

@@ -1,6 +1,7 @@
 #include "shapetonAirFluidLevels.h"
 
 #include "shapetonDisjointSets.h"
+#include "shapetonPi.h"
 #include "shapetonPrincipalAxes.h"
 
 #include <Eigen/Cholesky>
@@ -417,7 +418,7 @@ private:
       }
     });
     const Plane  plane = fit.Solve();
-    const double expected = 3.14159 * m_Radius * m_Radius / m_Fall.ColumnArea(m_Grid);
+    const double expected = Pi * m_Radius * m_Radius / m_Fall.ColumnArea(m_Grid);
     return plane.count >= LeastInPlane && plane.count >= PlaneShare * expected &&
            plane.slope.norm() <= m_Limits.slope && plane.residual <= PlaneResidual + PlaneResidualPerStep * m_Fall.step;
   }

@@ -1,3 +1,4 @@
+#include "shapetonPi.h"
 #include "shapetonValveBulges.h"
 
 #include "shapetonPrincipalAxes.h"
@@ -91,7 +92,7 @@ MeasureSurface(const CecalRegion & region, const FieldShape & shape, double valu
   const Eigen::Vector2d curvatures = PrincipalAxes(curvature).values;
   one.lesser = curvatures[0] / CecalRegion::Step;
   one.greater = curvatures[1] / CecalRegion::Step;
-  one.area = CecalRegion::Step * CecalRegion::Step * (1.0 + std::cos(M_PI * distance / reach)) / (2.0 * reach);
+  one.area = CecalRegion::Step * CecalRegion::Step * (1.0 + std::cos(Pi * distance / reach)) / (2.0 * reach);
   one.point = region.PointOf(one.voxel) - CecalRegion::Step * distance * one.inward;
   return true;
 }
@@ -166,7 +167,7 @@ MeasureWidths(const std::vector<SurfaceVoxel> & part, ValveBulge & bulge)
   bulge.width = std::numeric_limits<double>::infinity();
   for (int i = 0; i < directions; ++i)
   {
-    const double          angle = M_PI * i / directions;
+    const double          angle = Pi * i / directions;
     const Eigen::Vector3d direction = std::cos(angle) * right + std::sin(angle) * up;
     double                low = std::numeric_limits<double>::infinity(), high = -low;
     for (const SurfaceVoxel & one : part)

@@ -1,4 +1,5 @@
 #include "shapetonCecalScene.h"
+#include "shapetonPi.h"
 #include "shapetonTerminalIleum.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ TEST(TerminalIleum, IsCutOffTheColonAndNothingElseIs)
   ASSERT_TRUE(ileum);
   EXPECT_NEAR(ileum->length, 46.0, 3.0); // 4 mm are not removed
   EXPECT_LT((ileum->mouth - Eigen::Vector3d(cecalscene::radius + 4.0, 0.0, 145.0)).norm(), 3.0);
-  EXPECT_NEAR(ileum->volume, 1e-3 * M_PI * 25.0 * 46.0, 0.5);
+  EXPECT_NEAR(ileum->volume, 1e-3 * shapeton::Pi * 25.0 * 46.0, 0.5);
 
   shapeton::TakeOut(*ileum, images.lumen.GetPointer());
   Scene colon = scene;

@@ -1,3 +1,4 @@
+#include "shapetonPi.h"
 #include "shapetonPolypMorphology.h"
 
 #include <Eigen/Geometry>
@@ -82,7 +83,7 @@ MorphologyOf(const PolypCandidate & candidate, double girth)
   constexpr double highestFlat = 3.0; // mm
   constexpr double flatness = 0.5;    // height by width
   constexpr double narrowest = 0.8;   // girth of a stalk by girth of its head
-  const double     girthOfHead = M_PI * candidate.leastDiameter;
+  const double     girthOfHead = Pi * candidate.leastDiameter;
   if (candidate.height <= highestFlat && candidate.height < flatness * candidate.leastDiameter)
   {
     return PolypMorphology::Flat;

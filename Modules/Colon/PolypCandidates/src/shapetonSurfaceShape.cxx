@@ -1,6 +1,7 @@
 #include "shapetonSurfaceShape.h"
 
 #include "shapetonParallelFor.h"
+#include "shapetonPi.h"
 #include "shapetonSurfaceDiffusion.h"
 
 #include <Eigen/Dense>
@@ -134,7 +135,7 @@ MeasureSurfaceShape(const VertexMatrix &        V,
 double
 ShapeIndex(double greater, double lesser)
 {
-  return 2.0 / M_PI * std::atan2(greater + lesser, greater - lesser);
+  return 2.0 / Pi * std::atan2(greater + lesser, greater - lesser);
 }
 
 double

@@ -1,3 +1,4 @@
+#include "shapetonPi.h"
 #include "shapetonWallBulges.h"
 
 #include "shapetonPrincipalAxes.h"
@@ -184,7 +185,7 @@ private:
     bulge.leastWidth = std::numeric_limits<double>::infinity();
     for (int i = 0; i < directions; ++i)
     {
-      const double   angle = M_PI * i / directions;
+      const double   angle = Pi * i / directions;
       const Vector3d direction = std::cos(angle) * right + std::sin(angle) * up;
       double         low = std::numeric_limits<double>::infinity(), high = -low;
       for (const Vector3d & point : points)

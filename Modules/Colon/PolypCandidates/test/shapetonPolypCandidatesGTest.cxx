@@ -4,6 +4,7 @@
 
 #include "shapetonPolypTubes.h"
 #include "shapetonExceptions.h"
+#include "shapetonPi.h"
 #include "shapetonTestThreads.h"
 
 #include "itkImageRegionConstIteratorWithIndex.h"
@@ -71,7 +72,7 @@ TEST(PolypCandidates, BallIsMeasuredAcross)
     const auto candidates = Find(MakeWall({ Ball(Base(0.0) + 0.8 * radiusOfHead * Vector3d::UnitZ(), radiusOfHead) }));
     ASSERT_EQ(candidates.size(), 1u) << radiusOfHead;
     EXPECT_NEAR(candidates.front().diameter, 2.0 * radiusOfHead, 0.5);
-    EXPECT_GT(candidates.front().features.solidAngle, 2.0 * M_PI); // more than a hemisphere is exposed
+    EXPECT_GT(candidates.front().features.solidAngle, shapeton::TwoPi); // more than a hemisphere is exposed
   }
 }
 

@@ -1,3 +1,4 @@
+#include "shapetonPi.h"
 #include "shapetonSurfaceShape.h"
 
 #include "shapetonTestSurfaces.h"
@@ -30,7 +31,7 @@ TEST(SurfaceShape, BallHasItsCurvatureWhateverTheSmoothing)
     // Outward, into the lumen around the ball.
     EXPECT_GT((shape.inwardNormals.cwiseProduct(ball.V)).rowwise().sum().minCoeff(), 4.9);
     // Gauss-Bonnet: 4 pi.
-    EXPECT_NEAR((shape.greater.array() * shape.lesser.array() * shape.areas.array()).sum(), 4.0 * M_PI, 0.3);
+    EXPECT_NEAR((shape.greater.array() * shape.lesser.array() * shape.areas.array()).sum(), 4.0 * shapeton::Pi, 0.3);
   }
 }
 

@@ -2,6 +2,7 @@
 #include "shapetonHeatEngineOnCpu.h"
 #include "shapetonHeatEngineOnGpu.h"
 #include "shapetonParallelFor.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ LobattoNodes(std::uint64_t start, std::uint64_t end)
   std::uint64_t              previous = start;
   for (std::size_t k = 1; k < NumberOfNodes; ++k)
   {
-    const double position = 0.5 * (from + to) - 0.5 * (to - from) * std::cos(M_PI * k / (NumberOfNodes - 1.0));
+    const double position = 0.5 * (from + to) - 0.5 * (to - from) * std::cos(Pi * k / (NumberOfNodes - 1.0));
     const auto   node = static_cast<std::uint64_t>(std::llround(std::exp(position)));
     previous = k + 1 == NumberOfNodes ? end : std::max(node, previous + 1);
     nodes.push_back(previous);
@@ -193,14 +194,14 @@ HeatDiffusionSolver::ChebyshevCoefficients(std::uint64_t steps, double beta, dou
   std::vector<double> samples(points);
   for (std::size_t j = 0; j < points; ++j)
   {
-    const double sine = std::sin(0.5 * M_PI * (j + 0.5) / points);
+    const double sine = std::sin(0.5 * Pi * (j + 0.5) / points);
     samples[j] = std::exp(t * std::log1p(-beta * sine * sine)); // (1 - x) / 2 = sine^2
   }
   // Late samples underflow to 0; for a billion steps, only a few thousand remain.
   const std::size_t   used = std::find(samples.begin(), samples.end(), 0.0) - samples.begin();
   std::vector<double> coefficients(degree + 1);
   ParallelFor(degree + 1, [&](std::size_t k) {
-    const double angle = M_PI * k / points;
+    const double angle = Pi * k / points;
     const double twice = 2.0 * std::cos(angle);
     double       previous = std::cos(0.5 * angle);
     double       cosine = previous;

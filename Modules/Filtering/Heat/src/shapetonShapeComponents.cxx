@@ -1,6 +1,7 @@
 #include "shapetonShapeComponents.h"
 
 #include "shapetonDisjointSets.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -190,7 +191,7 @@ CroftonWeights(const std::array<double, 3> & spacing)
   }
   // Evenly distributed directions (a spherical Fibonacci lattice), each assigned to its nearest axis.
   constexpr int          samples = 40000;
-  const double           goldenAngle = M_PI * (3.0 - std::sqrt(5.0));
+  const double           goldenAngle = Pi * (3.0 - std::sqrt(5.0));
   std::array<double, 13> weights{};
   for (int i = 0; i < samples; ++i)
   {

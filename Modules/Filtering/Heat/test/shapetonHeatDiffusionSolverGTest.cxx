@@ -1,6 +1,7 @@
 #include "shapetonHeatDiffusionSolver.h"
 #include "shapetonAutomaticParameters.h"
 #include "shapetonDiffusionTestVolumes.h"
+#include "shapetonPi.h"
 #include "shapetonTestThreads.h"
 
 #include <gtest/gtest.h>
@@ -157,7 +158,7 @@ TEST(HeatDiffusionSolver, AnEigenfunctionOfTheFreeVolumeDecaysAsItsEigenvalueSay
   double                       eigenvalue = 0.0;
   for (const std::size_t n : volume.size)
   {
-    eigenvalue += 2.0 - 2.0 * std::cos(M_PI / (n + 1.0));
+    eigenvalue += 2.0 - 2.0 * std::cos(shapeton::Pi / (n + 1.0));
   }
   for (std::size_t z = 0; z < 12; ++z)
   {
@@ -165,8 +166,8 @@ TEST(HeatDiffusionSolver, AnEigenfunctionOfTheFreeVolumeDecaysAsItsEigenvalueSay
     {
       for (std::size_t x = 0; x < 15; ++x)
       {
-        const double h =
-          std::sin(M_PI * (x + 1) / 16.0) * std::sin(M_PI * (y + 1) / 11.0) * std::sin(M_PI * (z + 1) / 13.0);
+        const double h = std::sin(shapeton::Pi * (x + 1) / 16.0) * std::sin(shapeton::Pi * (y + 1) / 11.0) *
+                         std::sin(shapeton::Pi * (z + 1) / 13.0);
         heat.GetData()[grid.GetRow(y, z) + x] = static_cast<float>(h);
         expected.push_back(h * std::pow(1.0 - dt * eigenvalue, t));
       }

@@ -1,5 +1,6 @@
 #include "shapetonShapeComponents.h"
 #include "shapetonDiffusionTestVolumes.h"
+#include "shapetonPi.h"
 
 #include <gtest/gtest.h>
 
@@ -81,7 +82,7 @@ TEST(ShapeComponents, FindsEachObjectWithItsExactConvergedHeat)
 
 TEST(ShapeComponents, NormalizedHeatOfASphereDoesNotDependOnItsSize)
 {
-  const double exact = 4.0 * M_PI / (6.0 * std::pow(4.0 / 3.0 * M_PI, 2.0 / 3.0)); // 0.806
+  const double exact = 4.0 * shapeton::Pi / (6.0 * std::pow(4.0 / 3.0 * shapeton::Pi, 2.0 / 3.0)); // 0.806
   for (const double radius : { 5.0, 10.0, 20.0 })
   {
     const auto sphere = Measure([radius](double x, double y, double z) { return std::hypot(x, y, z) - radius; });
@@ -95,7 +96,7 @@ TEST(ShapeComponents, RotationMattersLessToTheNormalizedHeatThanToTheHeat)
   std::vector<double> normalized;
   for (const double degrees : { 0.0, 10.0, 20.0, 30.0, 45.0 })
   {
-    const double c = std::cos(degrees * M_PI / 180.0), s = std::sin(degrees * M_PI / 180.0);
+    const double c = std::cos(degrees * shapeton::Pi / 180.0), s = std::sin(degrees * shapeton::Pi / 180.0);
     const auto cube = Measure([=](double x, double y, double z) { return Box(c * x + s * y, c * y - s * x, z, 10.0); });
     heats.push_back(cube.convergedHeat);
     normalized.push_back(cube.normalizedHeat);
@@ -115,6 +116,6 @@ TEST(ShapeComponents, AnAnisotropicGridMeasuresTheSameSphere)
   const double radius = 12.0;
   const auto   sphere =
     Measure([=](double x, double y, double z) { return std::hypot(x, y, z) - radius; }, { { 0.7, 0.7, 1.4 } });
-  EXPECT_NEAR(sphere.volume, 4.0 / 3.0 * M_PI * radius * radius * radius, 0.02 * 7238.0);
-  EXPECT_NEAR(sphere.surfaceArea, 4.0 * M_PI * radius * radius, 0.05 * 1810.0);
+  EXPECT_NEAR(sphere.volume, 4.0 / 3.0 * shapeton::Pi * radius * radius * radius, 0.02 * 7238.0);
+  EXPECT_NEAR(sphere.surfaceArea, 4.0 * shapeton::Pi * radius * radius, 0.05 * 1810.0);
 }

@@ -2,6 +2,7 @@
 #define shapetonSampledShapes_h
 
 #include "shapetonLabelShapes.h"
+#include "shapetonPi.h"
 #include "shapetonTestFrames.h"
 
 #include <Eigen/Geometry>
@@ -56,7 +57,7 @@ Scaled(const Solid & solid, double scale)
 inline Solid
 Turned(const Solid & solid, double degrees, const Eigen::Vector3d & axis)
 {
-  const Eigen::Matrix3d back = Eigen::AngleAxisd(-degrees * M_PI / 180.0, axis.normalized()).toRotationMatrix();
+  const Eigen::Matrix3d back = Eigen::AngleAxisd(-degrees * shapeton::Pi / 180.0, axis.normalized()).toRotationMatrix();
   return [=](const Eigen::Vector3d & p) { return solid(back * p); };
 }
 

@@ -1,3 +1,4 @@
+#include "shapetonPi.h"
 #include "shapetonSampledShapes.h"
 #include "shapetonShapeSearch.h"
 #include "shapetonTestFolder.h"
@@ -34,9 +35,9 @@ HeatOfBall(double t)
   double sum = 0.0;
   for (int n = 1; n < 400; ++n)
   {
-    sum += std::exp(-n * n * M_PI * M_PI * t) / (n * n);
+    sum += std::exp(-n * n * shapeton::Pi * shapeton::Pi * t) / (n * n);
   }
-  return 6.0 / (M_PI * M_PI) * sum;
+  return 6.0 / (shapeton::Pi * shapeton::Pi) * sum;
 }
 
 /** The heat content of an interval. */
@@ -46,9 +47,9 @@ HeatOfInterval(double length, double t)
   double sum = 0.0;
   for (int n = 1; n < 400; n += 2)
   {
-    sum += std::exp(-n * n * M_PI * M_PI * t / (length * length)) / (n * n);
+    sum += std::exp(-n * n * shapeton::Pi * shapeton::Pi * t / (length * length)) / (n * n);
   }
-  return 8.0 / (M_PI * M_PI) * sum;
+  return 8.0 / (shapeton::Pi * shapeton::Pi) * sum;
 }
 
 /** The mean squared displacement in an insulated interval. */
@@ -58,9 +59,9 @@ DisplacementInInterval(double length, double t)
   double sum = 0.0;
   for (int n = 1; n < 400; n += 2)
   {
-    sum -= std::expm1(-n * n * M_PI * M_PI * t / (length * length)) / std::pow(n, 4);
+    sum -= std::expm1(-n * n * shapeton::Pi * shapeton::Pi * t / (length * length)) / std::pow(n, 4);
   }
-  return 16.0 * length * length / std::pow(M_PI, 4) * sum;
+  return 16.0 * length * length / std::pow(shapeton::Pi, 4) * sum;
 }
 
 void
@@ -73,8 +74,8 @@ ExpectClose(double value, double truth, double relative, const std::string & wha
 TEST(ShapeSignature, OfABallHasTheClosedForms)
 {
   const ShapeSignature ball = SignatureOf(Ball(20.0));
-  ExpectClose(ball.volume, 4.0 / 3.0 * M_PI * 8000.0, 0.005, "volume");
-  ExpectClose(ball.surface, 4.0 * M_PI * 400.0, 0.01, "surface");
+  ExpectClose(ball.volume, 4.0 / 3.0 * shapeton::Pi * 8000.0, 0.005, "volume");
+  ExpectClose(ball.surface, 4.0 * shapeton::Pi * 400.0, 0.01, "surface");
   EXPECT_NEAR(ball.elongation, 1.0, 0.005);
   EXPECT_NEAR(ball.flatness, 1.0, 0.005);
   for (std::size_t k = 0; k < times.size(); ++k)
@@ -86,14 +87,14 @@ TEST(ShapeSignature, OfABallHasTheClosedForms)
   for (std::size_t i = 0; i < 15; ++i)
   {
     const int l = i < 3 ? 1 : i < 8 ? 2 : 3;
-    ExpectClose(ball.spectrum[i], 4.0 * M_PI * l * (l + 1), 0.02, "eigenvalue " + std::to_string(i + 1));
+    ExpectClose(ball.spectrum[i], 4.0 * shapeton::Pi * l * (l + 1), 0.02, "eigenvalue " + std::to_string(i + 1));
   }
 }
 
 TEST(ShapeSignature, OfABoxHasTheClosedFormsHoweverItLies)
 {
   const Eigen::Vector3d sides(16.0, 24.0, 44.0);
-  const double          radius = std::cbrt(0.75 * sides.prod() / M_PI);
+  const double          radius = std::cbrt(0.75 * sides.prod() / shapeton::Pi);
   for (const double degrees : { 0.0, 30.0 })
   {
     const ShapeSignature box = SignatureOf(Turned(Box(sides), degrees, { 1.0, 2.0, -1.0 }));

@@ -4,6 +4,7 @@
 #include "shapetonGraphGenus.h"
 #include "shapetonGraphReader.h"
 #include "shapetonParallelFor.h"
+#include "shapetonPi.h"
 
 #include "gtest/gtest.h"
 
@@ -43,7 +44,7 @@ ExpectMonotone(const shapeton::ConformalTypeResult & result)
 double
 RadiusInTiling(int p, int q)
 {
-  return std::acosh(std::cos(M_PI / p) / std::sin(M_PI / q));
+  return std::acosh(std::cos(shapeton::Pi / p) / std::sin(shapeton::Pi / q));
 }
 } // namespace
 
@@ -94,7 +95,7 @@ TEST(ConformalType, TheFirstBallIsAFlower)
   for (int q = 4; q < 12; ++q)
   {
     const auto   ball = TypeOf(shapeton::WheelGraph(q)).balls.at(0);
-    const double sine = std::sin(M_PI / q);
+    const double sine = std::sin(shapeton::Pi / q);
     const double r = (1.0 - sine) / (1.0 + sine);
     EXPECT_NEAR(r, std::tanh(ball.rootRadius / 2.0), 1e-12);
     EXPECT_NEAR(-std::log(r), ball.modulus, 1e-11);

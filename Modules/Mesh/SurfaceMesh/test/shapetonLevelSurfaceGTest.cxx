@@ -1,4 +1,5 @@
 #include "shapetonLevelSurface.h"
+#include "shapetonPi.h"
 #include "shapetonSurfaceConnectivity.h"
 #include "shapetonSurfaceQuality.h"
 
@@ -44,7 +45,7 @@ TEST(LevelSurface, IsClosedAndEnclosesTheBalls)
   EXPECT_TRUE(connectivity.IsClosed());
   EXPECT_TRUE(connectivity.IsOriented());
   EXPECT_EQ(connectivity.Components().size(), 2U);
-  const double balls = 4.0 / 3.0 * M_PI * (std::pow(9.013, 3) + std::pow(4.013, 3));
+  const double balls = 4.0 / 3.0 * shapeton::Pi * (std::pow(9.013, 3) + std::pow(4.013, 3));
   EXPECT_NEAR(std::abs(EnclosedVolume(mesh.V, mesh.F)), balls, 0.01 * balls);
 }
 
@@ -68,7 +69,7 @@ TEST(LevelSurface, OuterShellIsTheLargestAndLooksOutwards)
       mesh.F.col(1).swap(mesh.F.col(2));
     }
     const SurfaceMesh shell = OuterShell(mesh);
-    const double      ball = 4.0 / 3.0 * M_PI * std::pow(9.013, 3);
+    const double      ball = 4.0 / 3.0 * shapeton::Pi * std::pow(9.013, 3);
     EXPECT_NEAR(EnclosedVolume(shell.V, shell.F), ball, 0.01 * ball);
   }
 }

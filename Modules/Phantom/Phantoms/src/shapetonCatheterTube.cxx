@@ -2,6 +2,7 @@
 
 #include "shapetonColonBody.h"
 #include "shapetonColonNoise.h"
+#include "shapetonPi.h"
 
 #include <Eigen/Geometry>
 
@@ -135,7 +136,7 @@ EvenDirections(int number)
   for (int n = 0; n < number; ++n)
   {
     const double z = 1.0 - (2.0 * n + 1.0) / number;
-    const double angle = M_PI * (3.0 - std::sqrt(5.0)) * n;
+    const double angle = Pi * (3.0 - std::sqrt(5.0)) * n;
     const double across = std::sqrt(1.0 - z * z);
     directions.emplace_back(across * std::cos(angle), across * std::sin(angle), z);
   }
@@ -273,7 +274,7 @@ private:
     const auto     hole = static_cast<double>(axis.size() - 2 - place);
     const Vector3d at = axis[place];
     const Vector3d along = (axis[place + 1] - at).normalized();
-    const Vector3d side = Eigen::AngleAxisd(0.5 * M_PI * hole, along) * along.unitOrthogonal();
+    const Vector3d side = Eigen::AngleAxisd(0.5 * Pi * hole, along) * along.unitOrthogonal();
     const Vector3d end = at + (outer + 0.5) * side;
     const auto     sample = m_Anatomy.Evaluate(end);
     const bool     isWet = m_Fluid.DepthBelowLevel(end, sample.arcLength) > 0.0;

@@ -518,7 +518,7 @@ ColonFluid::MakeTexture()
   for (auto & wave : m_Waves)
   {
     const Eigen::Vector3d direction(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
-    constexpr double      pi = 3.14159265358979;               // not M_PI: its digits enter the voxels
+    constexpr double      pi = 3.14159265358979;               // not Pi: its digits enter the voxels
     const double          length = random.Uniform(15.0, 40.0); // mm
     wave.number = direction.normalized() * (2.0 * pi / length);
     wave.phase = random.Uniform(0.0, 2.0 * pi);

@@ -2,6 +2,7 @@
 
 #include "shapetonColonNoise.h"
 #include "shapetonColonRelaxation.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <array>
@@ -107,7 +108,7 @@ PointsOf(const TemplateSegment & segment, int number, const ColonPhantomParamete
   for (std::size_t i = 0; number == c_Sigmoid && i < points.size(); ++i)
   {
     // Highest in the middle of the loop, with fixed ends.
-    const double risen = std::sin(M_PI * static_cast<double>(i) / last);
+    const double risen = std::sin(Pi * static_cast<double>(i) / last);
     points[i].z() += parameters.sigmoidRise * risen * risen;
     points[i] += parameters.sigmoidStraightness * (StraightSigmoid()[i] - points[i]);
   }
@@ -201,7 +202,7 @@ double
 Mobility(int segment, double share)
 {
   const bool mobile = segment == 2 || segment == 4;
-  return mobile ? std::sin(M_PI * share) : 0.0;
+  return mobile ? std::sin(Pi * share) : 0.0;
 }
 
 std::vector<double>

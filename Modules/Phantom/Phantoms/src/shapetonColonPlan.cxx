@@ -3,6 +3,7 @@
 #include "shapetonColonCurve.h"
 #include "shapetonColonNoise.h"
 #include "shapetonDiverticulaPlan.h"
+#include "shapetonPi.h"
 
 #include <Eigen/Geometry>
 
@@ -90,7 +91,7 @@ Lookup(const std::vector<double> & table, double x)
 double
 WrapAngle(double angle)
 {
-  return angle - 2 * M_PI * std::ceil((angle - M_PI) / (2 * M_PI));
+  return angle - TwoPi * std::ceil((angle - Pi) / TwoPi);
 }
 
 double
@@ -98,7 +99,7 @@ AngleTowards(const ColonCurve & curve, double t, const Eigen::Vector3d & directi
 {
   double best = 0.0;
   double most = -2.0; // below every cosine
-  for (double angle = -3.1; angle < M_PI; angle += c_AngleStep)
+  for (double angle = -3.1; angle < Pi; angle += c_AngleStep)
   {
     const double share = curve.Direction(t, angle).dot(direction);
     best = share > most ? angle : best;
@@ -204,14 +205,14 @@ void
 ColonPlan::PlanTaeniae(unsigned seed)
 {
   ColonRandom       random(seed, ColonStream::Taeniae);
-  const double      start = random.Uniform(-M_PI, M_PI);
+  const double      start = random.Uniform(-Pi, Pi);
   const SmoothNoise drift(random, m_Length, 220.0);
   for (int taenia = 0; taenia < 3; ++taenia)
   {
     const SmoothNoise own(random, m_Length, 80.0);
     for (double m = 0; m < m_Length + 2 * c_TableStep; m += c_TableStep)
     {
-      m_Taenia[taenia].push_back(start + taenia * 2 * M_PI / 3 + c_CommonDrift * drift(m) + c_OwnDrift * own(m));
+      m_Taenia[taenia].push_back(start + taenia * TwoPi / 3 + c_CommonDrift * drift(m) + c_OwnDrift * own(m));
     }
   }
 }
@@ -233,7 +234,7 @@ ColonPlan::MakeFold(double material, double angle, double halfAngle, ColonRandom
   fold.slant = random.Uniform(c_FoldSlant);
   fold.bow = random.Uniform(c_FoldBow);
   fold.wave = random.Uniform(c_FoldWave);
-  fold.wavePhase = random.Uniform(-M_PI, M_PI);
+  fold.wavePhase = random.Uniform(-Pi, Pi);
   return fold;
 }
 
@@ -245,7 +246,7 @@ ColonPlan::PlanValves(ColonRandom & random)
   for (int i = 0; i < 3; ++i)
   {
     FoldPlan fold = this->MakeFold(
-      places[i] * m_SegmentBegin[1], (i % 2 == 0 ? -0.5 : 0.5) * M_PI, random.Uniform(c_RectalHalfAngle), random);
+      places[i] * m_SegmentBegin[1], (i % 2 == 0 ? -0.5 : 0.5) * Pi, random.Uniform(c_RectalHalfAngle), random);
     fold.height = random.Uniform(c_RectalHeight);
     folds.push_back(fold);
   }
@@ -329,7 +330,7 @@ ColonPlan::PlacePolyp(ColonRandom & random, PolypPlan & polyp) const
   {
     polyp.fold = -1;
     polyp.material = random.Uniform(c_FreeOfPolyps, m_Length - c_CecumOfPolyps);
-    polyp.angle = random.Uniform(-M_PI, M_PI);
+    polyp.angle = random.Uniform(-Pi, Pi);
   }
   if ((!onFold || polyp.kind == "pedunculated") && !this->IsClearOfFolds(polyp))
   {

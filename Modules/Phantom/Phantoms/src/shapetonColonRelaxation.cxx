@@ -1,5 +1,7 @@
 #include "shapetonColonRelaxation.h"
 
+#include "shapetonPi.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -114,7 +116,7 @@ ColonRelaxation::LeastDistance(int i, int j) const
 {
   const double across = c_Bulge * (m_Radius[i] + m_Radius[j]) + c_Septum - m_Slack(i, j);
   const double along = m_Material[j] - m_Material[i];
-  return across * std::sin(std::min(along / across, M_PI / 2));
+  return across * std::sin(std::min(along / across, Pi / 2));
 }
 
 void

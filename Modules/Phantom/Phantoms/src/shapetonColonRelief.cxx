@@ -2,6 +2,7 @@
 
 #include "shapetonColonNoise.h"
 #include "shapetonCubicBSpline.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +48,7 @@ public:
   At(double material, double angle) const
   {
     const double       row = material / c_Knot;
-    const double       column = (angle / (2 * M_PI) + 2.0) * c_Columns;
+    const double       column = (angle / TwoPi + 2.0) * c_Columns;
     const CubicWeights x(row - std::floor(row)), y(column - std::floor(column));
     double             sum = 0.0;
     for (int i = 0; i < 4; ++i)
@@ -139,7 +140,7 @@ ColonTwist(const ColonPlan & plan, const ColonPhantomParameters & parameters)
   std::vector<double> twist;
   for (int k = 0; k <= steps; ++k)
   {
-    twist.push_back(parameters.torsion * M_PI / 180.0 * std::clamp(noise(k * plan.Length() / steps), -1.0, 1.0));
+    twist.push_back(parameters.torsion * Pi / 180.0 * std::clamp(noise(k * plan.Length() / steps), -1.0, 1.0));
   }
   return twist;
 }
@@ -288,7 +289,7 @@ ColonRelief::FillTable(const ColonPlan &              plan,
     const double rough = formed * parameters.roughness * std::clamp(base / 12.0, 0.0, 1.0);
     for (int k = 0; k < Angles; ++k)
     {
-      const double angle = WrapAngle(2 * M_PI * k / Angles);
+      const double angle = WrapAngle(TwoPi * k / Angles);
       double       band = 0.0;
       for (int taenia = 0; taenia < 3; ++taenia)
       {
@@ -318,7 +319,7 @@ ColonRelief::RelieveBends(const ColonCurve & curve, double longestChord)
     for (int k = 0; k < Angles; ++k)
     {
       float &               radius = m_Table[std::size_t(row + 1) * Angles + k];
-      const Eigen::Vector3d direction = curve.Direction(t, WrapAngle(2 * M_PI * k / Angles));
+      const Eigen::Vector3d direction = curve.Direction(t, WrapAngle(TwoPi * k / Angles));
       const double          bend =
         std::max(direction.dot(frame.second) / frame.first.squaredNorm(), chords.BendTowards(direction));
       const double share = radius * bend;
@@ -408,7 +409,7 @@ ColonRelief::RadiusAt(double t, double angle) const
 {
   const double       row = t * c_RowsPerStep;
   const int          i = std::clamp(static_cast<int>(row), 0, m_Rows - 2);
-  const double       column = (angle / (2 * M_PI) + 1.0) * Angles;
+  const double       column = (angle / TwoPi + 1.0) * Angles;
   const int          j = static_cast<int>(column);
   const CubicWeights x(row - i), y(column - j);
   ReliefValue        sum{ 0, 0, 0 };
@@ -428,7 +429,7 @@ ColonRelief::RadiusAt(double t, double angle) const
     sum.byAngle += x.value[a] * slope;
   }
   sum.byT *= c_RowsPerStep;
-  sum.byAngle *= Angles / (2 * M_PI);
+  sum.byAngle *= Angles / TwoPi;
   return sum;
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "shapetonParallelFor.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,7 @@ public:
     for (double m = c_GridStep; m < plan.Length() - 0.5 * c_GridStep; m += c_GridStep)
     {
       m_First.push_back(m_Total);
-      m_Columns.push_back(std::max(6, static_cast<int>(std::lround(2 * M_PI * plan.RadiusAt(m) / c_GridStep))));
+      m_Columns.push_back(std::max(6, static_cast<int>(std::lround(TwoPi * plan.RadiusAt(m) / c_GridStep))));
       m_Total += m_Columns.back();
     }
   }
@@ -111,7 +112,7 @@ public:
   double
   AngleOf(int row, int column) const
   {
-    return WrapAngle(2 * M_PI * column / m_Columns[row]);
+    return WrapAngle(TwoPi * column / m_Columns[row]);
   }
   int
   IdOf(int row, int column) const
@@ -123,7 +124,7 @@ public:
   {
     const int row = std::clamp(static_cast<int>(std::lround(material / c_GridStep)) - 1, 0, this->Rows() - 1);
     const int n = m_Columns[row];
-    return this->IdOf(row, (static_cast<int>(std::lround(angle / (2 * M_PI) * n)) % n + n) % n);
+    return this->IdOf(row, (static_cast<int>(std::lround(angle / TwoPi * n)) % n + n) % n);
   }
 
 private:
@@ -143,7 +144,7 @@ InnerPoints(const ColonField & field)
   {
     for (int a = 0; a < 64; ++a)
     {
-      const double angle = WrapAngle(2 * M_PI * a / 64);
+      const double angle = WrapAngle(TwoPi * a / 64);
       const double radius = std::max(0.0, field.GetRelief().RadiusAt(k, angle).value);
       points[k].push_back(curve.At(k).position + radius * field.GetCurve().Direction(k, angle));
     }
@@ -240,7 +241,7 @@ ColonFoldTruth(const ColonPlan & plan, const ColonField & field)
     writer.BeginCurve({ i + 1.0,
                         fold.height,
                         2 * fold.halfThickness,
-                        2 * fold.halfAngle * 180.0 / M_PI,
+                        2 * fold.halfAngle * 180.0 / Pi,
                         curve.ArcLengthAt(t.value),
                         1.0 * plan.SegmentAt(t.value * curve.GetStep()),
                         fold.isFlattened ? 1.0 : 0.0 });
@@ -356,10 +357,10 @@ CecalPoleTruth(const ColonPlan & plan, const ColonField & field)
   Vector3d           pole = middle;
   for (int ring = 0; ring <= 16; ++ring)
   {
-    const double tilt = 0.5 * M_PI * ring / 16;
+    const double tilt = 0.5 * Pi * ring / 16;
     for (int k = 0; k < 32; ++k)
     {
-      const Vector3d side = curve.Direction(end, WrapAngle(2 * M_PI * k / 32));
+      const Vector3d side = curve.Direction(end, WrapAngle(TwoPi * k / 32));
       double         distance;
       const Vector3d point = field.WallAlong(middle, std::cos(tilt) * ahead + std::sin(tilt) * side, distance);
       pole = (point - mouth).squaredNorm() > (pole - mouth).squaredNorm() ? point : pole;

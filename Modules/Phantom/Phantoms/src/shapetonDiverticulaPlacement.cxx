@@ -2,6 +2,7 @@
 
 #include "shapetonAbdomenParts.h"
 #include "shapetonColonField.h"
+#include "shapetonPi.h"
 
 #include <Eigen/Geometry>
 
@@ -35,7 +36,7 @@ SphereDirections()
   for (int i = 0; i < count; ++i)
   {
     const double z = 1.0 - (2.0 * i + 1.0) / count;
-    const double angle = i * M_PI * (3.0 - std::sqrt(5.0));
+    const double angle = i * Pi * (3.0 - std::sqrt(5.0));
     directions.emplace_back(std::sqrt(1.0 - z * z) * std::cos(angle), std::sqrt(1.0 - z * z) * std::sin(angle), z);
   }
   return directions;
@@ -100,7 +101,7 @@ private:
     const Vector3d side = outwards.unitOrthogonal();
     for (int i = 0; i < c_Around; ++i)
     {
-      const Vector3d off = Eigen::AngleAxisd(2.0 * M_PI * i / c_Around, outwards) * side;
+      const Vector3d off = Eigen::AngleAxisd(TwoPi * i / c_Around, outwards) * side;
       if (this->DistanceAt(body.mouth + (body.neckRadius + 1.0) * off - c_BeforeMouth * outwards) < 0.5 ||
           this->DistanceAt(body.mouth - 3.0 * outwards + off) < 1.0)
       {
@@ -123,7 +124,7 @@ private:
         const double length = (plan.neckLength + body.radius) / std::cos(tilt);
         for (int i = 0; i < (tilt > 0.0 ? c_Around : 1); ++i)
         {
-          const Vector3d side = Eigen::AngleAxisd(2.0 * M_PI * i / c_Around, outwards) * outwards.unitOrthogonal();
+          const Vector3d side = Eigen::AngleAxisd(TwoPi * i / c_Around, outwards) * outwards.unitOrthogonal();
           body.sac = body.mouth + length * (std::cos(tilt) * outwards + std::sin(tilt) * side);
           if (this->HasRoom(body))
           {
@@ -185,7 +186,7 @@ private:
     {
       for (int i = 0; i < c_Around; ++i)
       {
-        const Vector3d side = Eigen::AngleAxisd(2.0 * M_PI * i / c_Around, axis) * axis.unitOrthogonal();
+        const Vector3d side = Eigen::AngleAxisd(TwoPi * i / c_Around, axis) * axis.unitOrthogonal();
         if (this->DistanceAt(body.mouth + share * length * axis + (body.neckRadius + c_AroundNeck) * side) >
             -c_NeckTissue)
         {

@@ -4,6 +4,7 @@
 #include "shapetonColonDistance.h"
 #include "shapetonColonNoise.h"
 #include "shapetonColonPath.h"
+#include "shapetonPi.h"
 
 #include <Eigen/Geometry>
 
@@ -118,12 +119,12 @@ private:
     for (int i = 0; i < attempts && best.radius < leastRadius; ++i)
     {
       const double share = random.Uniform(clearOfRectum, 0.99);
-      const double angle = random.Uniform(-M_PI, M_PI);
+      const double angle = random.Uniform(-Pi, Pi);
       const double chance = random.Uniform(-0.7, 0.7);
       best = m_Anatomy.PlaceAt(share, angle);
       for (int k = 0; isLoose && k < 24; ++k)
       {
-        const ColonPlace other = m_Anatomy.PlaceAt(share, -M_PI + k * M_PI / 12);
+        const ColonPlace other = m_Anatomy.PlaceAt(share, -Pi + k * Pi / 12);
         best = -m_Fluid.Down().dot(other.inwards) > -m_Fluid.Down().dot(best.inwards) ? other : best;
       }
       best = isLoose ? m_Anatomy.PlaceAt(share, best.angle + chance) : best;
@@ -173,7 +174,7 @@ private:
     const double radius = random.Uniform(1.0, 3.5);
     for (int i = 0; i < attempts; ++i)
     {
-      const ColonPlace place = m_Anatomy.PlaceAt(random.Uniform(clearOfRectum, 0.99), random.Uniform(-M_PI, M_PI));
+      const ColonPlace place = m_Anatomy.PlaceAt(random.Uniform(clearOfRectum, 0.99), random.Uniform(-Pi, Pi));
       const Vector3d   middle = place.point + 0.8 * radius * place.inwards;
       const double     depth = m_Fluid.DepthBelowLevel(middle, place.arcLength);
       if (place.radius > leastRadius && depth > radius + 0.5 && depth < deepestBubble &&
@@ -217,7 +218,7 @@ private:
     for (int i = 0; i < count; ++i)
     {
       const double   from = radius * std::sqrt(random.Uniform());
-      const double   angle = random.Uniform(-M_PI, M_PI);
+      const double   angle = random.Uniform(-Pi, Pi);
       const double   most = height * (1.0 - 0.7 * from / radius);
       const Vector3d at = level + from * (Eigen::AngleAxisd(angle, up) * across) + random.Uniform(0.0, most) * up;
       const double   size = random.Uniform(0.7, 1.6);

@@ -5,6 +5,7 @@
 #include "shapetonColonPath.h"
 #include "shapetonColonPlan.h"
 #include "shapetonColonRelaxation.h"
+#include "shapetonPi.h"
 
 #include <Eigen/Geometry>
 
@@ -151,7 +152,7 @@ private:
       }
       lacking = std::max(lacking, c_ColonBulge * m_ColonRadius[i] + m_Radius + c_ColonWall - (at - m_Colon[i]).norm());
     }
-    const auto ownLoop = static_cast<std::size_t>(std::ceil(M_PI * this->TightestBend() / c_GrowthStep)) + 1;
+    const auto ownLoop = static_cast<std::size_t>(std::ceil(Pi * this->TightestBend() / c_GrowthStep)) + 1;
     for (std::size_t i = 0; i + ownLoop < axis.size(); ++i)
     {
       lacking = std::max(lacking, 2.0 * m_Radius + c_LoopWall - (at - axis[i]).norm());
@@ -171,7 +172,7 @@ private:
     for (int i = 0; i <= 2 * c_Headings; ++i)
     {
       const double   tilt = i == 0 ? 0.0 : (i <= c_Headings ? 0.5 * tightest : tightest);
-      const Vector3d axisOfTurn = Eigen::AngleAxisd(2.0 * M_PI * i / c_Headings, heading) * side;
+      const Vector3d axisOfTurn = Eigen::AngleAxisd(TwoPi * i / c_Headings, heading) * side;
       const Vector3d candidate = Eigen::AngleAxisd(tilt, axisOfTurn) * heading;
       double         cost = -c_TargetWeight * candidate.dot(wish);
       for (const double ahead : { 1.0, 2.0, 4.0 })
@@ -340,7 +341,7 @@ std::size_t
 PointsWithRoom(const Chain & axis, const ColonAnatomy & anatomy)
 {
   const double radius = 0.5 * anatomy.GetParameters().ileumBore;
-  const auto   ownLoop = static_cast<std::size_t>(M_PI * (radius + c_BeyondRadius) / ileumAxisStep) + 1;
+  const auto   ownLoop = static_cast<std::size_t>(Pi * (radius + c_BeyondRadius) / ileumAxisStep) + 1;
   const auto   beside = static_cast<std::size_t>(c_BesideCecum / ileumAxisStep);
   for (std::size_t i = 0; i < axis.size(); ++i)
   {

@@ -5,6 +5,7 @@
 #include "shapetonColonNoise.h"
 #include "shapetonColonPath.h"
 #include "shapetonPhantomIleum.h"
+#include "shapetonPi.h"
 
 #include <Eigen/Geometry>
 
@@ -92,7 +93,7 @@ public:
     {
       for (int side = 0; side < contactSides; ++side)
       {
-        const auto place = this->Beside(first, count, 2.0 * M_PI * side / contactSides);
+        const auto place = this->Beside(first, count, TwoPi * side / contactSides);
         best = place.share > best.share && this->HasRoom(place.axis) ? place : best;
       }
     }

@@ -1,6 +1,7 @@
 #include "shapetonColonAnatomy.h"
 #include "shapetonColonPointPairs.h"
 #include "shapetonExceptions.h"
+#include "shapetonPi.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -50,7 +51,7 @@ Directions(int number)
   for (int i = 0; i < number; ++i)
   {
     const double z = 1 - (2 * i + 1.0) / number;
-    const double angle = i * M_PI * (3 - std::sqrt(5.0));
+    const double angle = i * shapeton::Pi * (3 - std::sqrt(5.0));
     directions.emplace_back(std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z);
   }
   return directions;
@@ -376,7 +377,7 @@ TEST(ColonAnatomy, SessilePolypHasItsVolume)
       volume += isPolyp ? step * step * step : 0.0;
     }
     // A half ellipsoid, slightly reduced by the concave wall and enlarged by the fillet.
-    const double expected = M_PI / 6 * polyp.diameter * polyp.diameter * polyp.height;
+    const double expected = shapeton::Pi / 6 * polyp.diameter * polyp.diameter * polyp.height;
     EXPECT_NEAR(volume / expected, 1.0, 0.3) << polyp.diameter;
     ++compared;
   }

@@ -1,5 +1,6 @@
 #include "shapetonColonPhantomImageSource.h"
 #include "shapetonExceptions.h"
+#include "shapetonPi.h"
 
 #include <Eigen/Geometry>
 #include "itkImageRegionConstIteratorWithIndex.h"
@@ -188,7 +189,8 @@ TEST(ColonStructures, RefluxFillsTheSameIleumInBothPositions)
       EXPECT_TRUE(ileum->bore >= 10.0 && ileum->bore <= 25.0) << seed;
       EXPECT_TRUE(ileum->length >= 50.0 && ileum->length <= 1500.0) << seed;
       // Loops that touch the colon are flattened; the slit is narrower.
-      EXPECT_NEAR(1000.0 * ileum->volume / (0.25 * M_PI * ileum->bore * ileum->bore * ileum->length), 0.9, 0.2) << seed;
+      EXPECT_NEAR(1000.0 * ileum->volume / (0.25 * shapeton::Pi * ileum->bore * ileum->bore * ileum->length), 0.9, 0.2)
+        << seed;
       lengths[position] = ileum->length;
       EXPECT_GT(exam.anatomy.Evaluate(axis[0]).distance, 0.0);
       for (std::size_t i = 1; i < axis.size(); ++i)
@@ -518,7 +520,7 @@ TEST(ColonStructures, ALoopOfIleumTouchesTheSigmoid)
       bool           touches = false;
       for (int n = 0; n < 24; ++n)
       {
-        const Vector3d side = Eigen::AngleAxisd(M_PI / 12.0 * n, along) * along.unitOrthogonal();
+        const Vector3d side = Eigen::AngleAxisd(shapeton::Pi / 12.0 * n, along) * along.unitOrthogonal();
         // The last point of the loop in this direction.
         double r = 0.5 * contact->bore;
         while (r > 0.0 && exam.structures.At(axis[i] + r * side) != ColonStructure::SmallBowel)

@@ -1,6 +1,7 @@
 #include "shapetonEndoscope.h"
 
 #include "shapetonParallelFor.h"
+#include "shapetonPi.h"
 
 #include <Eigen/Geometry>
 
@@ -78,7 +79,7 @@ PlacesOfEye(const CurveSet & centerline, const PolypCandidate & candidate)
     places.emplace_back(candidate.apex + distance * candidate.axis);
     for (int i = 0; i < around; ++i)
     {
-      const Vector3d sideways = Eigen::AngleAxisd(2.0 * M_PI * i / around, candidate.axis) * side;
+      const Vector3d sideways = Eigen::AngleAxisd(TwoPi * i / around, candidate.axis) * side;
       places.emplace_back(candidate.apex + distance * (candidate.axis + tilt * sideways).normalized());
     }
   }
@@ -92,7 +93,7 @@ FieldOfView(const PolypCandidate & candidate, double distance)
   constexpr double narrowest = 30.0, widest = 70.0;
   constexpr double timesHead = 4.0;
   const double     width = timesHead * std::max(candidate.diameter, candidate.height);
-  const double     degrees = 2.0 * std::atan(0.5 * width / distance) * 180.0 / M_PI;
+  const double     degrees = 2.0 * std::atan(0.5 * width / distance) * 180.0 / Pi;
   return std::clamp(degrees, narrowest, widest);
 }
 /** Fraction of the surface of a head that is visible from a point. */

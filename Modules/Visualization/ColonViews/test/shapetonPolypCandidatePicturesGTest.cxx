@@ -3,6 +3,7 @@
 #include "shapetonPerspectiveRendering.h"
 #include "shapetonPolypTubes.h"
 #include "shapetonExceptions.h"
+#include "shapetonPi.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ shapeton::SurfaceMesh
 FlatTube()
 {
   constexpr int         around = 40, along = 24;
-  const double          circumference = 2.0 * M_PI * radius;
+  const double          circumference = shapeton::TwoPi * radius;
   shapeton::SurfaceMesh flat;
   flat.V.resize((around + 1) * (along + 1), 3);
   flat.F.resize(2 * around * along, 3);
@@ -29,7 +30,7 @@ FlatTube()
     for (int i = 0; i <= around; ++i)
     {
       const int    vertex = j * (around + 1) + i;
-      const double angle = 2.0 * M_PI * (i % around) / around - M_PI; // the seam is above
+      const double angle = shapeton::TwoPi * (i % around) / around - shapeton::Pi; // the seam is above
       const double x = 48.0 * j / along - 24.0;
       const double off = std::hypot(x, radius * angle) / 6.0;
       const double r = radius - (off < 1.0 ? 7.0 * std::sqrt(1.0 - off * off) : 0.0);
@@ -89,7 +90,7 @@ TEST(PolypCandidatePictures, HeadIsInTheMiddleOfBothViews)
   shapeton::PolypColon colon = StraightColon({ Ellipsoid(Base(0.0), 6.0, 7.0) });
   auto                 candidates = shapeton::FindPolypCandidates(colon.wall);
   ASSERT_EQ(candidates.size(), 1u);
-  candidates.front().uv = { 24.0, M_PI * radius };
+  candidates.front().uv = { 24.0, shapeton::Pi * radius };
   const shapeton::PolypCandidatePictures pictures(colon, candidates);
   for (const auto & picture : { pictures.DrawCloseUp(candidates.front()), pictures.DrawFromWithin(candidates.front()) })
   {

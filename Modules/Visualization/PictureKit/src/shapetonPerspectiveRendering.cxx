@@ -1,5 +1,6 @@
 #include "shapetonPerspectiveRendering.h"
 
+#include "shapetonPi.h"
 #include "shapetonSampleComposition.h"
 
 #include <Eigen/Geometry>
@@ -31,7 +32,7 @@ public:
     m_Forward = look.normalized();
     m_Right = across.normalized();
     m_Up = m_Right.cross(m_Forward);
-    m_Scale = 0.5 * camera.width / std::tan(0.5 * camera.fieldOfView * M_PI / 180.0);
+    m_Scale = 0.5 * camera.width / std::tan(0.5 * camera.fieldOfView * Pi / 180.0);
   }
 
   /** Depth in front of the eye, mm. */
