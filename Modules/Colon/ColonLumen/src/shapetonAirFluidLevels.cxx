@@ -158,12 +158,13 @@ public:
     , m_Blur(std::sqrt(UsualBlur * UsualBlur + UniformVariance(fall.step)))
   {}
 
+  /** \param floors: indices of the floors of the level. */
   void
-  Measure(Level & level) const
+  Measure(const std::vector<std::size_t> & floors, Level & level) const
   {
     std::vector<double> deep;
     std::vector<double> edge;
-    for (const auto f : level.floors)
+    for (const auto f : floors)
     {
       double value = 0.0;
       if (this->Below(f, value))
@@ -176,7 +177,7 @@ public:
       }
     }
     level.below = Median(deep);
-    level.edge = std::max(Median(edge), this->EndOfSteepRise(level));
+    level.edge = std::max(Median(edge), this->EndOfSteepRise(floors));
   }
 
 private:
@@ -273,11 +274,11 @@ private:
 
   /** Intensity of the matter directly below a level if its rise is explained by the blur alone; empty otherwise. */
   double
-  EndOfSteepRise(const Level & level) const
+  EndOfSteepRise(const std::vector<std::size_t> & floors) const
   {
     std::vector<double> ends;
     std::vector<double> excesses;
-    for (const auto f : level.floors)
+    for (const auto f : floors)
     {
       Rise rise;
       if (this->RiseBelow(f, rise))
@@ -286,7 +287,7 @@ private:
         excesses.push_back(rise.isOver ? rise.excess : Beyond);
       }
     }
-    return 2 * ends.size() > level.floors.size() && Median(excesses) < 0.5 ? Median(ends) : -Beyond;
+    return 2 * ends.size() > floors.size() && Median(excesses) < 0.5 ? Median(ends) : -Beyond;
   }
 
   const ColonGrid &          m_Grid;
@@ -348,6 +349,13 @@ private:
   double          m_Square{ 0.0 };
 };
 
+/** A level and the indices of its floors. */
+struct FloorsOfLevel
+{
+  std::vector<std::size_t> floors;
+  Level                    level;
+};
+
 /** Finds flat floors and groups them into levels. */
 class LevelFinder
 {
@@ -365,13 +373,13 @@ public:
     , m_Cells(m_Places, m_Radius)
   {}
 
-  /** Largest first; their floors are indices. */
-  std::vector<Level>
+  /** Largest first. */
+  std::vector<FloorsOfLevel>
   Find() const
   {
-    const auto           flat = this->FlatFloors();
-    std::map<int, Level> levels;
-    auto                 sets = this->Neighbors(flat);
+    const auto                   flat = this->FlatFloors();
+    std::map<int, FloorsOfLevel> levels;
+    auto                         sets = this->Neighbors(flat);
     for (std::size_t f = 0; f < m_Floors.size(); ++f)
     {
       if (flat[f])
@@ -379,15 +387,16 @@ public:
         levels[sets.Find(static_cast<int>(f))].floors.push_back(f);
       }
     }
-    std::vector<Level> found;
-    for (auto & entry : levels)
+    std::vector<FloorsOfLevel> found;
+    for (auto & [first, part] : levels)
     {
-      if (entry.second.floors.size() * m_Fall.ColumnArea(m_Grid) >= m_Limits.area && this->Measure(entry.second))
+      if (part.floors.size() * m_Fall.ColumnArea(m_Grid) >= m_Limits.area && this->Measure(part.floors, part.level))
       {
-        found.push_back(entry.second);
+        found.push_back(std::move(part));
       }
     }
-    std::stable_sort(found.begin(), found.end(), [](const Level & p, const Level & q) { return p.area > q.area; });
+    std::stable_sort(
+      found.begin(), found.end(), [](const auto & p, const auto & q) { return p.level.area > q.level.area; });
     return found;
   }
 
@@ -462,28 +471,32 @@ private:
   }
 
   bool
-  Measure(Level & level) const
+  Measure(const std::vector<std::size_t> & floors, Level & level) const
   {
     Eigen::Vector2d mean(0.0, 0.0);
-    for (const auto f : level.floors)
+    for (const auto f : floors)
     {
-      mean += Eigen::Vector2d(m_Places[f].a, m_Places[f].b) / static_cast<double>(level.floors.size());
+      mean += Eigen::Vector2d(m_Places[f].a, m_Places[f].b) / static_cast<double>(floors.size());
     }
     PlaneFit        fit;
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-    const double    base = m_Floors[level.floors[0]].depth;
-    for (const auto f : level.floors)
+    const double    base = m_Floors[floors[0]].depth;
+    for (const auto f : floors)
     {
       const Eigen::Vector2d d = Eigen::Vector2d(m_Places[f].a, m_Places[f].b) - mean;
-      covariance += d * d.transpose() / static_cast<double>(level.floors.size());
+      covariance += d * d.transpose() / static_cast<double>(floors.size());
       fit.Add(d[0], d[1], m_Floors[f].depth - base);
     }
     const Plane plane = fit.Solve();
     level.depth = base + plane.depth;
     level.slope = plane.slope;
     level.center = mean;
-    level.gas = m_Floors[level.floors[0]].gas;
-    level.area = level.floors.size() * m_Fall.ColumnArea(m_Grid);
+    level.gas = m_Floors[floors[0]].gas;
+    level.area = floors.size() * m_Fall.ColumnArea(m_Grid);
+    for (const auto f : floors)
+    {
+      level.voxels.push_back(m_Floors[f].voxel);
+    }
     level.width = std::sqrt(PrincipalAxes(covariance).values[0]);
     return level.width >= MinimumWidth;
   }
@@ -507,15 +520,12 @@ FindLevels(const ColonGrid &          grid,
            double                     tissue,
            const LevelLimits &        limits)
 {
-  std::vector<Level> levels = LevelFinder(grid, floors, fall, limits).Find();
   const BelowFloors  below(grid, hu, floors, fall, tissue);
-  for (Level & level : levels)
+  std::vector<Level> levels;
+  for (FloorsOfLevel & found : LevelFinder(grid, floors, fall, limits).Find())
   {
-    below.Measure(level);
-    for (auto & f : level.floors)
-    {
-      f = floors[f].voxel;
-    }
+    below.Measure(found.floors, found.level);
+    levels.push_back(std::move(found.level));
   }
   return levels;
 }

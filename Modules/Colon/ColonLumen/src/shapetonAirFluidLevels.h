@@ -111,7 +111,7 @@ struct Level
   double              depth{ 0.0 };
   Eigen::Vector2d     slope;
   Eigen::Vector2d     center;
-  std::vector<size_t> floors;       ///< indices of the gas voxels directly above
+  std::vector<size_t> voxels;       ///< gas voxels directly above
   double              below{ 0.0 }; ///< median intensity 3 to 6 mm below
   double              edge{ 0.0 };  ///< median intensity about 2 mm below, beyond the rise of a level
 

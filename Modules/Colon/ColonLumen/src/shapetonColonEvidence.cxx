@@ -65,7 +65,7 @@ BrightUnder(const ColonEvidence & evidence, const GravitySteps & fall, const Lev
   const LevelColumn column(
     evidence.grid, evidence.hu, fall, evidence.thresholds, evidence.remainingNoise, evidence.smoothing);
   std::map<int, LevelColumn::Votes> votes;
-  for (const auto floor : level.floors)
+  for (const auto floor : level.voxels)
   {
     const auto v = evidence.grid.Voxel(floor);
     for (int t = 1; t * fall.step <= std::max(ReachUnderLevel, StepsToFluid * fall.step); ++t)
@@ -164,7 +164,7 @@ AddTiltedLevels(ColonEvidence & evidence)
   std::unordered_set<std::size_t> known;
   for (const auto & level : evidence.levels)
   {
-    known.insert(level.floors.begin(), level.floors.end());
+    known.insert(level.voxels.begin(), level.voxels.end());
   }
   auto floors =
     FloorsOfGas(evidence.grid, evidence.hu, evidence.gas.set, evidence.gas.labels, evidence.isColon, fall, t);

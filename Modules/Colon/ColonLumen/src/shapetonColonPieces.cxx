@@ -196,7 +196,7 @@ ColumnsUnder(const ColonEvidence & evidence, int piece)
     {
       continue;
     }
-    for (const auto floor : level.floors)
+    for (const auto floor : level.voxels)
     {
       const auto v = evidence.grid.Voxel(floor);
       for (const auto & s : around)

@@ -136,7 +136,7 @@ bool
 LumenField::LiesOnColonFluid(const Level & level) const
 {
   std::size_t hits = 0;
-  for (const auto floor : level.floors)
+  for (const auto floor : level.voxels)
   {
     std::array<int, 3> v;
     bool               isOnFluid = false;
@@ -147,7 +147,7 @@ LumenField::LiesOnColonFluid(const Level & level) const
     }
     hits += isOnFluid;
   }
-  return 2 * hits > level.floors.size();
+  return 2 * hits > level.voxels.size();
 }
 
 std::vector<Level>

@@ -62,7 +62,7 @@ private:
     const GravitySteps & fall = m_Field.fall;
     for (const auto & level : m_Field.ColonLevels())
     {
-      for (const auto floor : level.floors)
+      for (const auto floor : level.voxels)
       {
         const auto p = m_Field.evidence.grid.Position(floor);
         m_Places.push_back({ static_cast<float>(p.dot(fall.across[0])), static_cast<float>(p.dot(fall.across[1])) });
@@ -290,7 +290,7 @@ FaintSeeds(const LumenField & field)
   for (const auto & level : field.evidence.levels)
   {
     std::array<int, 3> v;
-    for (const auto floor : level.floors)
+    for (const auto floor : level.voxels)
     {
       if (!field.evidence.isColon[level.gas] || !field.IsTagged(level) || !field.Local(floor, v))
       {

@@ -56,7 +56,7 @@ public:
     for (const auto & level : m_Field.evidence.levels)
     {
       std::array<int, 3> v;
-      for (const auto floor : level.floors)
+      for (const auto floor : level.voxels)
       {
         if (m_Field.evidence.isColon[level.gas] && m_Field.IsTagged(level) && m_Field.Local(floor, v))
         {

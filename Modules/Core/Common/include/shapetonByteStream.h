@@ -44,6 +44,14 @@ public:
     return *this;
   }
 
+  /** Writes the number of elements; the caller writes the elements. */
+  template <typename TElement>
+  ByteWriter &
+  SizeOf(const std::vector<TElement> & list)
+  {
+    return *this & static_cast<std::uint64_t>(list.size());
+  }
+
   const std::string &
   GetBytes() const
   {
@@ -95,10 +103,19 @@ public:
     return *this;
   }
 
-  std::size_t
-  GetLeft() const
+  /** Gives a list the number of elements that the sender stated; the caller reads the elements, of at least a byte. */
+  template <typename TElement>
+  ByteReader &
+  SizeOf(std::vector<TElement> & list)
   {
-    return m_Left;
+    std::uint64_t size = 0;
+    *this &       size;
+    if (size > m_Left)
+    {
+      throw std::runtime_error("incomplete message");
+    }
+    list.resize(size);
+    return *this;
   }
 
 private:

@@ -17,7 +17,8 @@ namespace shapeton
 ShapetonReport_EXPORT void
 WriteJson(const Json & document, const std::string & path);
 
-/** Reads a document. Throws InputError with the file and the line and column of the error.
+/** Reads a document. Throws InputError with the file and the line and column of the error, or the key that an object
+ * repeats.
  * \ingroup ShapetonReport */
 ShapetonReport_EXPORT Json
 ReadJson(const std::string & path);

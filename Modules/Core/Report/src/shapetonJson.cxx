@@ -4,9 +4,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <vector>
 
 namespace shapeton
 {
+namespace
+{
+/** Parses a document; programs disagree on which of two entries with the same key counts, so a repeated key is refused.
+ */
+Json
+ParseWithUniqueKeys(const std::string & text, const std::string & path)
+{
+  std::vector<std::set<std::string>> keys; // of the open objects
+  return Json::parse(text, [&](int, Json::parse_event_t event, Json & value) {
+    if (event == Json::parse_event_t::object_start)
+    {
+      keys.emplace_back();
+    }
+    else if (event == Json::parse_event_t::object_end)
+    {
+      keys.pop_back();
+    }
+    else if (event == Json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
+    {
+      throw InputError("\"" + path + "\": the entry \"" + value.get<std::string>() +
+                       "\" is repeated; remove one of the two");
+    }
+    return true;
+  });
+}
+} // namespace
+
 std::string
 PlaceInText(const std::string & text, std::size_t byte)
 {
@@ -40,7 +69,7 @@ ReadJson(const std::string & path)
   const std::string text = ReadFileBytes(path);
   try
   {
-    return Json::parse(text);
+    return ParseWithUniqueKeys(text, path);
   }
   catch (const Json::parse_error & error)
   {

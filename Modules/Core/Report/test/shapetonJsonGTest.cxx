@@ -86,6 +86,13 @@ TEST(Json, FaultsHaveAPlace)
   EXPECT_EQ(FaultOf("[1e999]"), "InputError: FILE contains a number that is too large; correct the file");
 }
 
+TEST(Json, RepeatedKeysOfOneObjectAreRefused)
+{
+  EXPECT_EQ(FaultOf("{\"a\": 1, \"b\": {\"a\": 2}, \"c\": [{\"a\": 3}, {\"a\": 4}]}"), "no error");
+  EXPECT_EQ(FaultOf("{\"a\": 1, \"b\": [{\"c\": 2, \"d\": {}, \"c\": 2}]}"),
+            "InputError: FILE: the entry \"c\" is repeated; remove one of the two");
+}
+
 TEST(Json, HostileFilesAreRefusedWithoutACrash)
 {
   EXPECT_EQ(FaultOf(std::string(1000000, '[')),

@@ -1,297 +1,73 @@
 #include "shapetonEmbeddingCertificate.h"
-#include "shapetonFileBytes.h"
 #include "shapetonJson.h"
 #include "shapetonExceptions.h"
 
-#include <cmath>
-#include <cstdint>
+#include <algorithm>
+#include <functional>
 #include <limits>
-#include <map>
-#include <set>
 
 namespace shapeton
 {
 namespace
 {
-/** Maps key paths of the file, such as "graph.edges", to the destination of each entry. */
-struct EntryTables
-{
-  std::map<std::string, std::vector<int>>              integers;
-  std::map<std::string, std::vector<double>>           numbers;
-  std::map<std::string, std::vector<std::string>>      texts;
-  std::map<std::string, std::vector<std::vector<int>>> words;
-  std::map<std::string, int>                           integer;
-  std::map<std::string, std::string>                   text;
-  std::vector<std::pair<std::string, std::string>>     provenance;
-  std::vector<std::pair<std::string, double>>          statistics;
-
-  EntryTables()
-  {
-    for (const char * key :
-         { "graph.edges", "graph.rotation", "packed.edges", "packed.rotation", "tree", "word", "generators.halfEdges" })
-    {
-      integers[key];
-    }
-    for (const char * key : { "nodeRadii",
-                              "nodePositions",
-                              "faceRadii",
-                              "facePositions",
-                              "nodeAngles",
-                              "periods",
-                              "generators.a",
-                              "generators.b" })
-    {
-      numbers[key];
-    }
-    texts["warnings"];
-    texts["graph.names"];
-    words["packed.subdivided"];
-    words["canonicalWords"];
-  }
-};
-
-/** Fills the tables during parsing; unknown entries are skipped. */
-class EntryHandler : public nlohmann::json_sax<Json>
-{
-public:
-  EntryHandler(const std::string & path, const std::string & bytes, EntryTables & tables)
-    : m_FilePath(path), m_Bytes(bytes), m_Tables(tables)
-  {}
-
-  bool
-  null() override
-  {
-    this->Refuse("is null");
-  }
-  bool
-  boolean(bool) override
-  {
-    this->RefuseIfKnown("a truth value");
-    return true;
-  }
-  bool
-  number_integer(number_integer_t value) override
-  {
-    if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max())
-    {
-      return this->number_float(static_cast<double>(value), {});
-    }
-    return this->Integer(static_cast<int>(value));
-  }
-  bool
-  number_unsigned(number_unsigned_t value) override
-  {
-    if (value > static_cast<number_unsigned_t>(std::numeric_limits<int>::max()))
-    {
-      return this->number_float(static_cast<double>(value), {});
-    }
-    return this->Integer(static_cast<int>(value));
-  }
-  bool
-  number_float(number_float_t value, const string_t &) override
-  {
-    if (const auto list = m_Tables.numbers.find(m_Path); list != m_Tables.numbers.end() && m_Depth == 1)
-    {
-      list->second.push_back(value);
-    }
-    else if (IsIn("statistics"))
-    {
-      m_Tables.statistics.emplace_back(m_Key, value);
-    }
-    else
-    {
-      this->RefuseIfKnown("a number that is not an index");
-    }
-    return true;
-  }
-  bool
-  string(string_t & value) override
-  {
-    if (const auto list = m_Tables.texts.find(m_Path); list != m_Tables.texts.end() && m_Depth == 1)
-    {
-      list->second.push_back(value);
-    }
-    else if (IsIn("provenance"))
-    {
-      m_Tables.provenance.emplace_back(m_Key, value);
-    }
-    else
-    {
-      this->RefuseIfKnown("a string");
-      m_Tables.text[m_Path] = value;
-    }
-    return true;
-  }
-  bool
-  binary(binary_t &) override
-  {
-    return false;
-  }
-  bool
-  start_object(std::size_t) override
-  {
-    if (m_Depth > 0)
-    {
-      this->RefuseIfKnown("an object");
-    }
-    constexpr std::size_t mostDepth = 16; // limits the length of key paths
-    if (m_Objects.size() >= mostDepth)
-    {
-      this->Refuse("has too many nested objects");
-    }
-    m_Objects.push_back(m_Path);
-    return true;
-  }
-  bool
-  key(string_t & value) override
-  {
-    m_Key = value;
-    m_Path = m_Objects.back().empty() ? value : m_Objects.back() + '.' + value;
-    if (!m_Seen.insert(m_Path).second)
-    {
-      this->Refuse("is repeated");
-    }
-    return true;
-  }
-  bool
-  end_object() override
-  {
-    m_Path = m_Objects.back();
-    m_Objects.pop_back();
-    return true;
-  }
-  bool
-  start_array(std::size_t) override
-  {
-    ++m_Depth;
-    if (const auto list = m_Tables.words.find(m_Path); list != m_Tables.words.end() && m_Depth == 2)
-    {
-      list->second.emplace_back();
-    }
-    else if (m_Depth > 1)
-    {
-      this->RefuseIfKnown("a list in a list");
-    }
-    return true;
-  }
-  bool
-  end_array() override
-  {
-    --m_Depth;
-    return true;
-  }
-  bool
-  parse_error(std::size_t position, const std::string &, const nlohmann::detail::exception & error) override
-  {
-    if (dynamic_cast<const nlohmann::detail::out_of_range *>(&error) != nullptr) // e.g. 1e999
-    {
-      this->Refuse("contains a number that is too large");
-    }
-    throw InputError('"' + m_FilePath + "\" is not valid JSON at " + PlaceInText(m_Bytes, position) +
-                     "; compute the certificate again");
-  }
-
-private:
-  bool
-  IsIn(const std::string & object) const
-  {
-    return m_Depth == 0 && !m_Objects.empty() && m_Objects.back() == object;
-  }
-
-  bool
-  Integer(int value)
-  {
-    if (const auto list = m_Tables.integers.find(m_Path); list != m_Tables.integers.end() && m_Depth == 1)
-    {
-      list->second.push_back(value);
-    }
-    else if (const auto words = m_Tables.words.find(m_Path); words != m_Tables.words.end() && m_Depth == 2)
-    {
-      words->second.back().push_back(value);
-    }
-    else if (m_Tables.numbers.count(m_Path) > 0 || IsIn("statistics"))
-    {
-      return this->number_float(value, {});
-    }
-    else
-    {
-      this->RefuseIfKnown("a number");
-      m_Tables.integer[m_Path] = value;
-    }
-    return true;
-  }
-
-  void
-  RefuseIfKnown(const std::string & what) const
-  {
-    if (m_Tables.integers.count(m_Path) > 0 || m_Tables.numbers.count(m_Path) > 0 || m_Tables.texts.count(m_Path) > 0 ||
-        m_Tables.words.count(m_Path) > 0 || IsIn("statistics") || IsIn("provenance"))
-    {
-      this->Refuse("holds " + what + ", which is not allowed there");
-    }
-  }
-
-  [[noreturn]] void
-  Refuse(const std::string & what) const
-  {
-    throw InputError('"' + m_FilePath + "\": the entry \"" + m_Path + "\" " + what + "; compute the certificate again");
-  }
-
-  const std::string &      m_FilePath;
-  const std::string &      m_Bytes;
-  EntryTables &            m_Tables;
-  std::string              m_Path;
-  std::string              m_Key;
-  std::vector<std::string> m_Objects;
-  std::set<std::string>    m_Seen;
-  int                      m_Depth{ 0 }; // list nesting depth
-};
-
-/** Moves entries out of the tables and checks their sizes. */
+/** Checked access to the entries of a file by key path, such as "graph.edges". Unknown entries are not looked at. */
 class EntryReader
 {
 public:
-  EntryReader(const std::string & path, EntryTables & tables) : m_Path(path), m_Tables(tables) {}
+  explicit EntryReader(const std::string & path) : m_Path(path), m_Document(ReadJson(path)) {}
+
+  bool
+  Has(const std::string & key) const
+  {
+    return this->Find(key) != nullptr;
+  }
 
   std::string
   Text(const std::string & key) const
   {
-    const auto found = m_Tables.text.find(key);
-    Require(found != m_Tables.text.end(), key, "is missing or not a string");
-    return found->second;
+    const Json * const value = this->Find(key);
+    Require(value != nullptr && value->is_string(), key, "is missing or not a string");
+    return value->get<std::string>();
   }
 
   int
   Integer(const std::string & key, int least) const
   {
-    const auto found = m_Tables.integer.find(key);
-    Require(found != m_Tables.integer.end(), key, "is missing or not an integer");
-    Require(found->second >= least, key, "is less than " + std::to_string(least));
-    return found->second;
+    const Json * const value = this->Find(key);
+    Require(value != nullptr && IsIndex(*value), key, "is missing or not an integer");
+    Require(value->get<int>() >= least, key, "is less than " + std::to_string(least));
+    return value->get<int>();
+  }
+
+  /** Empty without the entry, as are all lists. */
+  std::vector<double>
+  Numbers(const std::string & key) const
+  {
+    return this->ListOf<double>(key, &Json::is_number, "a number");
   }
 
   std::vector<double>
-  Numbers(const std::string & key, std::size_t size)
+  Numbers(const std::string & key, std::size_t size) const
   {
-    std::vector<double> values = std::move(m_Tables.numbers[key]);
+    std::vector<double> values = this->Numbers(key);
     RequireSize(key, values.size(), size);
     return values;
   }
 
   /** `size` integers in [least, end). */
   std::vector<int>
-  Integers(const std::string & key, std::size_t size, int least, std::size_t end)
+  Integers(const std::string & key, std::size_t size, int least, std::size_t end) const
   {
-    std::vector<int> values = std::move(m_Tables.integers[key]);
+    std::vector<int> values = this->ListOf<int>(key, IsIndex, "an integer");
     RequireSize(key, values.size(), size);
     RequireRange(key, values, least, end);
     return values;
   }
 
   std::vector<std::array<int, 2>>
-  Edges(const std::string & key, int nodes)
+  Edges(const std::string & key, int nodes) const
   {
-    const std::vector<int> ends = std::move(m_Tables.integers[key]);
+    const std::vector<int> ends = this->ListOf<int>(key, IsIndex, "an integer");
     Require(ends.size() % 2 == 0, key, "has an odd number of nodes");
     RequireRange(key, ends, 0, nodes);
     std::vector<std::array<int, 2>> edges(ends.size() / 2);
@@ -303,9 +79,12 @@ public:
   }
 
   std::vector<std::vector<int>>
-  Words(const std::string & key, int least, std::size_t end)
+  Words(const std::string & key, int least, std::size_t end) const
   {
-    std::vector<std::vector<int>> words = std::move(m_Tables.words[key]);
+    const auto isWord = [](const Json & value) {
+      return value.is_array() && std::all_of(value.begin(), value.end(), IsIndex);
+    };
+    std::vector<std::vector<int>> words = this->ListOf<std::vector<int>>(key, isWord, "a list of integers");
     for (const std::vector<int> & word : words)
     {
       RequireRange(key, word, least, end);
@@ -314,9 +93,29 @@ public:
   }
 
   std::vector<std::string>
-  Texts(const std::string & key)
+  Texts(const std::string & key) const
   {
-    return std::move(m_Tables.texts[key]);
+    return this->ListOf<std::string>(key, &Json::is_string, "a string");
+  }
+
+  /** Names and values of an object, in the order of the file. */
+  template <typename TValue, typename TTest>
+  std::vector<std::pair<std::string, TValue>>
+  Facts(const std::string & key, const TTest & isValue) const
+  {
+    std::vector<std::pair<std::string, TValue>> facts;
+    const Json * const                          object = this->Find(key);
+    Require(object == nullptr || object->is_object(), key, "is not an object");
+    if (object == nullptr)
+    {
+      return facts;
+    }
+    for (const auto & [name, value] : object->items())
+    {
+      Require(std::invoke(isValue, value), key + '.' + name, "holds a value of another type");
+      facts.emplace_back(name, value.template get<TValue>());
+    }
+    return facts;
   }
 
   void
@@ -329,6 +128,42 @@ public:
   }
 
 private:
+  static bool
+  IsIndex(const Json & value)
+  {
+    return value.is_number_integer() && value.get<double>() >= std::numeric_limits<int>::min() &&
+           value.get<double>() <= std::numeric_limits<int>::max();
+  }
+
+  /** Null if the file has no such entry. */
+  const Json *
+  Find(const std::string & key) const
+  {
+    const Json * value = &m_Document;
+    for (std::size_t begin = 0, end = 0; end != std::string::npos && value != nullptr; begin = end + 1)
+    {
+      end = key.find('.', begin);
+      const auto found = value->is_object() ? value->find(key.substr(begin, end - begin)) : value->end();
+      value = found != value->end() ? &*found : nullptr;
+    }
+    return value;
+  }
+
+  template <typename TValue, typename TTest>
+  std::vector<TValue>
+  ListOf(const std::string & key, const TTest & isValue, const std::string & kind) const
+  {
+    const Json * const list = this->Find(key);
+    if (list == nullptr)
+    {
+      return {};
+    }
+    Require(list->is_array(), key, "is not a list");
+    const auto wrong = std::find_if_not(list->begin(), list->end(), std::cref(isValue));
+    Require(wrong == list->end(), key, "holds " + (wrong == list->end() ? "" : wrong->dump()) + ", not " + kind);
+    return list->get<std::vector<TValue>>();
+  }
+
   void
   RequireSize(const std::string & key, std::size_t size, std::size_t wanted) const
   {
@@ -346,8 +181,8 @@ private:
     }
   }
 
-  const std::string & m_Path;
-  EntryTables &       m_Tables;
+  std::string m_Path;
+  Json        m_Document;
 };
 
 EmbeddingGeometry
@@ -367,7 +202,7 @@ GeometryOf(const EntryReader & entries)
 }
 
 void
-TakeGraph(EntryReader & entries, EmbeddingCertificate & certificate)
+TakeGraph(const EntryReader & entries, EmbeddingCertificate & certificate)
 {
   Graph & graph = certificate.graph;
   graph.nodes = entries.Integer("graph.nodes", 1);
@@ -381,10 +216,10 @@ TakeGraph(EntryReader & entries, EmbeddingCertificate & certificate)
 }
 
 void
-TakePackedMap(EntryReader & entries, bool hasPackedMap, EmbeddingCertificate & certificate)
+TakePackedMap(const EntryReader & entries, EmbeddingCertificate & certificate)
 {
   Graph & packed = certificate.packed;
-  if (!hasPackedMap)
+  if (!entries.Has("packed"))
   {
     packed.nodes = certificate.graph.nodes;
     packed.edges = certificate.graph.edges;
@@ -406,7 +241,7 @@ TakePackedMap(EntryReader & entries, bool hasPackedMap, EmbeddingCertificate & c
 }
 
 void
-TakeDeckTransformations(EntryReader & entries, EmbeddingCertificate & certificate)
+TakeDeckTransformations(const EntryReader & entries, EmbeddingCertificate & certificate)
 {
   const std::size_t         halfEdges = 2 * certificate.packed.edges.size();
   const std::size_t         sides = 2 * static_cast<std::size_t>(certificate.genus);
@@ -427,14 +262,14 @@ TakeDeckTransformations(EntryReader & entries, EmbeddingCertificate & certificat
 }
 
 void
-TakeCircles(EntryReader & entries, std::size_t faces, EmbeddingCertificate & certificate)
+TakeCircles(const EntryReader & entries, EmbeddingCertificate & certificate)
 {
   const auto        nodes = static_cast<std::size_t>(certificate.packed.nodes);
   const std::size_t coordinates = CoordinatesOf(certificate.geometry);
   certificate.nodeRadii = entries.Numbers("nodeRadii", nodes);
   certificate.nodePositions = entries.Numbers("nodePositions", coordinates * nodes);
-  certificate.faceRadii = entries.Numbers("faceRadii", faces);
-  certificate.facePositions = entries.Numbers("facePositions", coordinates * faces);
+  certificate.faceRadii = entries.Numbers("faceRadii");
+  certificate.facePositions = entries.Numbers("facePositions", coordinates * certificate.faceRadii.size());
   if (certificate.geometry != EmbeddingGeometry::Spherical)
   {
     certificate.nodeAngles = entries.Numbers("nodeAngles", nodes);
@@ -443,35 +278,24 @@ TakeCircles(EntryReader & entries, std::size_t faces, EmbeddingCertificate & cer
   }
 }
 
-EmbeddingCertificate
-CertificateOf(const std::string & path, EntryTables & tables)
-{
-  EntryReader          entries(path, tables);
-  EmbeddingCertificate certificate;
-  entries.Require(entries.Text("format") == "Shapeton embedding certificate", "format", "is not supported");
-  entries.Require(entries.Integer("version", 1) == 1, "version", "is not 1");
-  certificate.provenance = std::move(tables.provenance);
-  certificate.statistics = std::move(tables.statistics);
-  certificate.warnings = entries.Texts("warnings");
-  certificate.geometry = GeometryOf(entries);
-  certificate.genus = entries.Integer("genus", 0);
-  entries.Require(certificate.genus <= std::numeric_limits<int>::max() / 8, "genus", "is too large");
-  TakeGraph(entries, certificate);
-  TakePackedMap(entries, tables.integer.count("packed.nodes") > 0, certificate);
-  TakeCircles(entries, tables.numbers["faceRadii"].size(), certificate);
-  return certificate;
-}
 } // namespace
 
 EmbeddingCertificate
 ReadEmbeddingCertificate(const std::string & path)
 {
-  EntryTables tables;
-  {
-    const std::string bytes = ReadFileBytes(path);
-    EntryHandler      handler(path, bytes, tables);
-    Json::sax_parse(bytes, &handler);
-  }
-  return CertificateOf(path, tables);
+  const EntryReader    entries(path);
+  EmbeddingCertificate certificate;
+  entries.Require(entries.Text("format") == "Shapeton embedding certificate", "format", "is not supported");
+  entries.Require(entries.Integer("version", 1) == 1, "version", "is not 1");
+  certificate.provenance = entries.Facts<std::string>("provenance", &Json::is_string);
+  certificate.statistics = entries.Facts<double>("statistics", &Json::is_number);
+  certificate.warnings = entries.Texts("warnings");
+  certificate.geometry = GeometryOf(entries);
+  certificate.genus = entries.Integer("genus", 0);
+  entries.Require(certificate.genus <= std::numeric_limits<int>::max() / 8, "genus", "is too large");
+  TakeGraph(entries, certificate);
+  TakePackedMap(entries, certificate);
+  TakeCircles(entries, certificate);
+  return certificate;
 }
 } // namespace shapeton

@@ -95,12 +95,24 @@ TEST(CertificateFile, RefusalsNameTheEntry)
             MessageOf(Replaced(text, "\"tree\": [-1", "\"tree\": [99999")).find("99999, which is out of range"));
   EXPECT_NE(std::string::npos,
             MessageOf(Replaced(text, "\"nodeRadii\": [0.5,", "\"nodeRadii\": [")).find("has 8 entries instead of 9"));
-  EXPECT_NE(std::string::npos,
-            MessageOf(Replaced(text, "\"nodeRadii\": [0.5,", "\"nodeRadii\": [\"x\",")).find("holds a string"));
+  EXPECT_NE(
+    std::string::npos,
+    MessageOf(Replaced(text, "\"nodeRadii\": [0.5,", "\"nodeRadii\": [\"x\",")).find("holds \"x\", not a number"));
   EXPECT_NE(std::string::npos,
             MessageOf(Replaced(text, "\"nodeRadii\": [0.5,", "\"nodeRadii\": [1e999,")).find("too large"));
   EXPECT_NE(std::string::npos,
             MessageOf(Replaced(text, "\"genus\": 1", "\"genus\": 1, \"genus\": 1")).find("is repeated"));
   EXPECT_NE(std::string::npos,
             MessageOf(Replaced(text, "\"version\": 1", "\"version\": 2")).find("\"version\" is not 1"));
+}
+
+TEST(CertificateFile, UnknownEntriesAreSkipped)
+{
+  const std::string text = TextOf(TorusGrid(3, 3));
+  for (const std::string unknown :
+       { "null", "[{\"x\": 1}, {\"x\": null}]", "{\"graph\": {\"edges\": [[null]]}}", "1e300" })
+  {
+    EXPECT_EQ(text, TextOf(ReadText(Replaced(text, "\"genus\": 1", "\"other\": " + unknown + ", \"genus\": 1"))))
+      << unknown;
+  }
 }

@@ -37,19 +37,9 @@ template <typename TStream, typename TGraphic>
 void
 TransmitGraphic(TStream & stream, TGraphic & graphic)
 {
-  auto     count = static_cast<std::uint64_t>(graphic.values.size());
-  auto     sites = static_cast<std::uint64_t>(graphic.sites.size());
-  stream & graphic.length & graphic.comment & sites & graphic.name & graphic.type & graphic
-    .frameOfReferenceUID & graphic.isInPixels & graphic.sopInstanceUID & graphic.frame & count;
-  if constexpr (!std::is_const<TGraphic>::value)
-  {
-    if (count > stream.GetLeft() || sites > stream.GetLeft())
-    {
-      throw std::runtime_error("cannot be read: incomplete message");
-    }
-    graphic.values.resize(count);
-    graphic.sites.resize(sites);
-  }
+  stream & graphic.length & graphic.comment & graphic.name & graphic.type & graphic.frameOfReferenceUID & graphic
+    .isInPixels & graphic.sopInstanceUID & graphic.frame;
+  stream.SizeOf(graphic.sites).SizeOf(graphic.values);
   for (auto & site : graphic.sites)
   {
     stream & site.value & site.scheme & site.meaning;

@@ -226,21 +226,9 @@ template <typename TStream, typename TFile>
 void
 TransmitSegments(TStream & stream, TFile & file)
 {
-  auto     segments = static_cast<std::uint64_t>(file.segments.size());
-  auto     frames = static_cast<std::uint64_t>(file.frames.size());
-  auto     background = static_cast<std::uint64_t>(file.background.size());
   stream & file.frameOfReferenceUID & file.seriesUID & file.columns & file.rows & file.spacing & file.orientation & file
-    .wholeValue & file.bytesPerLabel & segments & frames & background;
-  if constexpr (!std::is_const<TFile>::value)
-  {
-    if (segments + frames + background > stream.GetLeft())
-    {
-      throw std::runtime_error("cannot be read: incomplete message");
-    }
-    file.segments.resize(segments);
-    file.frames.resize(frames);
-    file.background.resize(background);
-  }
+    .wholeValue & file.bytesPerLabel;
+  stream.SizeOf(file.segments).SizeOf(file.frames).SizeOf(file.background);
   for (auto & segment : file.segments)
   {
     stream & segment.number & segment.name & segment.isNameDecoded & segment.trackingUID;

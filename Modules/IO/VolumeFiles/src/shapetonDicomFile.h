@@ -101,16 +101,7 @@ Transmit(TStream & stream, TFile & file)
     .patientPosition & file.transferSyntax & file.seriesNumber & file.instanceNumber & file.rows & file.columns & file
     .isLossy & file.isDerived & file.isInverted & file.isMultiFrame & file.isUnsupportedTransferSyntax & file
     .truncation & file.malformedValue & file.refusal & file.isOtherObject;
-  auto                                                 count = static_cast<std::uint64_t>(file.frames.size());
-  stream &                                             count;
-  if constexpr (!std::is_const<TFile>::value)
-  {
-    if (count > stream.GetLeft())
-    {
-      throw std::runtime_error("incomplete message");
-    }
-    file.frames.resize(count);
-  }
+  stream.SizeOf(file.frames);
   for (auto & frame : file.frames)
   {
     auto &   pixels = frame.pixels;

@@ -328,10 +328,14 @@ private:
     const Eigen::VectorXd star = AveragedHodgeStar(m_Mesh.F, m_Connectivity, sides, m_Map.u);
     m_Cut = CutAlongPaths(m_Mesh, m_Connectivity, { m_Map.cutPath });
     m_V = IntegrateAlongTree(m_Cut, m_Connectivity, star);
-    const std::vector<int> & left = m_Cut.leftCorners[0];
-    double                   ofLeft = 0.0;
-    double                   ofRight = 0.0;
-    int                      number = 0;
+    std::vector<char> isOnLeft(m_Cut.sourcePointId.size(), 0);
+    for (const int corner : m_Cut.leftCorners[0])
+    {
+      isOnLeft[m_Cut.mesh.F.data()[corner]] = 1;
+    }
+    double ofLeft = 0.0;
+    double ofRight = 0.0;
+    int    number = 0;
     for (std::size_t i = 0; i < m_Cut.sourcePointId.size(); ++i)
     {
       const int source = m_Cut.sourcePointId[i];
@@ -340,8 +344,7 @@ private:
         continue;
       }
       // The copy is on one side, the vertex itself on the other.
-      const bool isLeft = std::any_of(
-        left.begin(), left.end(), [&](int corner) { return m_Cut.mesh.F.data()[corner] == static_cast<int>(i); });
+      const bool isLeft = isOnLeft[i] != 0;
       ofLeft += m_V[isLeft ? static_cast<int>(i) : source];
       ofRight += m_V[isLeft ? source : static_cast<int>(i)];
       ++number;

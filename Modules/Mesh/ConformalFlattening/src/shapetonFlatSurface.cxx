@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shapeton
 {
@@ -121,7 +122,13 @@ FlatSourcePoints(const SurfaceMesh & flat, const std::string & what)
   std::vector<int>     points(flat.NumberOfVertices());
   for (int i = 0; i < flat.NumberOfVertices(); ++i)
   {
-    points[i] = static_cast<int>(array.values(i, 0));
+    const double point = array.values(i, 0);
+    if (!(point >= 0.0 && point <= std::numeric_limits<int>::max() && point == std::floor(point)))
+    {
+      throw InputError(what + ": its point array " + sourceName + " contains " + std::to_string(point) +
+                       ", which is not the number of a point; flatten it again");
+    }
+    points[i] = static_cast<int>(point);
   }
   return points;
 }

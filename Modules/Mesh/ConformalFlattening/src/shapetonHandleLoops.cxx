@@ -100,21 +100,45 @@ public:
     HandleLoop       loop{ {}, m_Lengths[edge] };
     std::vector<int> ofA{ a };
     std::vector<int> ofB{ b };
-    while (a != b)
-    {
-      const bool isFarther = m_Distances[a] > m_Distances[b] || (m_Distances[a] == m_Distances[b] && a > b);
-      int &      farther = isFarther ? a : b;
-      loop.length += m_Lengths[m_Parents[farther].edge];
-      farther = m_Parents[farther].vertex;
-      (isFarther ? ofA : ofB).push_back(farther);
-    }
+    this->FollowToMeeting(a, b, edge, [&](bool isOfA, int vertex, double length) {
+      (isOfA ? ofA : ofB).push_back(vertex);
+      loop.length = length;
+      return true;
+    });
     loop.vertices = std::move(ofA);
     loop.vertices.insert(loop.vertices.end(), ofB.rbegin() + 1, ofB.rend());
     return loop;
   }
 
+  /** Whether the length of this loop is below a limit. */
+  bool
+  IsShorter(int a, int b, int edge, double limit) const
+  {
+    bool isShorter = m_Lengths[edge] < limit;
+    this->FollowToMeeting(a, b, edge, [&](bool, int, double length) { return isShorter = length < limit; });
+    return isShorter;
+  }
+
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  /** Follows the paths of the two ends of an edge to the root until they meet. Calls `step(isOfA, vertex, length)` for
+   * each vertex reached, with the length of the loop so far, until it returns false. */
+  template <typename TStep>
+  void
+  FollowToMeeting(int a, int b, int edge, const TStep & step) const
+  {
+    double length = m_Lengths[edge];
+    for (bool isWanted = true; isWanted && a != b;)
+    {
+      const bool isFarther = m_Distances[a] > m_Distances[b] || (m_Distances[a] == m_Distances[b] && a > b);
+      int &      farther = isFarther ? a : b;
+      length += m_Lengths[m_Parents[farther].edge];
+      farther = m_Parents[farther].vertex;
+      isWanted = step(isFarther, farther, length);
+    }
+  }
+
   using Entry = std::pair<double, int>;
 
   void
@@ -267,16 +291,12 @@ private:
   ShortestNear(int vertex, double radius)
   {
     m_Tree.Grow(vertex, radius, m_Homology);
-    HandleLoop best;
+    HandleLoop best{ {}, std::numeric_limits<double>::infinity() };
     m_Tree.VisitLoops(m_Homology, [&](int edge, double, std::uint64_t key) {
-      if (LoopHomology::IsOfHandle(key))
+      const auto & [a, b] = m_Connectivity.VerticesOfEdge(edge);
+      if (LoopHomology::IsOfHandle(key) && m_Tree.IsShorter(a, b, edge, best.length))
       {
-        const auto & [a, b] = m_Connectivity.VerticesOfEdge(edge);
-        HandleLoop loop = m_Tree.LoopOf(a, b, edge);
-        if (best.vertices.empty() || loop.length < best.length)
-        {
-          best = std::move(loop);
-        }
+        best = m_Tree.LoopOf(a, b, edge);
       }
     });
     return best;

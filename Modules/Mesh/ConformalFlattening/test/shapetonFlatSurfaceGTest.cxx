@@ -67,3 +67,20 @@ TEST(FlatSurface, MissingOrBrokenArraysAreNamed)
   EXPECT_THROW(shapeton::MakeFlatSurface(cut, Eigen::MatrixX2d::Constant(plain.V.rows(), 2, std::nan(""))),
                shapeton::InputError);
 }
+
+TEST(FlatSurface, NumbersThatAreNotPointsAreNamed)
+{
+  for (const double wrong : { -4000000.0, 2e9 + 1e9, 0.5, std::nan("") })
+  {
+    shapeton::SurfaceMesh flat = FlatSquare();
+    for (shapeton::SurfaceArray & array : flat.pointArrays)
+    {
+      if (array.name == "sourcePointId")
+      {
+        array.values(3, 0) = wrong;
+      }
+    }
+    const std::string error = basetest::ErrorOf([&] { shapeton::FlatSourcePoints(flat, "a.vtp"); });
+    EXPECT_NE(std::string::npos, error.find("a.vtp: its point array sourcePointId contains")) << wrong << ": " << error;
+  }
+}
