@@ -54,10 +54,11 @@ public:
     {
       return "";
     }
-    long least = std::numeric_limits<long>::max(), greatest = std::numeric_limits<long>::min();
+    long       least = std::numeric_limits<long>::max(), greatest = std::numeric_limits<long>::min();
+    const auto first = this->Nearest(begin), last = this->Nearest(end);
     for (Eigen::Index i = 0; i < m_Arc.size(); ++i)
     {
-      if (i == this->Nearest(begin) || i == this->Nearest(end) || (m_Arc[i] >= begin && m_Arc[i] <= end))
+      if (i == first || i == last || (m_Arc[i] >= begin && m_Arc[i] <= end))
       {
         const long slice = SliceNumber(m_Grid, m_Line.V.row(i));
         least = std::min(least, slice);
