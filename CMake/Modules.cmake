@@ -30,6 +30,7 @@ set(Shapeton_MODULES
   Colon/ColonLandmarks
   Colon/PolypCandidates
   Colon/SupineProne
+  Colon/ColonExamination
   Bridge/MeshBridge
   Bridge/ColonFilters
   Visualization/PictureKit

@@ -4,8 +4,8 @@
 #include "shapetonColonPhantomImageSource.h"
 #include "shapetonColonoscopyRun.h"
 #include "shapetonCommandLine.h"
+#include "shapetonExaminationFolder.h"
 #include "shapetonFileBytes.h"
-#include "shapetonJson.h"
 #include "shapetonStagedRun.h"
 #include "shapetonVolumeWriter.h"
 
@@ -46,12 +46,12 @@ main(int argc, char * argv[])
     });
   if (status == 0)
   {
-    const shapeton::Json segmentation = shapeton::ReadJson(results + "/segmentation/quality.json");
-    const shapeton::Json landmarks = shapeton::ReadJson(results + "/landmarks/landmarks.json");
-    std::cout << "centerline of " << std::lround(segmentation["centerline"]["length"].get<double>())
-              << " mm, wall of genus " << segmentation["surface"]["genusRepaired"] << ", "
-              << landmarks["segments"].size() << " segments; report of "
-              << std::filesystem::file_size(results + "/report.html") / 1000 << " kB\n";
+    const shapeton::ExaminationFolder exam(results);
+    const shapeton::Json              quality = exam.ReadQuality();
+    const shapeton::Json              landmarks = exam.ReadLandmarks();
+    std::cout << "centerline of " << std::lround(quality["centerline"]["length"].get<double>()) << " mm, wall of genus "
+              << quality["surface"]["genusRepaired"] << ", " << landmarks["segments"].size() << " segments; report of "
+              << std::filesystem::file_size(exam.PathOf(shapeton::examination::report)) / 1000 << " kB\n";
   }
   return status;
 }

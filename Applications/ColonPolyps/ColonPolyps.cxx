@@ -1,10 +1,11 @@
 #include "ColonPolypsXML.h"
 
 #include "shapetonCommandLine.h"
+#include "shapetonExaminationInputs.h"
 #include "shapetonPolypCandidateReport.h"
 #include "shapetonPolypContent.h"
 #include "shapetonReadOptions.h"
-#include "shapetonRegistrationFiles.h"
+#include "shapetonRegistrationFolder.h"
 #include "shapetonSha256.h"
 #include "shapetonSlicerMarkups.h"
 #include "shapetonSurfaceReader.h"
@@ -44,15 +45,16 @@ MapToOther(CommandLine & commandLine, Candidates & candidates)
   std::string           nearest;
   shapeton::SurfaceMesh map;
   double                least = std::numeric_limits<double>::infinity();
-  for (const char * const name : { "/map-supine-to-prone.vtp", "/map-prone-to-supine.vtp" })
+  for (const auto & file : { shapeton::examination::supineToProne, shapeton::examination::proneToSupine })
   {
-    const shapeton::Surface surface = shapeton::ReadSurface(folder + name);
-    commandLine.AddProvenance(std::string("registration") + name, surface.identity);
+    const std::string       path = folder + '/' + file.name;
+    const shapeton::Surface surface = shapeton::ReadSurface(path);
+    commandLine.AddProvenance(file.Path(), surface.identity);
     const double distance = shapeton::MeanDistanceToWall(surface.mesh, candidates);
     if (distance < least)
     {
       least = distance;
-      nearest = folder + name;
+      nearest = path;
       map = surface.mesh;
     }
   }
@@ -87,7 +89,8 @@ SearchForPolyps(CommandLine & commandLine)
   commandLine.RecordRun(commandLine.GetString("outputTable") + ".run.json");
 
   commandLine.Progress("Reading", 0.0);
-  const shapeton::PolypColon colon = shapeton::ReadPolypColon(commandLine.GetString("inputFolder"));
+  const shapeton::PolypColon colon =
+    shapeton::ReadPolypColon(shapeton::ExaminationFolder(commandLine.GetString("inputFolder"), "ColonPolyps"));
   commandLine.LeaveOutOfProvenance("inputFolder");
   for (const auto & [name, identity] : colon.facts)
   {

@@ -1,8 +1,10 @@
 #include "ColonRegistrationXML.h"
 
 #include "shapetonCommandLine.h"
+#include "shapetonExaminationInputs.h"
 #include "shapetonReadOptions.h"
 #include "shapetonRegistrationFiles.h"
+#include "shapetonRegistrationFolder.h"
 #include "shapetonRegistrationReport.h"
 #include "shapetonSha256.h"
 
@@ -13,7 +15,8 @@ using shapeton::CommandLine;
 shapeton::ColonPositionFiles
 Read(CommandLine & commandLine, const std::string & parameter, const std::string & name)
 {
-  shapeton::ColonPositionFiles files = shapeton::ReadColonPosition(commandLine.GetString(parameter), name);
+  shapeton::ColonPositionFiles files = shapeton::ReadColonPosition(
+    shapeton::ExaminationFolder(commandLine.GetString(parameter), "ColonRegistration"), name);
   commandLine.AddInput(parameter, files.identity);
   commandLine.Warn(files.warnings);
   return files;

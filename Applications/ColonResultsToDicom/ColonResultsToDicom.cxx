@@ -1,6 +1,7 @@
 #include "ColonResultsToDicomXML.h"
 
 #include "shapetonColonDicomResults.h"
+#include "shapetonColonExamination.h"
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
 #include "shapetonReadOptions.h"
@@ -21,7 +22,7 @@ Write(CommandLine &       commandLine,
       double              end)
 {
   const std::string run = commandLine.GetString("exam");
-  const std::string exam = position == 0 ? run : run + "/second";
+  const std::string exam = position == 0 ? run : run + '/' + shapeton::secondPositionFolder;
   CommandLine::RequireApart(source, folder, "use the folder with the DICOM series from which the run was computed");
   shapeton::ColonDicomOptions options;
   ReadOptions(commandLine, options);
@@ -42,7 +43,7 @@ WriteResults(CommandLine & commandLine)
   const std::string exam = commandLine.GetString("exam");
   const std::string folder = commandLine.GetString("outputFolder");
   const bool        hasSecond = commandLine.IsGiven("secondSource");
-  if (!hasSecond && std::filesystem::exists(exam + "/second"))
+  if (!hasSecond && std::filesystem::exists(exam + '/' + shapeton::secondPositionFolder))
   {
     commandLine.Warn("the results of the second series are skipped; set its folder with the parameter "
                      "\"secondSource\"");
@@ -50,7 +51,8 @@ WriteResults(CommandLine & commandLine)
   Write(commandLine, 0, commandLine.GetString("source"), folder, 0.0, hasSecond ? 0.5 : 1.0);
   if (hasSecond)
   {
-    Write(commandLine, 1, commandLine.GetString("secondSource"), folder + "/second", 0.5, 1.0);
+    Write(
+      commandLine, 1, commandLine.GetString("secondSource"), folder + '/' + shapeton::secondPositionFolder, 0.5, 1.0);
   }
 }
 } // namespace

@@ -1,5 +1,6 @@
 #include "ColonViewerXML.h"
 
+#include "shapetonColonExamination.h"
 #include "shapetonColonViewer.h"
 #include "shapetonCommandLine.h"
 #include "shapetonReaderReport.h"
@@ -29,7 +30,8 @@ OptionsOf(const CommandLine & commandLine)
 void
 RequireCurrent(const std::string & run)
 {
-  for (const char * const stage : { "landmarks", "folds", "polyps" })
+  namespace stages = shapeton::colonoscopystage;
+  for (const char * const stage : { stages::landmarks, stages::folds, stages::polyps })
   {
     shapeton::RunRecords(run).RequireCurrent(stage);
   }
@@ -39,9 +41,16 @@ RequireCurrent(const std::string & run)
 void
 AddWarnings(const std::string & run, const std::string & position, std::vector<std::string> & warnings)
 {
+  namespace stages = shapeton::colonoscopystage;
   const shapeton::RunRecords records(run);
-  for (const char * const stage :
-       { "inspection", "segmentation", "flattening", "landmarks", "folds", "search", "registration", "polyps" })
+  for (const char * const stage : { stages::inspection,
+                                    stages::segmentation,
+                                    stages::flattening,
+                                    stages::landmarks,
+                                    stages::folds,
+                                    stages::search,
+                                    stages::registration,
+                                    stages::polyps })
   {
     for (const std::string & warning : records.WarningsOf(stage))
     {
@@ -56,7 +65,7 @@ MakeViewer(CommandLine & commandLine)
   const std::string            folder = commandLine.GetString("outputFolder");
   const std::string            exam = commandLine.GetString("exam");
   shapeton::ColonViewerOptions options = OptionsOf(commandLine);
-  const std::string            second = options.second.empty() ? exam + "/second" : options.second;
+  const std::string second = options.second.empty() ? exam + '/' + shapeton::secondPositionFolder : options.second;
   RequireCurrent(exam);
   RequireCurrent(second);
   AddWarnings(exam, "", options.warnings);

@@ -101,9 +101,9 @@ WriteReport(CommandLine & commandLine, const shapeton::DicomSource & source)
   }
   if (!verdicts.empty())
   {
-    const auto        folders = shapeton::PositionFoldersOf(commandLine.GetString("exam"));
-    shapeton::Remarks remarks;
-    shapeton::WriteReaderVerdicts(shapeton::VerdictsOfReport(points, folders, source, remarks), folders, verdicts);
+    const shapeton::ColonExamination exam(commandLine.GetString("exam"));
+    shapeton::Remarks                remarks;
+    shapeton::WriteReaderVerdicts(shapeton::VerdictsOfReport(points, exam, source, remarks), exam, verdicts);
     commandLine.Warn(remarks);
   }
 }

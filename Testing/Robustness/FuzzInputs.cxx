@@ -1,17 +1,18 @@
-// FuzzInputs --files N --seed S [--kind all|volumes|graphs|files|results] [--folder DIR]
+// FuzzInputs --files N --seed S [--kind all|volumes|graphs|files|results|runs] [--exam RUN] [--folder DIR]
 //
 // Mutates DICOM files, NRRD, NIfTI and MetaImage files, surfaces, graphs and embedding certificates, and passes them to
 // the readers (and readable certificates to the verifier). --kind graphs: only graphs and certificates; --kind volumes:
 // only volumes and surfaces; --kind files: only images, surfaces and graphs that are not DICOM; --kind results: only
-// DICOM segmentations and reports. A reader may read a mutant or reject it with an InputError. It must not crash, hang,
-// use unbounded memory, or cause a sanitizer report. Files that violate this are kept and listed, and the exit status
-// is
+// DICOM segmentations and reports; --kind runs: only the files of the virtual colonoscopy in RUN. A reader may read a
+// mutant or reject it with an InputError. It must not crash, hang, use unbounded memory, or cause a sanitizer report.
+// Files that violate this are kept and listed, and the exit status is
 // 1. The mutants are created in a new folder inside DIR (default: the folder for temporary files), which is removed if
 // there was no fault. --self-test: checks that each of these faults is detected.
 
 #include "FuzzGraphSeeds.h"
 #include "FuzzMutation.h"
 #include "FuzzResultSeeds.h"
+#include "FuzzRunSeeds.h"
 #include "FuzzSeeds.h"
 #include "FuzzTrial.h"
 
@@ -53,6 +54,7 @@ struct Options
   std::uint64_t seed{ 1 };
   std::string   kind{ "all" };
   std::string   folder;
+  std::string   exam;
   bool          isSelfTest{ false };
 };
 
@@ -87,9 +89,13 @@ Parse(int argc, char * argv[], Options & options)
       options.seed = number;
     }
     else if (name == "--kind" &&
-             std::set<std::string>{ "all", "volumes", "graphs", "files", "results" }.count(value) > 0)
+             std::set<std::string>{ "all", "volumes", "graphs", "files", "results", "runs" }.count(value) > 0)
     {
       options.kind = value;
+    }
+    else if (name == "--exam" && *value != '\0')
+    {
+      options.exam = value;
     }
     else if (name == "--folder" && *value != '\0')
     {
@@ -100,7 +106,7 @@ Parse(int argc, char * argv[], Options & options)
       return false;
     }
   }
-  return true;
+  return (options.kind == "runs") == !options.exam.empty();
 }
 
 bool
@@ -199,8 +205,15 @@ ReadAllOfGraph(const std::string & path)
 }
 
 bool
-ReadAll(const std::string & path, const std::string & soundFolder, const shapeton::DicomSource & source)
+ReadAll(const std::string &           path,
+        const std::string &           soundFolder,
+        const shapeton::DicomSource & source,
+        const Options &               options)
 {
+  if (path.find(RunExtension) != std::string::npos)
+  {
+    return ReadAllOfRun(path, options.exam);
+  }
   if (path.find(ResultExtension) != std::string::npos)
   {
     return ReadAllOfResult(path, source);
@@ -315,6 +328,10 @@ private:
 std::vector<FuzzSeed>
 SeedsOf(const Options & options, const shapeton::DicomSource & source)
 {
+  if (options.kind == "runs")
+  {
+    return MakeRunSeeds(options.exam, options.folder);
+  }
   std::vector<FuzzSeed> seeds;
   const bool            areFiles = options.kind == "files";
   const auto            add = [&](const std::string & kind, const auto & make) {
@@ -355,7 +372,7 @@ Fuzz(const Options & options)
     const std::string path =
       options.folder + "/mutant-" + std::to_string(options.seed) + "-" + std::to_string(i) + seed.extension;
     shapeton::WriteText(path, seed.isGzipped ? Gzip(bytes) : bytes);
-    campaign.Start(path, [&](const std::string & file) { return ReadAll(file, sound, source); });
+    campaign.Start(path, [&](const std::string & file) { return ReadAll(file, sound, source, options); });
   }
   campaign.Finish();
   return campaign.Report(options);
@@ -474,7 +491,8 @@ main(int argc, char * argv[])
   Options options;
   if (!Parse(argc, argv, options))
   {
-    std::cerr << "usage: FuzzInputs --files N --seed S [--kind all|volumes|graphs|files|results] [--folder DIR]\n";
+    std::cerr << "usage: FuzzInputs --files N --seed S [--kind all|volumes|graphs|files|results|runs] "
+                 "[--exam RUN] [--folder DIR]\n";
     return 2;
   }
   try

@@ -6,7 +6,8 @@
 #include "BoundTable.h"
 #include "ColonShape.h"
 
-#include "shapetonSurfaceReader.h"
+#include "shapetonExaminationFolder.h"
+#include "shapetonFlatColon.h"
 
 #include <cstdio>
 #include <exception>
@@ -57,8 +58,8 @@ ReadColons(const std::string & argument)
   std::istringstream runs(argument.substr(equals + 1));
   for (std::string run; std::getline(runs, run, ',');)
   {
-    const FlatColon flat(ReadSurface(run + "/flattening/flat.vtp").mesh);
-    AddShape(MeasureColonShape(flat, ReadCurves(run + "/segmentation/centerline.vtp")), colons.shape);
+    const ExaminationFolder exam(run);
+    AddShape(MeasureColonShape(*exam.ReadFlatColon(), exam.ReadCenterline()), colons.shape);
   }
   return colons;
 }

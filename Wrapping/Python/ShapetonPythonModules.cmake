@@ -12,4 +12,5 @@ set(ShapetonPython_MODULES
   PolypCandidates
   ShapeSignature
   SupineProne
+  ColonExamination
   VolumeFiles)

@@ -1,7 +1,20 @@
-"""Atomically written files, and documents that may be absent."""
+"""Atomically written files, documents that may be absent, and the files of an examination."""
 
 import json
 import os
+import pathlib
+
+_FORMAT = pathlib.Path(__file__).resolve().parents[2] / "Modules/Colon/ColonExamination/format/files.json"
+_FILES = {
+    file["id"]: os.path.join(stage["name"], file["name"])
+    for stage in json.loads(_FORMAT.read_text("utf-8"))["stages"]
+    for file in stage["files"]
+}
+
+
+def file_of(exam, name):
+    """Returns the path of a file of an examination, by its id in the declaration of the format."""
+    return os.path.join(exam, _FILES[name])
 
 
 def write_whole(path, text):

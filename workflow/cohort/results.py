@@ -4,7 +4,7 @@ import csv
 import dataclasses
 import os
 
-from cohort.files import read_json
+from cohort.files import file_of, read_json
 
 # Measures of a series: name in the tables, unit, heading of the page.
 SERIES_MEASURES = {
@@ -91,8 +91,8 @@ def _last_line(path):
 
 
 def _series(place):
-    quality = read_json(f"{place}/segmentation/quality.json")
-    landmarks = read_json(f"{place}/landmarks/landmarks.json")
+    quality = read_json(file_of(place, "quality"))
+    landmarks = read_json(file_of(place, "landmarks"))
     centerline, whole = quality.get("centerline", {}), quality.get("distension", {}).get("whole", {})
     assessable = quality.get("assessability", {}).get("whole", {})
     found = [flexure["confidence"] for flexure in landmarks.get("flexures", []) if flexure["found"]]
@@ -104,12 +104,12 @@ def _series(place):
         "gaps": len(centerline["gaps"]) if "gaps" in centerline else None,
         "flexures": len(found) if landmarks else None,
         "flexureConfidence": _rounded(min(found), 2) if found else None,
-        "candidates": _count_of_rows(f"{place}/polyps/candidates.csv"),
+        "candidates": _count_of_rows(file_of(place, "candidates")),
     }
 
 
 def _pair(exam):
-    confidence = read_json(f"{exam}/registration/registration.json").get("confidence", {})
+    confidence = read_json(file_of(exam, "registration")).get("confidence", {})
     return {
         "pairConfidence": _rounded(confidence.get("whole"), 2),
         "matchedShare": _percent(confidence.get("matchedShare")),

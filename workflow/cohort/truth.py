@@ -7,6 +7,8 @@ import math
 import os
 import statistics
 
+from cohort.files import file_of
+
 REACH = 3.0  # mm beyond the radius of a polyp, as in the published validation tables
 # Classes of polyps by diameter in mm, as in published trials: least, below, name.
 SIZES = [(6.0, math.inf, "6 mm and more"), (6.0, 10.0, "6 to 9 mm"), (10.0, math.inf, "10 mm and more")]
@@ -30,7 +32,7 @@ class SeriesTruth:
 
 def read_series(subject, exam, truth):
     """Returns None if candidates or polyps.csv of the ground truth are missing."""
-    candidates, polyps = _rows(f"{exam}/polyps/candidates.csv"), _rows(f"{truth}/polyps.csv")
+    candidates, polyps = _rows(file_of(exam, "candidates")), _rows(f"{truth}/polyps.csv")
     if candidates is None or polyps is None:
         return None
     best = [max((one for one in candidates if _is_at(one, polyp)), key=_score, default=None) for polyp in polyps]
@@ -103,7 +105,7 @@ def wilson(hits, count):
 
 def registration_error(exam):
     """Returns the median error (mm) of the counted points, or None."""
-    errors = [float(row["inSpace"]) for row in _rows(f"{exam}/registration/errors.csv") or [] if row["kind"] == "counted"]
+    errors = [float(row["inSpace"]) for row in _rows(file_of(exam, "errors")) or [] if row["kind"] == "counted"]
     return statistics.median(errors) if errors else None
 
 

@@ -1,11 +1,7 @@
-# Checks that all tools run by VirtualColonoscopy are built with it: each tool in StageTools.cmake, and each in the
-# records of finished runs, is an input of its target.
-# cmake -DNINJA=... -DBUILD=... -DTOOL=... -DSTAGE_TOOLS=... "-DRUNS=FOLDER;..." -P CheckBuildDependencies.cmake
-include(${STAGE_TOOLS})
-set(tools "")
-foreach(stage IN LISTS ColonoscopyRun_STAGES)
-  list(APPEND tools ${ColonoscopyRun_TOOL_${stage}})
-endforeach()
+# Checks that all tools run by VirtualColonoscopy are built with it: each declared tool, and each in the records of
+# finished runs, is an input of its target.
+# cmake -DNINJA=... -DBUILD=... -DTOOL=... "-DTOOLS=...;..." "-DRUNS=FOLDER;..." -P CheckBuildDependencies.cmake
+set(tools ${TOOLS})
 foreach(run IN LISTS RUNS)
   file(GLOB records ${run}/stages/*.json)
   if(NOT records)

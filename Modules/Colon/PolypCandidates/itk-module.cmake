@@ -15,11 +15,9 @@ itk_module(ShapetonPolypCandidates
     ShapetonColonLumen
     ShapetonColonCenterline
     ShapetonHeatDiffusionMetric
-    ShapetonVolumeFiles
     ShapetonHeat
     ShapetonParticles
     ShapetonColonLandmarks
-    ITKIONRRD
     ITKImageFunction
   TEST_DEPENDS
     ITKGoogleTest

@@ -12,6 +12,7 @@ itk_module(ShapetonColonTools
     ShapetonColonLandmarks
     ShapetonPolypCandidates
     ShapetonSupineProne
+    ShapetonColonExamination
     ShapetonColonViews
     ShapetonDicomResults
   PRIVATE_DEPENDS

@@ -15,9 +15,9 @@ itk_module(ShapetonColonViews
     ShapetonSupineProne
     ShapetonReport
   PRIVATE_DEPENDS
+    ShapetonColonExamination
     ShapetonVolumeFiles
     ITKCommon
-    ITKIONRRD
   TEST_DEPENDS
     ITKGoogleTest
     ITKIOImageBase

@@ -35,6 +35,7 @@ from ._shapeton import (
     ShapetonResult,
 )
 from ._threads import set_threads, threads
+from .examination import Examination
 from .heat import (
     classify_heat,
     classify_visits,
@@ -60,6 +61,7 @@ __all__ = [
     "DicomDefect",
     "DicomSeries",
     "Error",
+    "Examination",
     "HeatClass",
     "HeatHistogram",
     "HeatObject",

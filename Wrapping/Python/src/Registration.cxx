@@ -4,6 +4,7 @@
 #include "Options.h"
 
 #include "shapetonColonPointMapper.h"
+#include "shapetonExaminationInputs.h"
 #include "shapetonRegistrationErrors.h"
 #include "shapetonRegistrationResults.h"
 
@@ -121,7 +122,7 @@ AddPosition(py::module_ & module)
   module.def(
     "read_position",
     [](const Path & folder, const std::string & name) {
-      return std::make_shared<Position>(ReadColonPosition(folder.text, name));
+      return std::make_shared<Position>(ReadColonPosition(ExaminationFolder(folder.text), name));
     },
     ReleaseGil());
 }

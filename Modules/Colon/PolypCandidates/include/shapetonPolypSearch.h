@@ -41,18 +41,6 @@ struct PolypColon
   std::vector<std::pair<std::string, std::string>> facts;
 };
 
-/** Reads a folder written by VirtualColonoscopy: segmentation/wall-repaired.vtp and lumen.nrrd, and, if present,
- * centerline.vtp, catheter.vtp, cleansed.nrrd, cleansing.nrrd, ../flattening/flat.vtp, ../landmarks/segments.vtp,
- * ../folds/labels.nrrd. Throws InputError
- * with the file name. \ingroup ShapetonPolypCandidates */
-ShapetonPolypCandidates_EXPORT PolypColon
-ReadPolypColon(const std::string & folder);
-
-/** The CT before cleansing, HU: the sum of the cleansed CT and of the file cleansing.nrrd, what cleansing removed.
- * Throws InputError if the file is on another grid. \ingroup ShapetonPolypCandidates */
-ShapetonPolypCandidates_EXPORT itk::Image<float, 3>::Pointer
-                               UncleansedCt(const itk::Image<float, 3> * cleansed, const std::string & path);
-
 /** Settings of SearchPolyps(). \ingroup ShapetonPolypCandidates */
 struct PolypSearchSettings : PolypSearchOptions
 {

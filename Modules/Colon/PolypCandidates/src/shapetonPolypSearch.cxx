@@ -7,68 +7,16 @@
 #include "shapetonHaustralFoldFiles.h"
 #include "shapetonPolypContent.h"
 #include "shapetonPolypMorphology.h"
-#include "shapetonReadImage.h"
 #include "shapetonScanResolution.h"
-#include "shapetonSurfaceReader.h"
 #include "shapetonExceptions.h"
-#include "shapetonFileErrors.h"
-#include "shapetonImageFile.h"
-#include "shapetonParallelFor.h"
-
-#include "itkNrrdImageIO.h"
 
 #include <cmath>
-#include <filesystem>
+#include <limits>
 
 namespace shapeton
 {
 namespace
 {
-bool
-IsThere(const std::string & path)
-{
-  return std::filesystem::exists(path);
-}
-
-void
-RequireThere(const std::string & path)
-{
-  if (!IsThere(path))
-  {
-    throw InputError("\"" + path + "\" was not found; give a folder written by VirtualColonoscopy");
-  }
-}
-
-SurfaceMesh
-ReadPart(const std::string & path, const std::string & name, const std::string & cost, PolypColon & colon)
-{
-  if (!IsThere(path))
-  {
-    colon.warnings.push_back("\"" + path + "\" was not found: " + cost);
-    return {};
-  }
-  SurfaceReadOptions any;
-  any.component = -1;
-  Surface surface = ReadSurface(path, any);
-  colon.facts.emplace_back(name, surface.identity);
-  return std::move(surface.mesh);
-}
-
-void
-ReadVolumes(const std::string & segmentation, PolypColon & colon)
-{
-  colon.lumen =
-    ReadImage<PolypLumenImage>(segmentation + "lumen.nrrd", itk::NrrdImageIO::New(), "run VirtualColonoscopy again");
-  if (IsThere(segmentation + "cleansed.nrrd"))
-  {
-    colon.ct = ReadImageFile(segmentation + "cleansed.nrrd").image;
-  }
-  if (colon.ct && IsThere(segmentation + "cleansing.nrrd"))
-  {
-    colon.original = UncleansedCt(colon.ct, segmentation + "cleansing.nrrd");
-  }
-}
-
 double
 LengthOf(const CurveSet & centerline)
 {
@@ -144,55 +92,6 @@ Find(const PolypColon & colon, const PolypSearchSettings & options)
   return FindPolypCandidates(colon.wall, ours);
 }
 } // namespace
-
-itk::Image<float, 3>::Pointer
-UncleansedCt(const itk::Image<float, 3> * cleansed, const std::string & path)
-{
-  const auto image = ReadImageFile(path).image;
-  if (!HaveSameGrid(image, cleansed))
-  {
-    throw InputError("\"" + path + "\" does not belong to the cleansed CT beside it; run ColonSegmentation again");
-  }
-  const std::size_t   voxels = image->GetLargestPossibleRegion().GetNumberOfPixels();
-  float * const       values = image->GetBufferPointer();
-  const float * const rest = cleansed->GetBufferPointer();
-  ParallelForBlocks(voxels, [=](std::size_t i) { values[i] += rest[i]; });
-  return image;
-}
-
-PolypColon
-ReadPolypColon(const std::string & folder)
-{
-  const std::string segmentation = folder + "/segmentation/";
-  PolypColon        colon;
-  RequireCurrentFileNames(folder);
-  RequireThere(segmentation + "wall-repaired.vtp");
-  RequireThere(segmentation + "lumen.nrrd");
-  WorkBeside wall = StartBeside([&] { colon.wall = ReadPart(segmentation + "wall-repaired.vtp", "wall", "", colon); });
-  ReadVolumes(segmentation, colon);
-  wall.Get();
-  if (IsThere(segmentation + "centerline.vtp"))
-  {
-    colon.centerline = ReadCurves(segmentation + "centerline.vtp");
-    RequireSound(colon.centerline, '"' + segmentation + "centerline.vtp\"");
-  }
-  if (IsThere(segmentation + "catheter.vtp"))
-  {
-    colon.catheter = ReadCurves(segmentation + "catheter.vtp");
-  }
-  SurfaceMesh flat =
-    ReadPart(folder + "/flattening/flat.vtp", "flat", "candidates have neither a map position nor a picture", colon);
-  if (flat.NumberOfFaces() > 0)
-  {
-    colon.flat = std::make_shared<FlatColon>(std::move(flat));
-  }
-  if (IsThere(folder + "/folds/labels.nrrd"))
-  {
-    colon.folds = ReadFoldLabels(folder + "/folds/labels.nrrd");
-  }
-  colon.segments = ReadPart(folder + "/landmarks/segments.vtp", "segments", "segments are not named", colon);
-  return colon;
-}
 
 std::vector<PolypCandidate>
 SearchPolyps(const PolypColon & colon, const PolypSearchSettings & options)

@@ -18,15 +18,6 @@ struct ColonPositionFiles
   /** Warnings about missing optional data. */
   Remarks warnings;
 };
-
-/** Reads a folder written by VirtualColonoscopy: segmentation/centerline.vtp, flattening/flat.vtp,
- * landmarks/landmarks.json, landmarks/taeniae.vtp (absent if none were found), landmarks/folds-surface.vtp (curvature)
- * and folds/folds.csv.
- * \param name for messages, "supine" or "prone".
- * Throws InputError with the name of the missing or malformed file and the tool that writes it.
- * \ingroup ShapetonSupineProne */
-ShapetonSupineProne_EXPORT ColonPositionFiles
-ReadColonPosition(const std::string & folder, const std::string & name);
 } // namespace shapeton
 
 #endif

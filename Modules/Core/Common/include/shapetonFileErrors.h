@@ -27,11 +27,6 @@ ThrowCannotWrite(const std::string & path, int error, const std::string & otherw
 /** Throws OutputError. \ingroup ShapetonCommon */
 [[noreturn]] ShapetonCommon_EXPORT void
 ThrowCannotWrite(const std::string & path, const std::string & reason, const std::string & advice);
-
-/** Throws InputError if a run folder of VirtualColonoscopy, recognized by its stage `segmentation`, was written by an
- * early version with British spelling in file names. \ingroup ShapetonCommon */
-ShapetonCommon_EXPORT void
-RequireCurrentFileNames(const std::string & runFolder);
 } // namespace shapeton
 
 #endif

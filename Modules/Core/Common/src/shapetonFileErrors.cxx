@@ -2,7 +2,6 @@
 #include "shapetonExceptions.h"
 
 #include <cerrno>
-#include <filesystem>
 #include <system_error>
 
 namespace shapeton
@@ -76,17 +75,5 @@ void
 ThrowCannotWrite(const std::string & path, const std::string & reason, const std::string & advice)
 {
   throw OutputError("cannot write \"" + path + "\": " + reason + "; " + advice);
-}
-
-void
-RequireCurrentFileNames(const std::string & runFolder)
-{
-  const std::string british = "cen"
-                              "treline.vtp"; // not found by a search for British spelling
-  if (std::filesystem::exists(std::filesystem::path(runFolder) / "segmentation" / british))
-  {
-    throw InputError("the results in \"" + runFolder +
-                     "\" were written by an earlier version with other file names; run VirtualColonoscopy again");
-  }
 }
 } // namespace shapeton

@@ -39,12 +39,12 @@ TableOfSegments(const DicomSegmentationFile & file,
  * verdict, unread without such a label, and the size if the reader changed it by more than 0.05 mm. Any other
  * measurement labeled as a polyp becomes a finding at its middle. The rest of a label is the note.
  *
- * \param folders the positions of the examination, PositionFoldersOf(); that of `source` is the one of the report.
+ * \param exam the examination; its position computed from `source` is the one of the report.
  * \param remarks receives the candidates that the report does not contain, and measurements without a verdict.
  * Throws InputError if no position was computed from the source, or a candidate is measured twice. */
 ShapetonColonTools_EXPORT ReaderVerdicts
 VerdictsOfReport(const std::vector<DicomReportPoints> & points,
-                 const std::vector<std::string> &       folders,
+                 const ColonExamination &               exam,
                  const DicomSource &                    source,
                  Remarks &                              remarks);
 

@@ -2,7 +2,6 @@
 #define shapetonRegistrationFiles_h
 
 #include "ShapetonColonToolsExport.h"
-#include "shapetonCsvTable.h"
 #include "shapetonRegistrationResults.h"
 #include "shapetonSceneFiles.h"
 
@@ -42,33 +41,6 @@ private:
   std::string   m_Folder;
   SceneFiles    m_Scene;
 };
-
-/** \defgroup RegistrationTables Tables of a registration
- * \ingroup ShapetonColonTools */
-///@{
-ShapetonColonTools_EXPORT CsvTable
-TableOfMatches(const RegistrationResults & results);
-
-/** One row per point: coordinates, status (counted, excluded or offSurface), distance in space (mm) and on the map
- * (width 1). */
-ShapetonColonTools_EXPORT CsvTable
-TableOfErrors(const RegistrationResults & results);
-
-/** Reads points of the wall in both positions: a table with the columns sx, sy, sz (supine) and px, py, pz (prone),
- * LPS, mm. Throws InputError with file and line; also if the table has no points. */
-ShapetonColonTools_EXPORT std::vector<PointPair>
-                          ReadPointPairs(const std::string & path);
-
-/** Reads a folder back, for reports and later stages. Throws InputError if a file is missing or not written by
- * RegistrationFiles. */
-ShapetonColonTools_EXPORT RegistrationResults
-ReadRegistrationResults(const std::string & folder);
-
-/** Confidence of a registration in a folder, 0 to 1; 0 if flagged as doubtful. Throws InputError if the JSON file does
- * not state it. */
-ShapetonColonTools_EXPORT double
-ConfidenceOfRegistration(const std::string & folder);
-///@}
 } // namespace shapeton
 
 #endif

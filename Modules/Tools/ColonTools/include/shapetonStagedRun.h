@@ -6,6 +6,7 @@
 #include "shapetonRemarks.h"
 #include "shapetonProgress.h"
 #include "shapetonStage.h"
+#include "shapetonStageRecord.h"
 
 #include <map>
 #include <memory>
@@ -16,28 +17,6 @@
 
 namespace shapeton
 {
-/** Outcome of a stage. \ingroup ShapetonColonTools */
-struct ShapetonColonTools_EXPORT StageResult
-{
-  std::string name;
-  std::string program;
-  std::string version;
-  /** Exit status of the tool; 0 on success, 1 if a signal ended it. */
-  int status{ 0 };
-  /** Error message of a failed tool. */
-  std::string message;
-  /** Warnings of the tool, from the original run if the stage was skipped. */
-  Remarks warnings;
-  /** Names in the stage's folder and their SHA-256, in alphabetical order. Records of single runs (*.run.json) are left
-   * out because they differ from run to run. */
-  std::vector<std::pair<std::string, std::string>> files;
-  /** True if the stage was skipped because its earlier result is still valid. */
-  bool isResumed{ false };
-
-  bool
-  Has(const std::string & file) const;
-};
-
 /** \class StagedRun
  * \brief Runs tools one after another in one folder, skipping those with up-to-date results.
  *

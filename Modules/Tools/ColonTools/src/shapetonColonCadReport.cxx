@@ -65,7 +65,7 @@ Finding(const PolypCandidate &       candidate,
 
 /** TID 4015: the detections performed. */
 DicomContent
-Detections(const ColonExamination & exam, const DicomResultHeader & header)
+Detections(const DicomExamination & exam, const DicomResultHeader & header)
 {
   if (!exam.isSearched)
   {
@@ -81,7 +81,7 @@ Detections(const ColonExamination & exam, const DicomResultHeader & header)
 }
 /** Distinguishes "no findings" from "not searched". */
 DicomCode
-StateOf(const ColonExamination & exam)
+StateOf(const DicomExamination & exam)
 {
   if (!exam.isSearched)
   {
@@ -93,7 +93,7 @@ StateOf(const ColonExamination & exam)
 } // namespace
 
 DicomContent
-CadReportOfColon(const ColonExamination &     exam,
+CadReportOfColon(const DicomExamination &     exam,
                  const ColonSegmentsAsDicom & segments,
                  const DicomSource &          source,
                  const DicomResultHeader &    header)

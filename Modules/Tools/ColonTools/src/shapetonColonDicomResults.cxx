@@ -8,7 +8,6 @@
 #include "shapetonExceptions.h"
 #include "shapetonPicture.h"
 #include "shapetonReadImage.h"
-#include "shapetonSurfaceReader.h"
 #include "shapetonVolume.h"
 
 #include "itkPNGImageIO.h"
@@ -22,18 +21,18 @@ namespace shapeton
 namespace
 {
 DicomSource
-ReadSourceOf(const ColonExamination & exam, const std::string & path)
+ReadSourceOf(const DicomExamination & exam, const std::string & path)
 {
   const DicomSource source = ReadDicomSource(path, { exam.seriesUID });
   if (IdentityOf(path) != exam.digest)
   {
-    throw InputError("\"" + path + "\" differs from the folder that the examination \"" + exam.folder +
+    throw InputError("\"" + path + "\" differs from the folder that the examination \"" + exam.folder.GetFolder() +
                      "\" was computed from, although the series is the same; use that folder, or run "
                      "VirtualColonoscopy on this one");
   }
   if (!HaveSameGrid(exam.lumen, source.grid))
   {
-    throw InputError("the examination \"" + exam.folder +
+    throw InputError("the examination \"" + exam.folder.GetFolder() +
                      "\" was computed from a repaired series, whose voxels do not match the original slices");
   }
   return source;
@@ -47,10 +46,10 @@ ReadReading(const ColonDicomReader & reader)
     return {};
   }
   RequireDicomPersonName("observer", reader.observer);
-  const std::vector<std::string> folders = PositionFoldersOf(reader.exam);
-  ColonReading                   reading;
-  reading.verdicts = ReadReaderVerdicts(reader.verdicts, folders);
-  reading.lesions = LesionsOf(reading.verdicts, CandidatesOfPositions(folders));
+  const ColonExamination exam(reader.exam);
+  ColonReading           reading;
+  reading.verdicts = ReadReaderVerdicts(reader.verdicts, exam);
+  reading.lesions = LesionsOf(reading.verdicts, exam.ReadCandidates());
   reading.observer = reader.observer;
   return reading;
 }
@@ -61,7 +60,7 @@ ReadReading(const ColonDicomReader & reader)
 class ResultFiles
 {
 public:
-  ResultFiles(const ColonExamination & exam,
+  ResultFiles(const DicomExamination & exam,
               const DicomSource &      series,
               std::string              folder,
               DicomResultDates         dates,
@@ -71,7 +70,7 @@ public:
     , m_OutputPath(outputPath)
     , m_Dates(dates)
     , m_Version(exam.quality.value("/provenance/version"_json_pointer, std::string("unknown")))
-    , m_Title(TitleOf(exam.quality.value("/lumen/position"_json_pointer, std::string())))
+    , m_Title(TitleOf(PositionOfQuality(exam.quality)))
   {}
 
   const DicomSource &
@@ -157,12 +156,12 @@ WriteSegments(ResultFiles & files, const ColonDicomOptions & options, ColonSegme
       return segments.Write(part, files.Series(), header, path, FormatOf(options));
     });
   };
-  options.progress("seg.dcm", 0.4);
-  write(0, "seg.dcm", "lumen and candidates", Part::Findings);
-  options.progress("seg-anatomy.dcm", 0.6);
+  options.progress(examination::dicomSegmentation.name, 0.4);
+  write(0, examination::dicomSegmentation.name, "lumen and candidates", Part::Findings);
+  options.progress(examination::dicomAnatomy.name, 0.6);
   if (segments.HasAnatomy())
   {
-    write(anatomy, "seg-anatomy.dcm", "anatomy of the colon", Part::Anatomy);
+    write(anatomy, examination::dicomAnatomy.name, "anatomy of the colon", Part::Anatomy);
   }
 }
 
@@ -187,33 +186,33 @@ struct Reports
 
 Reports
 WriteReports(ResultFiles &                       files,
-             const ColonExamination &            exam,
+             const DicomExamination &            exam,
              const ColonDicomOptions &           options,
              const std::optional<ColonReading> & reading,
              const ColonSegmentsAsDicom &        segments)
 {
   Reports reports{ MeasurementsOfColon(exam, segments), {} };
-  WriteMeasurements(files, 1, "sr.dcm", "colon measurements", reports.program);
+  WriteMeasurements(files, 1, examination::dicomMeasurements.name, "colon measurements", reports.program);
   if (options.ohif)
   {
     constexpr int     seriesForOhif = 7;
     const std::string what = "candidates to be read in OHIF";
-    WriteMeasurements(files, seriesForOhif, "sr-ohif.dcm", what, CandidatesForOhif(exam, segments));
+    WriteMeasurements(files, seriesForOhif, examination::dicomForOhif.name, what, CandidatesForOhif(exam, segments));
   }
   if (reading)
   {
     constexpr int seriesOfReading = 5; // the first number without another object
     reports.reader = MeasurementsOfReader(*reading, options.reader.position, segments);
-    WriteMeasurements(files, seriesOfReading, "sr-reader.dcm", "reading of the colon", *reports.reader);
+    WriteMeasurements(files, seriesOfReading, examination::dicomReading.name, "reading of the colon", *reports.reader);
   }
   return reports;
 }
 
 /** Writes the candidates for workstations. */
 void
-WriteCad(ResultFiles & files, const ColonExamination & exam, const ColonSegmentsAsDicom & segments)
+WriteCad(ResultFiles & files, const DicomExamination & exam, const ColonSegmentsAsDicom & segments)
 {
-  files.Write(2, "cad.dcm", "colon CAD", "SR", [&](const auto & header, const std::string & path) {
+  files.Write(2, examination::dicomCad.name, "colon CAD", "SR", [&](const auto & header, const std::string & path) {
     const DicomContent report = CadReportOfColon(exam, segments, files.Series(), header);
     return WriteDicomReport(files.Series(), DicomReportKind::ColonCAD, report, {}, header, path);
   });
@@ -221,25 +220,28 @@ WriteCad(ResultFiles & files, const ColonExamination & exam, const ColonSegments
 
 /** Writes the wall, and the flat colon if it exists. */
 void
-WritePictures(ResultFiles & files, ColonExamination & exam)
+WritePictures(ResultFiles & files, DicomExamination & exam)
 {
-  if (exam.Has("flattening/flat.png", "no picture of the flat colon"))
+  if (exam.Has(examination::flatPicture, "no picture of the flat colon"))
   {
-    files.Write(3, "sc.dcm", "flat colon", "OT", [&](const auto & header, const std::string & path) {
-      return WriteDicomPicture(
-        files.Series(),
-        ReadImage<Picture>(exam.PathOf("flattening/flat.png"), itk::PNGImageIO::New(), "run VirtualColonoscopy again"),
-        header,
-        path);
-    });
+    files.Write(
+      3, examination::dicomPicture.name, "flat colon", "OT", [&](const auto & header, const std::string & path) {
+        return WriteDicomPicture(files.Series(),
+                                 ReadImage<Picture>(exam.folder.PathOf(examination::flatPicture),
+                                                    itk::PNGImageIO::New(),
+                                                    "run VirtualColonoscopy again"),
+                                 header,
+                                 path);
+      });
   }
-  if (exam.Has("segmentation/wall-simplified.vtp", "no surface of the wall"))
+  if (exam.Has(examination::simplifiedWall, "no surface of the wall"))
   {
-    files.Write(4, "stl.dcm", "wall of the colon", "M3D", [&](const auto & header, const std::string & path) {
-      const DicomCode wall{ "WALL", "99SHAPETON", "Wall of the colon" };
-      return WriteDicomSurface(
-        files.Series(), ReadSurface(exam.PathOf("segmentation/wall-simplified.vtp")).mesh, wall, header, path);
-    });
+    files.Write(
+      4, examination::dicomWall.name, "wall of the colon", "M3D", [&](const auto & header, const std::string & path) {
+        const DicomCode wall{ "WALL", "99SHAPETON", "Wall of the colon" };
+        return WriteDicomSurface(
+          files.Series(), exam.folder.ReadSurfaceOf(examination::simplifiedWall), wall, header, path);
+      });
   }
 }
 } // namespace
@@ -253,20 +255,20 @@ WriteColonDicomResults(const std::string &       exam,
 {
   options.progress("Reading", 0.0);
   const std::optional<ColonReading> reading = ReadReading(options.reader);
-  ColonExamination                  examination = ReadColonExamination(exam);
+  DicomExamination                  examination = ReadDicomExamination(exam);
   const DicomSource                 series = ReadSourceOf(examination, source);
   ResultFiles                       files(examination, series, folder, options.dates, outputPath);
   ColonSegmentsAsDicom              segments(examination);
   WriteSegments(files, options, segments);
-  options.progress("sr.dcm", 0.9);
+  options.progress(examination::dicomMeasurements.name, 0.9);
   const Reports reports = WriteReports(files, examination, options, reading, segments);
-  options.progress("cad.dcm", 0.92);
+  options.progress(examination::dicomCad.name, 0.92);
   WriteCad(files, examination, segments);
   options.progress("sc.dcm, stl.dcm", 0.94);
   WritePictures(files, examination);
   if (options.fhir)
   {
-    WriteJson(files.Bundle(reports.program, reports.reader), files.PathOf("fhir.json"));
+    WriteJson(files.Bundle(reports.program, reports.reader), files.PathOf(examination::fhirBundle.name));
   }
   options.progress("Done", 1.0);
   return examination.missing;

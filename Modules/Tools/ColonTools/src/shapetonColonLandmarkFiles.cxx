@@ -3,6 +3,7 @@
 
 #include "shapetonColorTable.h"
 #include "shapetonCommandLine.h"
+#include "shapetonExaminationFiles.h"
 #include "shapetonJson.h"
 #include "shapetonSlicerMarkups.h"
 #include "shapetonSurfaceWriter.h"
@@ -38,7 +39,7 @@ RemoveOld(const std::string & path)
 } // namespace
 
 ColonLandmarkFiles::ColonLandmarkFiles(CommandLine & commandLine, const std::string & folder)
-  : m_CommandLine(commandLine), m_Folder(folder), m_Scene(commandLine, { { "wallModel", "segments.vtp" } })
+  : m_CommandLine(commandLine), m_Folder(folder), m_Scene(commandLine, { { "wallModel", examination::segments.name } })
 {
   commandLine.MakeFolder(folder);
   commandLine.RecordRun(this->PathOf("run.json"));
@@ -75,10 +76,10 @@ ColonLandmarkFiles::WriteTaeniaMarkups(const CurveSet & taeniae) const
   }
   if (markups.empty())
   {
-    RemoveOld(this->PathOf("taeniae.mrk.json"));
+    RemoveOld(this->PathOf(examination::taeniaMarkups.name));
     return;
   }
-  WriteMarkups(markups, m_CommandLine.Output(this->PathOf("taeniae.mrk.json")));
+  WriteMarkups(markups, m_CommandLine.Output(this->PathOf(examination::taeniaMarkups.name)));
 }
 
 void
@@ -103,17 +104,17 @@ ColonLandmarkFiles::WriteFlexureMarkups(const ColonLandmarks & landmarks, const 
   }
   if (markups.empty())
   {
-    RemoveOld(this->PathOf("flexures.mrk.json"));
+    RemoveOld(this->PathOf(examination::flexureMarkups.name));
     return;
   }
   markups.insert(markups.begin(), points);
-  WriteMarkups(markups, m_CommandLine.Output(this->PathOf("flexures.mrk.json")));
+  WriteMarkups(markups, m_CommandLine.Output(this->PathOf(examination::flexureMarkups.name)));
 }
 
 void
 ColonLandmarkFiles::WriteValveMarkup(const std::optional<IleocecalValve> & valve) const
 {
-  const std::string path = this->PathOf("ileocecal-valve.mrk.json");
+  const std::string path = this->PathOf(examination::valveMarkup.name);
   if (!valve)
   {
     RemoveOld(path);
@@ -139,7 +140,7 @@ ColonLandmarkFiles::WriteDocument(const ColonLandmarks & landmarks, const ColonP
   {
     document["pieces"] = ColonPiecesToJson(*pieces);
   }
-  WriteJson(document, m_CommandLine.Output(this->PathOf("landmarks.json")));
+  WriteJson(document, m_CommandLine.Output(this->PathOf(examination::landmarks.name)));
 }
 
 void
@@ -173,14 +174,14 @@ ColonLandmarkFiles::Write(const SurfaceMesh & flat, const ColonLandmarks & landm
     MarkHindrances(*landmarks.hindered, taeniae);
   }
   const CurveSet loops = FlexureCurves(landmarks);
-  this->WriteOrRemove("taeniae.vtp", taeniae);
-  this->WriteOrRemove("flexures.vtp", loops);
-  const std::string segments = m_CommandLine.Output(this->PathOf("segments.vtp"));
+  this->WriteOrRemove(examination::taeniae.name, taeniae);
+  this->WriteOrRemove(examination::flexures.name, loops);
+  const std::string segments = m_CommandLine.Output(this->PathOf(examination::segments.name));
   WriteSurface(SegmentSurface(flat, landmarks), m_CommandLine.GetProvenance(), segments);
-  m_Scene.Copy("segments.vtp", segments);
+  m_Scene.Copy(examination::segments.name, segments);
   WriteSurface(FoldSurface(flat, landmarks),
                m_CommandLine.GetProvenance(),
-               m_CommandLine.Output(this->PathOf("folds-surface.vtp")));
+               m_CommandLine.Output(this->PathOf(examination::foldsSurface.name)));
   this->WriteTaeniaMarkups(taeniae);
   this->WriteFlexureMarkups(landmarks, loops);
   this->WriteValveMarkup(landmarks.valve);

@@ -92,7 +92,7 @@ MeanDiameter(const CurveSet & centerline, const ColonSegmentExtent & segment)
 }
 
 void
-AddExtent(const ColonExamination & exam, DicomMeasurementGroup & group)
+AddExtent(const DicomExamination & exam, DicomMeasurementGroup & group)
 {
   for (const ColonSegmentExtent & segment : exam.segments)
   {
@@ -106,7 +106,7 @@ AddExtent(const ColonExamination & exam, DicomMeasurementGroup & group)
 } // namespace
 
 DicomMeasurementReport
-CandidatesForOhif(const ColonExamination & exam, const ColonSegmentsAsDicom & segments)
+CandidatesForOhif(const DicomExamination & exam, const ColonSegmentsAsDicom & segments)
 {
   DicomMeasurementReport report;
   report.procedure = ct;
@@ -126,7 +126,7 @@ CandidatesForOhif(const ColonExamination & exam, const ColonSegmentsAsDicom & se
 }
 
 DicomMeasurementReport
-MeasurementsOfColon(const ColonExamination & exam, const ColonSegmentsAsDicom & segments)
+MeasurementsOfColon(const DicomExamination & exam, const ColonSegmentsAsDicom & segments)
 {
   DicomMeasurementReport report;
   report.procedure = ct;

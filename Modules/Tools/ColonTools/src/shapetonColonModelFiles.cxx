@@ -2,6 +2,7 @@
 
 #include "shapetonColonQuality.h"
 #include "shapetonCommandLine.h"
+#include "shapetonExaminationFiles.h"
 #include "shapetonJson.h"
 #include "shapetonParallelFor.h"
 #include "shapetonSurfaceWriter.h"
@@ -70,10 +71,10 @@ ColonModelFiles::ColonModelFiles(CommandLine & commandLine, const std::string & 
   : m_CommandLine(commandLine)
   , m_Folder(folder)
   , m_Scene(commandLine,
-            { { "cleansedVolume", "cleansed.nrrd" },
-              { "lumenLabels", "lumen.nrrd" },
-              { "wallModel", "wall-simplified.vtp" },
-              { "centerlineModel", "centerline.vtp" } })
+            { { "cleansedVolume", examination::cleansedCt.name },
+              { "lumenLabels", examination::lumen.name },
+              { "wallModel", examination::simplifiedWall.name },
+              { "centerlineModel", examination::centerline.name } })
 {
   commandLine.MakeFolder(folder);
   commandLine.RecordRun(folder + "/run.json");
@@ -82,7 +83,7 @@ ColonModelFiles::ColonModelFiles(CommandLine & commandLine, const std::string & 
 ColonModelFiles::File
 ColonModelFiles::CleansedFile(const itk::Image<float, 3> * cleansed) const
 {
-  return { "cleansed.nrrd", [this, cleansed](const std::string & path) {
+  return { examination::cleansedCt.name, [this, cleansed](const std::string & path) {
             WriteVolume(RoundedToHU(cleansed).GetPointer(), path, ProvenanceMetadata(m_CommandLine.GetProvenance()));
           } };
 }
@@ -90,7 +91,7 @@ ColonModelFiles::CleansedFile(const itk::Image<float, 3> * cleansed) const
 ColonModelFiles::File
 ColonModelFiles::CleansingFile(const itk::Image<float, 3> * cleansed) const
 {
-  return { "cleansing.nrrd", [this, cleansed](const std::string & path) {
+  return { examination::cleansing.name, [this, cleansed](const std::string & path) {
             const auto          removed = RoundedToHU(m_Ct);
             const auto          rest = RoundedToHU(cleansed);
             const std::size_t   voxels = removed->GetLargestPossibleRegion().GetNumberOfPixels();
@@ -104,7 +105,7 @@ ColonModelFiles::CleansingFile(const itk::Image<float, 3> * cleansed) const
 ColonModelFiles::File
 ColonModelFiles::LumenFile(const ColonModel & model) const
 {
-  return { "lumen.nrrd", [this, &model](const std::string & path) {
+  return { examination::lumen.name, [this, &model](const std::string & path) {
             WriteVolume(LabelsOf(model).GetPointer(), path, ProvenanceMetadata(m_CommandLine.GetProvenance()));
           } };
 }
@@ -118,7 +119,7 @@ ColonModelFiles::FileOf(const char * name, const SurfaceMesh & surface)
 std::vector<ColonModelFiles::File>
 ColonModelFiles::WallsOf(const SurfaceMesh & raw, const SurfaceMesh & repaired)
 {
-  return { FileOf("wall.vtp", raw), FileOf("wall-repaired.vtp", repaired) };
+  return { FileOf(examination::wall.name, raw), FileOf(examination::repairedWall.name, repaired) };
 }
 
 std::vector<ColonModelFiles::File>
@@ -134,9 +135,9 @@ ColonModelFiles::FilesOf(const ColonModel & model) const
   {
     const std::vector<File> walls = WallsOf(model.wall.raw, model.wall.repaired);
     files.insert(files.end(), walls.begin(), walls.end());
-    files.push_back(FileOf("wall-simplified.vtp", model.wall.simplified));
+    files.push_back(FileOf(examination::simplifiedWall.name, model.wall.simplified));
   }
-  files.push_back({ "quality.json", [this, &model](const std::string & path) {
+  files.push_back({ examination::quality.name, [this, &model](const std::string & path) {
                      Json document;
                      document["provenance"] = ProvenanceToJson(m_CommandLine.GetProvenance());
                      document.update(ColonQualityToJson(model));
@@ -144,13 +145,13 @@ ColonModelFiles::FilesOf(const ColonModel & model) const
                    } });
   if (!model.centerline.curve.curves.empty())
   {
-    files.push_back({ "centerline.vtp", [this, &model](const std::string & path) {
+    files.push_back({ examination::centerline.name, [this, &model](const std::string & path) {
                        WriteCurves(WithProvenance(model.centerline.curve, m_CommandLine), path);
                      } });
   }
   if (model.lumen.catheter && model.lumen.catheter->isSure)
   {
-    files.push_back({ "catheter.vtp", [this, &model](const std::string & path) {
+    files.push_back({ examination::catheter.name, [this, &model](const std::string & path) {
                        WriteCurves(WithProvenance(CurveOfCatheter(*model.lumen.catheter), m_CommandLine), path);
                      } });
   }

@@ -14,7 +14,7 @@ constexpr const char * CandidateNote =
 
 /** Measurements of lumen, candidates and segments of the colon, as groups of TID 1500. */
 DicomMeasurementReport
-MeasurementsOfColon(const ColonExamination & exam, const ColonSegmentsAsDicom & segments);
+MeasurementsOfColon(const DicomExamination & exam, const ColonSegmentsAsDicom & segments);
 
 /** Prefix of the code of a candidate as a second finding site (99SHAPETON), which viewers keep in their own reports. */
 constexpr const char * CandidateCodePrefix = "candidate-";
@@ -22,7 +22,7 @@ constexpr const char * CandidateCodePrefix = "candidate-";
 /** The candidates as lengths that OHIF takes as its own measurements, for changes and verdicts by a reader: the name of
  * its tool as tracking identifier, and the candidate as label and second finding site. */
 DicomMeasurementReport
-CandidatesForOhif(const ColonExamination & exam, const ColonSegmentsAsDicom & segments);
+CandidatesForOhif(const DicomExamination & exam, const ColonSegmentsAsDicom & segments);
 
 /** The reading of an examination. */
 struct ColonReading
@@ -41,7 +41,7 @@ MeasurementsOfReader(const ColonReading & reading, std::size_t position, const C
 
 /** The candidates as findings of TID 4120. */
 DicomContent
-CadReportOfColon(const ColonExamination &     exam,
+CadReportOfColon(const DicomExamination &     exam,
                  const ColonSegmentsAsDicom & segments,
                  const DicomSource &          source,
                  const DicomResultHeader &    header);

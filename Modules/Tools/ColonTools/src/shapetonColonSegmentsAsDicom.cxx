@@ -114,7 +114,7 @@ NoLabels(const DicomLabelImage * grid)
 }
 } // namespace
 
-ColonSegmentsAsDicom::ColonSegmentsAsDicom(const ColonExamination & exam) : m_Exam(exam)
+ColonSegmentsAsDicom::ColonSegmentsAsDicom(const DicomExamination & exam) : m_Exam(exam)
 {
   m_Findings.labels = exam.lumen;
   this->AddColonSegments();

@@ -1,7 +1,7 @@
 #ifndef shapetonColonSegmentsAsDicom_h
 #define shapetonColonSegmentsAsDicom_h
 
-#include "shapetonColonExamination.h"
+#include "shapetonDicomExamination.h"
 
 namespace shapeton
 {
@@ -14,7 +14,7 @@ namespace shapeton
 class ColonSegmentsAsDicom
 {
 public:
-  explicit ColonSegmentsAsDicom(const ColonExamination & exam);
+  explicit ColonSegmentsAsDicom(const DicomExamination & exam);
 
   /** A segment in its file. */
   struct Place
@@ -86,7 +86,7 @@ private:
   std::string
   UIDOf(const std::string & role) const;
 
-  const ColonExamination & m_Exam;
+  const DicomExamination & m_Exam;
   File                     m_Findings;
   File                     m_Anatomy;
 };

@@ -49,7 +49,7 @@ PositionInWords(const ColonoscopyResults & results)
   return results.isSecond ? position + "; read it with the first series (../report.html)"
          : results.pair
            ? position + " and " + NameOfPosition(results.qualityOfSecond) + ", registered; this page is on the " +
-               position + " one, " + colonoscopySecondFolder + "/report.html on the other"
+               position + " one, " + secondPositionFolder + "/report.html on the other"
            : position + "; one position only, so the examination is incomplete";
 }
 

@@ -83,10 +83,9 @@ private:
     m_CommandLine.Progress("report", 0.94);
     ColonoscopyResults results = ReadColonoscopyResults(m_Folder, m_Presentation.stages);
     results.isSecond = m_Presentation.isSecond;
-    if (const std::string first = m_Folder + "/../polyps/candidates.csv";
-        results.isSecond && std::filesystem::exists(first))
+    if (results.isSecond)
     {
-      results.polypsOfOther = ReadPolypCandidates(first);
+      results.polypsOfOther = ExaminationFolder(m_Folder + "/..").ReadCandidates();
     }
     if (results.ct)
     {
@@ -105,19 +104,21 @@ private:
       m_CommandLine.Publish(m_Folder + '/' + name); // keep the report even if the run fails
       record["files"][name] = IdentityOf(m_Folder + '/' + name);
     };
-    WriteColonoscopyReport(content, m_CommandLine.Output(m_Folder + "/report.html"), m_Folder + "/.report.part");
-    publish("report.html");
+    const std::string page = m_Folder + '/' + examination::report.name;
+    WriteColonoscopyReport(content, m_CommandLine.Output(page), m_Folder + "/.report.part");
+    publish(examination::report.name);
     const OutputPath outputPath = [&](const std::string & path) { return m_CommandLine.Output(path); };
-    const Remarks    notPrinted = PrintPage(m_Folder + "/report.html", m_Folder + "/report.pdf", outputPath);
+    const Remarks    notPrinted = PrintPage(page, m_Folder + '/' + examination::printedReport.name, outputPath);
     m_CommandLine.Warn(notPrinted);
     if (notPrinted.empty())
     {
-      publish("report.pdf");
+      publish(examination::printedReport.name);
     }
     if (!content.quality.segments.empty())
     {
-      TableOfSegmentQuality(content.quality.segments).Write(outputPath(m_Folder + "/segments.csv"));
-      publish("segments.csv");
+      TableOfSegmentQuality(content.quality.segments)
+        .Write(outputPath(m_Folder + '/' + examination::segmentQuality.name));
+      publish(examination::segmentQuality.name);
     }
     m_CommandLine.MakeFolder(m_Folder + "/slicer");
     for (const std::string & name : WriteColonoscopySlicerFiles(results, m_Folder + "/slicer", outputPath))

@@ -215,7 +215,7 @@ AddPolyps(HtmlReport & html, const ColonoscopyResults & results)
   cards.polyps = PolypsOf(results);
   cards.grid = results.lumen;
   cards.viewer = results.IsDone(colonoscopystage::viewer) ? viewerPage : "";
-  cards.otherPage = (results.isSecond ? std::string("..") : colonoscopySecondFolder) + "/report.html";
+  cards.otherPage = (results.isSecond ? std::string("..") : secondPositionFolder) + "/report.html";
   cards.pictureOf = [&](int number) {
     const auto i = static_cast<std::size_t>(number);
     return i < results.polypPictures.size() ? results.polypPictures[i] : std::string();
@@ -230,7 +230,7 @@ AddPair(HtmlReport & html, PagePictures & pictures, const ColonoscopyPair & pair
   html.AddHeading("Two positions");
   html.AddParagraph("The first series is called supine, the second prone. "
                     "The separate report of the second series is " +
-                    std::string(colonoscopySecondFolder) + "/report.html.");
+                    std::string(secondPositionFolder) + "/report.html.");
   html.AddFacts(RegistrationFacts(parts));
   AddRegistrationSection(html, parts, [&](const Picture * picture, const std::string &, const std::string & caption) {
     pictures.Add(picture, caption);

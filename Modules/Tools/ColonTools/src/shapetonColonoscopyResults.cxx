@@ -1,48 +1,57 @@
 #include "shapetonColonoscopyResults.h"
 
-#include "shapetonHaustralFoldFiles.h"
-#include "shapetonRegistrationFiles.h"
-#include "shapetonPolypSearch.h"
-#include "shapetonSurfaceReader.h"
-#include "shapetonExceptions.h"
-#include "shapetonImageFile.h"
+#include "shapetonExaminationInputs.h"
 #include "shapetonParallelFor.h"
-#include "shapetonReadImage.h"
-
-#include "shapetonJson.h"
-
-#include "itkNrrdImageIO.h"
+#include "shapetonRegistrationFolder.h"
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <limits>
 
 namespace shapeton
 {
 namespace
 {
-namespace names = colonoscopystage;
-
-/** Reads the existing files of stages. */
+/** Reads the files of stages that were run. */
 class StageFiles
 {
 public:
-  StageFiles(const std::string & folder, const ColonoscopyResults & results) : m_Folder(folder), m_Results(results) {}
+  StageFiles(const std::string & folder, const ColonoscopyResults & results) : m_Exam(folder), m_Results(results) {}
 
-  template <typename TRead>
-  void
-  Read(const char * stage, const char * file, const TRead & read) const
+  const ExaminationFolder &
+  Exam() const
+  {
+    return m_Exam;
+  }
+
+  bool
+  Has(const ExaminationFile & file) const
+  {
+    return this->Has(file.stage, file.name);
+  }
+  bool
+  Has(const char * stage, const std::string & name) const
   {
     const StageResult * const result = m_Results.Find(stage);
-    if (result && result->Has(file))
-    {
-      read(m_Folder + '/' + stage + '/' + file);
-    }
+    return result && result->Has(name);
+  }
+
+  void
+  Read(const ExaminationFile & file, Json & document) const
+  {
+    document = this->Has(file) ? ReadJson(m_Exam.PathOf(file)) : Json();
+  }
+  void
+  Read(const ExaminationFile & file, CurveSet & curves) const
+  {
+    curves = this->Has(file) ? m_Exam.ReadCurvesOf(file) : CurveSet();
+  }
+  void
+  Read(const ExaminationFile & file, SurfaceMesh & surface) const
+  {
+    surface = this->Has(file) ? m_Exam.ReadSurfaceOf(file) : SurfaceMesh();
   }
 
 private:
-  std::string                m_Folder;
+  ExaminationFolder          m_Exam;
   const ColonoscopyResults & m_Results;
 };
 
@@ -71,12 +80,18 @@ FoldsOf(const CurveSet & features)
 std::vector<std::string>
 PicturesOfPolyps(const StageFiles & files, std::size_t polyps)
 {
-  std::vector<std::string> paths;
-  const auto               add = [&](const std::string & path) { paths.push_back(path); };
-  files.Read(names::polyps, "report/polyp-candidates-flat.png", add);
+  std::vector<std::string> names{ "report/polyp-candidates-flat.png" };
   for (std::size_t i = 1; i <= polyps; ++i)
   {
-    files.Read(names::polyps, ("report/polyp-candidate-" + std::to_string(i) + ".png").c_str(), add);
+    names.push_back("report/polyp-candidate-" + std::to_string(i) + ".png");
+  }
+  std::vector<std::string> paths;
+  for (const std::string & name : names)
+  {
+    if (files.Has(colonoscopystage::polyps, name))
+    {
+      paths.push_back(files.Exam().GetFolder() + '/' + colonoscopystage::polyps + '/' + name);
+    }
   }
   return paths;
 }
@@ -89,50 +104,50 @@ LengthOfCenterline(const CurveSet & centerline)
   return distance && distance->values.size() > 0 ? distance->values.maxCoeff() : 0.0;
 }
 
+/** The registration with the second position, and what reports of the first show of the second. */
+void
+ReadPair(const ExaminationFolder & first, ColonoscopyResults & results)
+{
+  const ExaminationFolder second(first.GetFolder() + '/' + secondPositionFolder);
+  results.pair = std::make_shared<const ColonoscopyPair>(
+    ColonoscopyPair{ ReadColonPosition(first, "supine"),
+                     ReadColonPosition(second, "prone"),
+                     ReadRegistrationResults(first.GetFolder() + '/' + colonoscopystage::registration) });
+  results.qualityOfSecond = second.ReadQuality();
+  results.polypsOfOther = second.ReadCandidates();
+}
+
 /** Runs in a separate thread, which must not start the processes that read images. */
 void
-ReadAllButImages(const StageFiles & files, const std::string & folder, ColonoscopyResults & results)
+ReadAllButImages(const StageFiles & files, ColonoscopyResults & results)
 {
-  const auto surface = [](SurfaceMesh & mesh) {
-    return [&mesh](const std::string & path) { mesh = ReadSurface(path).mesh; };
-  };
-  const auto curves = [](CurveSet & set) { return [&set](const std::string & path) { set = ReadCurves(path); }; };
-  const auto json = [](Json & document) {
-    return [&document](const std::string & path) { document = ReadJson(path); };
-  };
-  files.Read(names::inspection, "series.json", json(results.inspection));
-  files.Read(names::segmentation, "quality.json", json(results.quality));
-  files.Read(names::segmentation, "centerline.vtp", curves(results.centerline));
-  files.Read(names::segmentation, "wall-simplified.vtp", surface(results.wall));
-  files.Read(names::flattening, "flat.vtp", [&](const std::string & path) {
-    results.flat = std::make_shared<FlatColon>(ReadSurface(path).mesh);
-  });
-  files.Read(names::flattening, "flat.json", json(results.flatStatistics));
-  files.Read(names::landmarks, "landmarks.json", json(results.landmarks));
-  files.Read(names::landmarks, "taeniae.vtp", curves(results.taeniae));
-  files.Read(names::landmarks, "flexures.vtp", curves(results.flexures));
-  files.Read(names::landmarks, "segments.vtp", surface(results.labeled));
-  files.Read(names::folds, "features.vtp", curves(results.features));
+  files.Read(examination::series, results.inspection);
+  files.Read(examination::quality, results.quality);
+  files.Read(examination::centerline, results.centerline);
+  files.Read(examination::simplifiedWall, results.wall);
+  if (files.Has(examination::flat))
+  {
+    results.flat = files.Exam().ReadFlatColon();
+  }
+  files.Read(examination::flatStatistics, results.flatStatistics);
+  files.Read(examination::landmarks, results.landmarks);
+  files.Read(examination::taeniae, results.taeniae);
+  files.Read(examination::flexures, results.flexures);
+  files.Read(examination::segments, results.labeled);
+  files.Read(examination::foldFeatures, results.features);
   if (!results.landmarks.is_null())
   {
     results.segments = SegmentsOf(results.landmarks, LengthOfCenterline(results.centerline));
   }
   results.folds = FoldsOf(results.features);
-  files.Read(
-    names::polyps, "candidates.csv", [&](const std::string & path) { results.polyps = ReadPolypCandidates(path); });
-  results.polypPictures = PicturesOfPolyps(files, results.polyps.size());
-  if (results.IsDone(names::registration))
+  if (files.Has(examination::candidates))
   {
-    const std::string second = folder + '/' + colonoscopySecondFolder;
-    results.pair = std::make_shared<const ColonoscopyPair>(
-      ColonoscopyPair{ ReadColonPosition(folder, "supine"),
-                       ReadColonPosition(second, "prone"),
-                       ReadRegistrationResults(folder + '/' + names::registration) });
-    results.qualityOfSecond = ReadJson(second + "/segmentation/quality.json");
-    if (const std::string table = second + "/polyps/candidates.csv"; std::filesystem::exists(table))
-    {
-      results.polypsOfOther = ReadPolypCandidates(table);
-    }
+    results.polyps = files.Exam().ReadCandidates();
+  }
+  results.polypPictures = PicturesOfPolyps(files, results.polyps.size());
+  if (results.IsDone(colonoscopystage::registration))
+  {
+    ReadPair(files.Exam(), results);
   }
 }
 } // namespace
@@ -158,17 +173,23 @@ ReadColonoscopyResults(const std::string & folder, const std::vector<StageResult
   ColonoscopyResults results;
   results.stages = stages;
   const StageFiles files(folder, results);
-  WorkBeside       others = StartBeside([&] { ReadAllButImages(files, folder, results); });
-  files.Read(
-    names::segmentation, "cleansed.nrrd", [&](const std::string & path) { results.ct = ReadImageFile(path).image; });
-  files.Read(names::segmentation, "cleansing.nrrd", [&](const std::string & path) {
-    results.original = UncleansedCt(results.ct, path);
-  });
-  files.Read(names::segmentation, "lumen.nrrd", [&](const std::string & path) {
-    results.lumen =
-      ReadImage<itk::Image<unsigned char, 3>>(path, itk::NrrdImageIO::New(), "run VirtualColonoscopy again");
-  });
-  files.Read(names::folds, "labels.nrrd", [&](const std::string & path) { results.foldLabels = ReadFoldLabels(path); });
+  WorkBeside       others = StartBeside([&] { ReadAllButImages(files, results); });
+  if (files.Has(examination::cleansedCt))
+  {
+    results.ct = files.Exam().ReadCleansedCt();
+  }
+  if (files.Has(examination::cleansing))
+  {
+    results.original = files.Exam().ReadOriginalCt(results.ct);
+  }
+  if (files.Has(examination::lumen))
+  {
+    results.lumen = files.Exam().ReadLumen();
+  }
+  if (files.Has(examination::foldLabels))
+  {
+    results.foldLabels = files.Exam().ReadFolds();
+  }
   others.Get();
   return results;
 }

@@ -3,9 +3,8 @@
 
 #include "ShapetonColonToolsExport.h"
 
-#include "shapetonColonLandmarkDocument.h"
+#include "shapetonColonExamination.h"
 #include "shapetonColonPositionFiles.h"
-#include "shapetonColonoscopyStageTools.h"
 #include "shapetonCurveSet.h"
 #include "shapetonDevice.h"
 #include "shapetonFlatColon.h"
@@ -93,9 +92,6 @@ struct ShapetonColonTools_EXPORT ColonoscopyResults
   bool
   IsDone(const std::string & stage) const;
 };
-
-/** Folder of the second series inside the folder of the run. \ingroup ShapetonColonTools */
-constexpr const char * colonoscopySecondFolder = "second";
 
 /** Reads the existing results. Throws InputError for a file that cannot be read. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT ColonoscopyResults

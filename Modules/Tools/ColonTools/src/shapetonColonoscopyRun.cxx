@@ -184,6 +184,9 @@ private:
   {
     commandLine.MakeFolder(folder);
     commandLine.MakeFolder(folder + "/stages");
+    const std::string version = folder + '/' + examination::format.name;
+    WriteExaminationVersion(commandLine.Output(version));
+    commandLine.Publish(version);
     return folder;
   }
 
@@ -245,13 +248,13 @@ SceneFilesOf(CommandLine & commandLine)
                      !(commandLine.IsGiven("cleansedVolume") || commandLine.IsGiven("lumenLabels")),
                    "the input is a lumen mask: the parameters \"cleansedVolume\" and \"lumenLabels\" require a CT");
   return { commandLine,
-           { { "cleansedVolume", "segmentation/cleansed.nrrd" },
-             { "lumenLabels", "segmentation/lumen.nrrd" },
-             { "wallModel", "landmarks/segments.vtp" },
-             { "centerlineCurve", "slicer/centerline.mrk.json" },
-             { "candidatePoints", "polyps/candidates.mrk.json" },
-             { "candidateTable", "polyps/candidates.csv" },
-             { "flatPicture", "flattening/flat.png" } } };
+           { { "cleansedVolume", examination::cleansedCt.Path() },
+             { "lumenLabels", examination::lumen.Path() },
+             { "wallModel", examination::segments.Path() },
+             { "centerlineCurve", examination::slicerCenterline.Path() },
+             { "candidatePoints", examination::candidateMarkups.Path() },
+             { "candidateTable", examination::candidates.Path() },
+             { "flatPicture", examination::flatPicture.Path() } } };
 }
 
 /** Throws the exception for the failed stage. */

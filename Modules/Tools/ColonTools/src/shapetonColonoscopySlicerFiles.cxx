@@ -54,18 +54,19 @@ WriteColonoscopySlicerFiles(const ColonoscopyResults & results,
     written.push_back(name);
     return outputPath(folder + '/' + name);
   };
-  if (results.Find(colonoscopystage::segmentation) && results.Find(colonoscopystage::segmentation)->Has("lumen.nrrd"))
+  const StageResult * const segmentation = results.Find(colonoscopystage::segmentation);
+  if (segmentation && segmentation->Has(examination::lumen.name))
   {
     WriteColorTable({ { 1, "gas", gasInSlicer }, { 2, "fluid", fluidInSlicer }, { 3, "terminalIleum", ileumInSlicer } },
-                    pathOf("lumen.ctbl"));
+                    pathOf(examination::slicerLumenColors.name));
   }
   if (!results.centerline.curves.empty())
   {
-    WriteMarkups({ CenterlineMarkup(results.centerline) }, pathOf("centerline.mrk.json"));
+    WriteMarkups({ CenterlineMarkup(results.centerline) }, pathOf(examination::slicerCenterline.name));
   }
   if (!results.segments.empty())
   {
-    WriteColorTable(SegmentColors(results.segments), pathOf("segments.ctbl"));
+    WriteColorTable(SegmentColors(results.segments), pathOf(examination::slicerSegmentColors.name));
   }
   return written;
 }

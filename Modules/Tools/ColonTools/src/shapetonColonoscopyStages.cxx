@@ -1,7 +1,7 @@
 #include "shapetonColonoscopyStages.h"
 
 #include "shapetonColonDicomObjectOptions.h"
-#include "shapetonColonoscopyResults.h"
+#include "shapetonColonExamination.h"
 #include "shapetonCommandLine.h"
 #include "shapetonCsvTable.h"
 #include "shapetonExceptions.h"
@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
-#include <string_view>
 
 namespace fs = std::filesystem;
 
@@ -28,25 +27,20 @@ constexpr double shareOfFlattening = 0.25;
 constexpr double shareOfLandmarks = 0.1;
 constexpr double shareOfFolds = 0.06;
 
-/** Passes options to the tools, spelled as in the provenance. */
+/** Passes options to the tools. */
 class OptionPasser
 {
 public:
-  OptionPasser(const CommandLine & commandLine, ColonoscopySeries series)
-    : m_CommandLine(commandLine), m_Provenance(commandLine.GetProvenance()), m_Series(series)
+  OptionPasser(const CommandLine & commandLine, ColonoscopySeries series) : m_CommandLine(commandLine), m_Series(series)
   {}
 
   /** Passes options that apply to all series. */
   void
   Pass(Stage & stage, const std::vector<std::string> & options) const
   {
-    constexpr std::string_view prefix = "option.";
-    for (const auto & [key, value] : m_Provenance)
+    for (const std::string & option : options)
     {
-      if (key.rfind(prefix, 0) == 0 && std::count(options.begin(), options.end(), key.substr(prefix.size())) > 0)
-      {
-        stage.Option(key.substr(prefix.size()), value);
-      }
+      this->PassAs(stage, option, option);
     }
   }
 
@@ -54,13 +48,7 @@ public:
   void
   PassOwn(Stage & stage, const std::string & option) const
   {
-    for (const auto & [key, value] : m_Provenance)
-    {
-      if (key == "option." + ParameterOfSeries(option, m_Series))
-      {
-        stage.Option(option, value);
-      }
-    }
+    this->PassAs(stage, option, ParameterOfSeries(option, m_Series));
   }
 
   void
@@ -96,8 +84,17 @@ public:
   }
 
 private:
+  void
+  PassAs(Stage & stage, const std::string & option, const std::string & parameter) const
+  {
+    const std::string value = m_CommandLine.GetCanonical(parameter);
+    if (!value.empty())
+    {
+      stage.Option(option, value);
+    }
+  }
+
   const CommandLine & m_CommandLine;
-  Provenance          m_Provenance;
   ColonoscopySeries   m_Series;
 };
 
@@ -111,7 +108,7 @@ IsDicom(const std::string & path)
 Stage
 NewStage(const char * name)
 {
-  return { name, names::ToolOf(name) };
+  return { name, ToolOfStage(name) };
 }
 
 /** Options of dicomResults. */
@@ -128,22 +125,30 @@ OptionsOfDicomResults()
 std::vector<std::string>
 FilesOfDicomResults(const CommandLine & commandLine)
 {
-  std::vector<std::string> files{ "seg.dcm", "sr.dcm", "cad.dcm", "sc.dcm", "stl.dcm" };
-  for (const auto & [option, file] : { std::pair("ohif", "sr-ohif.dcm"), std::pair("fhir", "fhir.json") })
+  std::vector<std::string> files = FilesAlwaysWrittenBy(names::dicom);
+  for (const auto & [option, file] :
+       { std::pair("ohif", examination::dicomForOhif), std::pair("fhir", examination::fhirBundle) })
   {
     if (commandLine.GetFlag(option))
     {
-      files.push_back(file);
+      files.emplace_back(file.name);
     }
   }
   return files;
+}
+
+/** The path of a result of the first stages, for a later stage. */
+std::string
+PathIn(const StagedRun & run, const ExaminationFile & file)
+{
+  return run.PathOf(file.stage, file.name);
 }
 
 Stage
 Inspection(const OptionPasser & passer)
 {
   Stage stage = NewStage(names::inspection);
-  stage.Input("", passer.Volume()).Output("json", "series.json");
+  stage.Input("", passer.Volume()).Output("json", examination::series.name);
   return stage;
 }
 
@@ -155,7 +160,7 @@ Segmentation(const OptionPasser & passer)
     .Output("", "")
     .Output("report", "report")
     .Option("keepPartial", "true") // for the reason of a failure in the report
-    .Expect({ "lumen.nrrd", "centerline.vtp", "wall.vtp", "wall-repaired.vtp", "wall-simplified.vtp", "quality.json" });
+    .Expect(FilesAlwaysWrittenBy(names::segmentation));
   passer.Pass(stage, { "inputIsLumen", "topology", "faces", "resampleGaps", "deshear", "dropDuplicates" });
   passer.PassOwn(stage, "position");
   passer.PassOwn(stage, "seriesUID");
@@ -168,7 +173,7 @@ Segmentation(const OptionPasser & passer)
 bool
 PassCleansed(Stage & stage, const StagedRun & run)
 {
-  const std::string path = run.PathOf(names::segmentation, "cleansed.nrrd");
+  const std::string path = PathIn(run, examination::cleansedCt);
   const bool        exists = fs::exists(path);
   if (exists)
   {
@@ -181,13 +186,13 @@ Stage
 Flattening(const OptionPasser & passer, const StagedRun & run)
 {
   Stage stage = NewStage(names::flattening);
-  stage.Input("", run.PathOf(names::segmentation, "wall-simplified.vtp"))
-    .Output("", "flat.vtp")
-    .Input("centerline", run.PathOf(names::segmentation, "centerline.vtp"))
-    .Output("statistics", "flat.json")
-    .Output("handles", "handles.vtp")
-    .Output("picture", "flat.png")
-    .Output("coordinateMap", "coordinates.nrrd")
+  stage.Input("", PathIn(run, examination::simplifiedWall))
+    .Output("", examination::flat.name)
+    .Input("centerline", PathIn(run, examination::centerline))
+    .Output("statistics", examination::flatStatistics.name)
+    .Output("handles", examination::handles.name)
+    .Output("picture", examination::flatPicture.name)
+    .Output("coordinateMap", examination::coordinates.name)
     .Output("report", "report");
   if (PassCleansed(stage, run))
   {
@@ -201,11 +206,11 @@ Stage
 Landmarks(const OptionPasser & passer, const StagedRun & run)
 {
   Stage stage = NewStage(names::landmarks);
-  stage.Input("", run.PathOf(names::flattening, "flat.vtp"))
-    .Input("", run.PathOf(names::segmentation, "centerline.vtp"))
+  stage.Input("", PathIn(run, examination::flat))
+    .Input("", PathIn(run, examination::centerline))
     .Output("", "")
     .Output("report", "report")
-    .Expect({ "landmarks.json", "segments.vtp" });
+    .Expect(FilesAlwaysWrittenBy(names::landmarks));
   PassCleansed(stage, run);
   passer.PassOwnInput(stage, "markers");
   passer.Pass(stage, { "flexureRule", "taeniaRule", "split" });
@@ -247,16 +252,16 @@ Stage
 Folds(const OptionPasser & passer, const StagedRun & run)
 {
   Stage stage = NewStage(names::folds);
-  stage.Input("", run.PathOf(names::flattening, "flat.vtp"))
-    .Output("", "labels.nrrd")
-    .Output("features", "features.vtp")
-    .Output("table", "folds.csv")
-    .Output("picture", "folds.png")
-    .Output("markups", "features.mrk.json")
-    .Output("colorTable", "labels.ctbl");
-  if (fs::exists(run.PathOf(names::landmarks, "taeniae.vtp")))
+  stage.Input("", PathIn(run, examination::flat))
+    .Output("", examination::foldLabels.name)
+    .Output("features", examination::foldFeatures.name)
+    .Output("table", examination::foldTable.name)
+    .Output("picture", examination::foldPicture.name)
+    .Output("markups", examination::foldMarkups.name)
+    .Output("colorTable", examination::foldColors.name);
+  if (fs::exists(PathIn(run, examination::taeniae)))
   {
-    stage.Input("taeniae", run.PathOf(names::landmarks, "taeniae.vtp"), IdentityOfCurves);
+    stage.Input("taeniae", PathIn(run, examination::taeniae), IdentityOfCurves);
   }
   passer.Pass(stage, { "pixelSize", "minimumLength", "minimumArea" });
   return stage;
@@ -267,19 +272,7 @@ Stage
 SearchForCandidates(const char * name, const OptionPasser & passer, const std::string & folder)
 {
   Stage stage = NewStage(name);
-  stage
-    .InputFolder("",
-                 folder,
-                 { "segmentation/wall-repaired.vtp",
-                   "segmentation/lumen.nrrd",
-                   "segmentation/centerline.vtp",
-                   "segmentation/cleansed.nrrd",
-                   "segmentation/cleansing.nrrd",
-                   "segmentation/catheter.vtp",
-                   "flattening/flat.vtp",
-                   "landmarks/segments.vtp",
-                   "folds/labels.nrrd" })
-    .Output("", "candidates.csv");
+  stage.InputFolder("", folder, FilesReadBy(stage.GetProgram())).Output("", examination::candidates.name);
   passer.Pass(stage, { "sensitivity" });
   return stage;
 }
@@ -288,7 +281,7 @@ SearchForCandidates(const char * name, const OptionPasser & passer, const std::s
 std::string
 FolderOfSeries(const std::string & outputFolder, ColonoscopySeries series)
 {
-  return series == ColonoscopySeries::First ? outputFolder : outputFolder + '/' + colonoscopySecondFolder;
+  return series == ColonoscopySeries::First ? outputFolder : outputFolder + '/' + secondPositionFolder;
 }
 
 std::string
@@ -340,16 +333,9 @@ StageOfRegistration(const CommandLine & commandLine)
     Stage stage = NewStage(names::registration);
     for (const ColonoscopySeries series : { ColonoscopySeries::First, ColonoscopySeries::Second })
     {
-      stage.InputFolder("",
-                        FolderOfSeries(folder, series),
-                        { "flattening/flat.vtp",
-                          "segmentation/centerline.vtp",
-                          "landmarks/landmarks.json",
-                          "landmarks/folds-surface.vtp",
-                          "landmarks/taeniae.vtp",
-                          "folds/folds.csv" });
+      stage.InputFolder("", FolderOfSeries(folder, series), FilesReadBy(stage.GetProgram()));
     }
-    stage.Output("", "").Output("report", "report").Expect({ "registration.json", "matches.csv" });
+    stage.Output("", "").Output("report", "report").Expect(FilesAlwaysWrittenBy(names::registration));
     passer.Pass(stage, { "matching", "refine", "segmentWise" });
     passer.PassOwnInput(stage, "evaluate");
     return stage;
@@ -373,17 +359,20 @@ StageOfPolyps(const CommandLine & commandLine, ColonoscopySeries series)
   const bool         hasOther = commandLine.IsGiven("second");
   const auto         make = [=](const StagedRun &) {
     Stage stage = SearchForCandidates(names::polyps, passer, FolderOfSeries(folder, series));
-    stage.Output("markups", "candidates.mrk.json").Output("heads", "heads.nrrd").Output("report", "report");
+    stage.Output("markups", examination::candidateMarkups.name)
+      .Output("heads", examination::heads.name)
+      .Output("report", "report");
     if (hasOther)
     {
-      const std::string other = series == ColonoscopySeries::First
-                                          ? FolderOfSeries(folder, ColonoscopySeries::Second) + '/' + names::polyps
-                                          : folder + '/' + names::search;
+      const std::string other = series == ColonoscopySeries::First ? FolderOfSeries(folder, ColonoscopySeries::Second) +
+                                                                       '/' + examination::candidates.Path()
+                                                                           : folder + '/' + examination::searched.Path();
       stage
-        .InputFolder("registration",
-                     folder + '/' + names::registration,
-                     { "map-supine-to-prone.vtp", "map-prone-to-supine.vtp", "registration.json" })
-        .Input("other", other + "/candidates.csv");
+        .InputFolder(
+          "registration",
+          folder + '/' + names::registration,
+          { examination::supineToProne.name, examination::proneToSupine.name, examination::registration.name })
+        .Input("other", other);
     }
     return stage;
   };
@@ -396,27 +385,13 @@ StageOfViewer(const CommandLine & commandLine)
   const OptionPasser passer(commandLine, ColonoscopySeries::First);
   const std::string  folder = commandLine.GetString("outputFolder");
   const auto         make = [=](const StagedRun &) {
-    std::vector<std::string> read{ "registration/map-supine-to-prone.vtp", "registration/map-prone-to-supine.vtp" };
-    for (const std::string position : { "", "second/" })
+    std::vector<std::string> read = FilesReadBy(ToolOfStage(names::viewer));
+    for (const std::string & path : FilesReadBy(ToolOfStage(names::viewer)))
     {
-      for (const char * const file : { "segmentation/quality.json",
-                                       "segmentation/lumen.nrrd",
-                                       "segmentation/cleansed.nrrd",
-                                       "segmentation/cleansing.nrrd",
-                                       "segmentation/centerline.vtp",
-                                       "segmentation/wall-repaired.vtp",
-                                       "flattening/flat.vtp",
-                                       "landmarks/segments.vtp",
-                                       "landmarks/taeniae.vtp",
-                                       "landmarks/flexures.vtp",
-                                       "folds/labels.nrrd",
-                                       "polyps/candidates.csv" })
-      {
-        read.push_back(position + file);
-      }
+      read.push_back(std::string(secondPositionFolder) + '/' + path);
     }
     Stage stage = NewStage(names::viewer);
-    stage.InputFolder("", folder, read).Output("", "").Expect({ "viewer.html" });
+    stage.InputFolder("", folder, read).Output("", "").Expect(FilesAlwaysWrittenBy(names::viewer));
     return stage;
   };
   return { names::viewer, 1.0, make };
@@ -447,19 +422,7 @@ StageOfDicomResults(const CommandLine & commandLine, ColonoscopySeries series)
   const auto         files = FilesOfDicomResults(commandLine);
   const auto         make = [=](const StagedRun &) {
     Stage stage = NewStage(names::dicom);
-    stage
-      .InputFolder("",
-                   folder,
-                   { "segmentation/quality.json",
-                     "segmentation/lumen.nrrd",
-                     "segmentation/centerline.vtp",
-                     "segmentation/wall-simplified.vtp",
-                     "flattening/flat.vtp",
-                     "flattening/flat.png",
-                     "landmarks/landmarks.json",
-                     "folds/labels.nrrd",
-                     "polyps/candidates.csv",
-                     "polyps/heads.nrrd" })
+    stage.InputFolder("", folder, FilesReadBy(stage.GetProgram()))
       .Output("", "")
       .Input("source", passer.Volume())
       .Expect(files);

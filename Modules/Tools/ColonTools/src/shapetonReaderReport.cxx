@@ -5,7 +5,6 @@
 #include "shapetonPdfFile.h"
 #include "shapetonReaderReportPage.h"
 #include "shapetonSha256.h"
-#include "shapetonVolume.h"
 
 #include <cmath>
 
@@ -14,16 +13,13 @@ namespace shapeton
 namespace
 {
 std::vector<ReadPosition>
-ReadPositions(const std::vector<std::string> & folders, bool isAnonymous)
+ReadPositions(const ColonExamination & exam, bool isAnonymous)
 {
   std::vector<ReadPosition> positions;
-  for (const std::string & folder : folders)
+  for (const ExaminationFolder & folder : exam.GetPositions())
   {
-    const Json        quality = ReadJson(folder + "/segmentation/quality.json");
-    const std::string identity = quality.value("/provenance/input.inputVolume"_json_pointer, std::string());
-    positions.push_back({ folder,
-                          quality.value("/lumen/position"_json_pointer, std::string()),
-                          isAnonymous ? "" : SeriesOfIdentity(identity) });
+    const Json quality = folder.ReadQuality();
+    positions.push_back({ folder, PositionOfQuality(quality), isAnonymous ? "" : SeriesOfQuality(quality) });
   }
   return positions;
 }
@@ -45,12 +41,12 @@ WithDistinctNames(std::vector<ReadPosition> positions)
 ReaderReportContent
 ContentOf(const ReaderReportInput & input)
 {
-  const std::vector<std::string> folders = PositionFoldersOf(input.exam, input.second);
-  ReaderReportContent            content;
-  content.positions = WithDistinctNames(ReadPositions(folders, input.isAnonymous));
-  content.verdicts = ReadReaderVerdicts(input.verdicts, folders);
-  content.lesions = LesionsOf(content.verdicts, CandidatesOfPositions(folders));
-  content.sources = { { "Examination, SHA-256", DigestOfPositions(folders) },
+  const ColonExamination exam(input.exam, input.second);
+  ReaderReportContent    content;
+  content.positions = WithDistinctNames(ReadPositions(exam, input.isAnonymous));
+  content.verdicts = ReadReaderVerdicts(input.verdicts, exam);
+  content.lesions = LesionsOf(content.verdicts, exam.ReadCandidates());
+  content.sources = { { "Examination, SHA-256", exam.Digest() },
                       { "Verdicts, SHA-256", Sha256OfFile(input.verdicts) } };
   return content;
 }

@@ -199,13 +199,12 @@ private:
     ReaderFacts facts;
     for (const ReadPosition & position : m_Positions)
     {
-      const std::string path = position.folder + "/landmarks/landmarks.json";
-      if (!std::filesystem::exists(path))
+      if (!position.folder.Has(examination::landmarks))
       {
         facts.emplace_back(position.name, "the segments of the colon are unknown");
         continue;
       }
-      const Json landmarks = ReadJson(path);
+      const Json landmarks = position.folder.ReadLandmarks();
       for (int segment = 1; segment <= NumberOfColonSegments; ++segment)
       {
         const std::string text = EvaluableInWords(landmarks, segment);
@@ -264,8 +263,8 @@ private:
     html.AddFacts(this->FactsOf(one));
     if (one.candidate)
     {
-      const std::string path = m_Positions[one.position].folder + "/polyps/report/polyp-candidate-" +
-                               std::to_string(one.candidate->number) + ".png";
+      const std::string path = m_Positions[one.position].folder.GetFolder() + '/' + colonoscopystage::polyps +
+                               "/report/polyp-candidate-" + std::to_string(one.candidate->number) + ".png";
       if (std::filesystem::exists(path))
       {
         html.AddPicture(path,

@@ -10,7 +10,7 @@ namespace shapeton
 /** A position of the patient, as its run describes it. */
 struct ReadPosition
 {
-  std::string folder;
+  ExaminationFolder folder;
   /** "supine", "prone", ... */
   std::string name;
   /** UID of the series; empty if it is unknown or omitted. */

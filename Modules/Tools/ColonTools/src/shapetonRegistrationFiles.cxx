@@ -1,16 +1,13 @@
 #include "shapetonRegistrationFiles.h"
 
 #include "shapetonCommandLine.h"
-#include "shapetonCsvFile.h"
-#include "shapetonJson.h"
-#include "shapetonSurfaceReader.h"
-#include "shapetonSurfaceWriter.h"
+#include "shapetonExaminationFiles.h"
 #include "shapetonExceptions.h"
+#include "shapetonJson.h"
+#include "shapetonRegistrationFolder.h"
+#include "shapetonSurfaceWriter.h"
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <limits>
 
 namespace fs = std::filesystem;
 
@@ -18,19 +15,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr const char * forwardName = "map-supine-to-prone.vtp";
-constexpr const char * inverseName = "map-prone-to-supine.vtp";
-constexpr const char * matchesName = "matches.csv";
-constexpr const char * errorsName = "errors.csv";
-constexpr const char * documentName = "registration.json";
-
-const std::vector<std::string> matchColumns{
-  "supineFold",      "proneFold",      "sx",      "sy",   "sz",       "px",     "py",       "pz",
-  "supineArcLength", "proneArcLength", "segment", "cost", "residual", "weight", "followed", "verdict"
-};
-const std::vector<std::string> pointColumns{ "sx", "sy", "sz", "px", "py", "pz" };
-const std::vector<std::string> errorColumns{ "sx", "sy", "sz", "px", "py", "pz", "kind", "inSpace", "onMap" };
-
 /** Rejects the folder of an examination or of one of its stages, where file names would collide. */
 void
 RequireOwnFolder(const std::string & folder, const std::string & examination)
@@ -38,7 +22,13 @@ RequireOwnFolder(const std::string & folder, const std::string & examination)
   const fs::path own = fs::weakly_canonical(fs::path(folder) / ".");
   const fs::path whole = fs::weakly_canonical(fs::path(examination) / ".");
   bool           isTaken = own == whole;
-  for (const char * stage : { "inspection", "segmentation", "flattening", "landmarks", "folds", "slicer", "stages" })
+  for (const char * stage : { colonoscopystage::inspection,
+                              colonoscopystage::segmentation,
+                              colonoscopystage::flattening,
+                              colonoscopystage::landmarks,
+                              colonoscopystage::folds,
+                              "slicer",
+                              "stages" })
   {
     const fs::path relative = own.lexically_relative(whole / stage);
     isTaken = isTaken || own == whole / stage || (!relative.empty() && *relative.begin() != "..");
@@ -48,133 +38,6 @@ RequireOwnFolder(const std::string & folder, const std::string & examination)
                      "\" or of one of its stages; use a separate folder");
 }
 
-Eigen::Vector3d
-PointOf(const CsvFile & file, std::size_t row, const std::string & prefix)
-{
-  return { file.Number(row, prefix + "x"), file.Number(row, prefix + "y"), file.Number(row, prefix + "z") };
-}
-
-/** Rounded to 0.001 (mm or fraction), the meaningful precision. Empty for NaN. */
-std::string
-Cell(double value)
-{
-  constexpr double parts = 1000.0;
-  constexpr int    digits = 9;
-  return std::isfinite(value) ? CsvTable::Rounded(std::round(parts * value) / parts + 0.0, digits) : "";
-}
-
-std::vector<std::string>
-CellsOf(const Eigen::Vector3d & supine, const Eigen::Vector3d & prone)
-{
-  std::vector<std::string> cells;
-  for (const Eigen::Vector3d & point : { supine, prone })
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      cells.push_back(Cell(point[k]));
-    }
-  }
-  return cells;
-}
-
-FoldVerdict
-VerdictOf(const std::string & name)
-{
-  return name == "correct" ? FoldVerdict::Correct : name == "wrong" ? FoldVerdict::Wrong : FoldVerdict::Unknown;
-}
-
-std::vector<MatchedFolds>
-ReadMatches(const std::string & path)
-{
-  const CsvFile             file(path, matchColumns);
-  std::vector<MatchedFolds> matches;
-  for (std::size_t row = 0; row < file.Rows(); ++row)
-  {
-    MatchedFolds match;
-    match.supineFold = static_cast<int>(file.Number(row, "supineFold"));
-    match.proneFold = static_cast<int>(file.Number(row, "proneFold"));
-    match.supinePoint = PointOf(file, row, "s");
-    match.pronePoint = PointOf(file, row, "p");
-    match.supineArcLength = file.Number(row, "supineArcLength");
-    match.proneArcLength = file.Number(row, "proneArcLength");
-    match.segment = file.Text(row, "segment");
-    match.cost = file.Number(row, "cost");
-    match.residual = file.Number(row, "residual");
-    match.weight = file.Number(row, "weight");
-    match.verdict = VerdictOf(file.Text(row, "verdict"));
-    matches.push_back(match);
-  }
-  return matches;
-}
-
-SurfaceMesh
-ReadMap(const std::string & path)
-{
-  SurfaceMesh surface = ReadSurface(path).mesh;
-  for (const auto & [name, columns] :
-       { std::pair<const char *, int>("mapped", 3), { "mappedUv", 2 }, { "confidence", 1 }, { "excluded", 1 } })
-  {
-    const SurfaceArray * const array = FindSurfaceArray(surface.pointArrays, name);
-    if (!array || array->values.cols() != columns)
-    {
-      throw InputError('"' + path + "\" has no point array " + name + "; use a file written by ColonRegistration");
-    }
-  }
-  return surface;
-}
-
-void
-ReadErrors(const std::string & path, RegistrationResults & results)
-{
-  const CsvFile file(path, errorColumns);
-  for (std::size_t row = 0; row < file.Rows(); ++row)
-  {
-    const std::string & kind = file.Text(row, "kind");
-    results.points.push_back({ PointOf(file, row, "s"), PointOf(file, row, "p") });
-    results.errors.push_back({ kind == "counted"    ? PointError::Kind::Counted
-                               : kind == "excluded" ? PointError::Kind::Excluded
-                                                    : PointError::Kind::OffSurface,
-                               file.NumberOrNothing(row, "inSpace"),
-                               file.NumberOrNothing(row, "onMap") });
-  }
-}
-
-/** NaN if the document lacks it. */
-double
-NumberAt(const Json & json, const char * key)
-{
-  return json.at(key).is_null() ? std::numeric_limits<double>::quiet_NaN() : json.at(key).get<double>();
-}
-
-std::vector<SegmentMatches>
-SegmentsOfDocument(const Json & document, const std::string & path)
-{
-  std::vector<SegmentMatches> segments;
-  try
-  {
-    for (const Json & one : document.at("segments"))
-    {
-      SegmentMatches row;
-      row.segment = one.at("segment").is_null() ? "" : one["segment"].get<std::string>();
-      row.confidence = NumberAt(one, "confidence");
-      row.supineFolds = one.at("supineFolds").get<int>();
-      row.proneFolds = one.at("proneFolds").get<int>();
-      row.followed = one.at("followed").get<int>();
-      row.contradicted = one.at("contradicted").get<int>();
-      row.supineAlone = one.at("supineAlone").get<int>();
-      row.proneAlone = one.at("proneAlone").get<int>();
-      row.correct = one.value("correct", 0);
-      row.wrong = one.value("wrong", 0);
-      row.unmatched = one.value("unmatched", 0);
-      segments.push_back(row);
-    }
-  }
-  catch (const Json::exception & error)
-  {
-    throw InputError('"' + path + "\" is not a file written by ColonRegistration (" + error.what() + "); run it again");
-  }
-  return segments;
-}
 } // namespace
 
 RegistrationFiles::RegistrationFiles(CommandLine &                    commandLine,
@@ -183,7 +46,9 @@ RegistrationFiles::RegistrationFiles(CommandLine &                    commandLin
   : m_CommandLine(commandLine)
   , m_Folder(folder)
   , m_Scene(commandLine,
-            { { "supineModel", forwardName }, { "proneModel", inverseName }, { "matchTable", matchesName } })
+            { { "supineModel", examination::supineToProne.name },
+              { "proneModel", examination::proneToSupine.name },
+              { "matchTable", examination::matches.name } })
 {
   for (const std::string & examination : examinations)
   {
@@ -211,19 +76,19 @@ RegistrationFiles::WriteFile(const std::string &                                
 void
 RegistrationFiles::Write(const RegistrationResults & results) const
 {
-  this->WriteFile(forwardName, [&](const std::string & path) {
+  this->WriteFile(examination::supineToProne.name, [&](const std::string & path) {
     WriteSurface(results.supineToProne, m_CommandLine.GetProvenance(), path);
   });
-  this->WriteFile(inverseName, [&](const std::string & path) {
+  this->WriteFile(examination::proneToSupine.name, [&](const std::string & path) {
     WriteSurface(results.proneToSupine, m_CommandLine.GetProvenance(), path);
   });
-  this->WriteFile(matchesName, [&](const std::string & path) { TableOfMatches(results).Write(path); });
+  this->WriteFile(examination::matches.name, [&](const std::string & path) { TableOfMatches(results).Write(path); });
   this->WriteErrors(results);
   Json document;
   document["provenance"] = ProvenanceToJson(m_CommandLine.GetProvenance());
   document["warnings"] = m_CommandLine.GetWarnings();
   document.update(results.document);
-  WriteJson(document, m_CommandLine.Output(this->PathOf(documentName)));
+  WriteJson(document, m_CommandLine.Output(this->PathOf(examination::registration.name)));
 }
 
 void
@@ -232,98 +97,10 @@ RegistrationFiles::WriteErrors(const RegistrationResults & results) const
   if (results.points.empty())
   {
     std::error_code ignored;
-    fs::remove(this->PathOf(errorsName), ignored);
+    fs::remove(this->PathOf(examination::errors.name), ignored);
     return;
   }
-  TableOfErrors(results).Write(m_CommandLine.Output(this->PathOf(errorsName)));
+  TableOfErrors(results).Write(m_CommandLine.Output(this->PathOf(examination::errors.name)));
 }
 
-CsvTable
-TableOfMatches(const RegistrationResults & results)
-{
-  CsvTable table(matchColumns);
-  for (const MatchedFolds & match : results.matches)
-  {
-    std::vector<std::string> cells{ std::to_string(match.supineFold), std::to_string(match.proneFold) };
-    for (const std::string & cell : CellsOf(match.supinePoint, match.pronePoint))
-    {
-      cells.push_back(cell);
-    }
-    cells.push_back(Cell(match.supineArcLength));
-    cells.push_back(Cell(match.proneArcLength));
-    cells.push_back(match.segment);
-    for (const double value : { match.cost, match.residual, match.weight })
-    {
-      cells.push_back(Cell(value));
-    }
-    cells.push_back(match.IsFollowed() ? "1" : "0");
-    cells.push_back(NameOf(match.verdict));
-    table.AddRow(cells);
-  }
-  return table;
-}
-
-CsvTable
-TableOfErrors(const RegistrationResults & results)
-{
-  CsvTable table(errorColumns);
-  for (std::size_t i = 0; i < results.points.size(); ++i)
-  {
-    const PointError &       error = results.errors[i];
-    std::vector<std::string> cells = CellsOf(results.points[i].source, results.points[i].target);
-    cells.push_back(error.kind == PointError::Kind::Counted    ? "counted"
-                    : error.kind == PointError::Kind::Excluded ? "excluded"
-                                                               : "offSurface");
-    cells.push_back(Cell(error.inSpace));
-    cells.push_back(std::isfinite(error.onMap) ? CsvTable::Rounded(error.onMap, 4) : "");
-    table.AddRow(cells);
-  }
-  return table;
-}
-
-std::vector<PointPair>
-ReadPointPairs(const std::string & path)
-{
-  const CsvFile          file(path, pointColumns);
-  std::vector<PointPair> points;
-  for (std::size_t row = 0; row < file.Rows(); ++row)
-  {
-    points.push_back({ PointOf(file, row, "s"), PointOf(file, row, "p") });
-  }
-  if (points.empty())
-  {
-    throw InputError('"' + path + "\" contains no points; each row must contain sx,sy,sz,px,py,pz (LPS, mm)");
-  }
-  return points;
-}
-
-RegistrationResults
-ReadRegistrationResults(const std::string & folder)
-{
-  const auto          pathOf = [&](const char * name) { return folder + '/' + name; };
-  RegistrationResults results;
-  results.document = ReadJson(pathOf(documentName));
-  results.segments = SegmentsOfDocument(results.document, pathOf(documentName));
-  results.supineToProne = ReadMap(pathOf(forwardName));
-  results.proneToSupine = ReadMap(pathOf(inverseName));
-  results.matches = ReadMatches(pathOf(matchesName));
-  if (fs::exists(pathOf(errorsName)))
-  {
-    ReadErrors(pathOf(errorsName), results);
-  }
-  return results;
-}
-
-double
-ConfidenceOfRegistration(const std::string & folder)
-{
-  const std::string path = folder + '/' + documentName;
-  const Json        document = ReadJson(path);
-  const Json        confidence = document.value("confidence", Json::object());
-  if (!confidence.contains("whole") || !confidence["whole"].is_number() || !confidence.contains("flagged"))
-  {
-    throw InputError('"' + path + "\" contains no confidence; use a file written by ColonRegistration");
-  }
-  return confidence["flagged"] == true ? 0.0 : std::clamp(confidence["whole"].get<double>(), 0.0, 1.0);
-}
 } // namespace shapeton

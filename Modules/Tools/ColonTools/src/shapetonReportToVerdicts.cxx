@@ -3,7 +3,6 @@
 #include "shapetonExceptions.h"
 #include "shapetonJson.h"
 #include "shapetonPrintable.h"
-#include "shapetonVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,19 +17,17 @@ namespace
 constexpr double leastChange = 0.05; // mm
 
 std::size_t
-PositionOf(const std::vector<std::string> & folders, const DicomSource & source)
+PositionOf(const ColonExamination & exam, const DicomSource & source)
 {
-  for (std::size_t position = 0; position < folders.size(); ++position)
+  for (std::size_t position = 0; position < exam.GetPositions().size(); ++position)
   {
-    const Json quality = ReadJson(folders[position] + "/segmentation/quality.json");
-    const auto identity = quality.value("/provenance/input.inputVolume"_json_pointer, std::string());
-    if (SeriesOfIdentity(identity) == source.series.GetSelector())
+    if (SeriesOfQuality(exam.GetPositions()[position].ReadQuality()) == source.series.GetSelector())
     {
       return position;
     }
   }
-  throw InputError("the examination \"" + folders.front() + "\" was not computed from the series " + source.series.uid +
-                   "; use the series of the report and its examination");
+  throw InputError("the examination \"" + exam.GetFolder() + "\" was not computed from the series " +
+                   source.series.uid + "; use the series of the report and its examination");
 }
 
 /** A label in its parts, such as "candidate 3: not a polyp, fold". */
@@ -125,12 +122,12 @@ FindingOf(const DicomReportPoints & points, const Label & label, std::size_t pos
 
 ReaderVerdicts
 VerdictsOfReport(const std::vector<DicomReportPoints> & points,
-                 const std::vector<std::string> &       folders,
+                 const ColonExamination &               exam,
                  const DicomSource &                    source,
                  Remarks &                              remarks)
 {
-  const std::size_t                       position = PositionOf(folders, source);
-  const auto                              candidates = CandidatesOfPositions(folders);
+  const std::size_t                       position = PositionOf(exam, source);
+  const auto                              candidates = exam.ReadCandidates();
   ReaderVerdicts                          verdicts;
   std::map<std::string, CandidateVerdict> verdictOf;
   for (const DicomReportPoints & one : points)

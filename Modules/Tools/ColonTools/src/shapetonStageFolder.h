@@ -1,15 +1,12 @@
 #ifndef shapetonStageFolder_h
 #define shapetonStageFolder_h
 
+#include "shapetonStageRecord.h"
+
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace shapeton
 {
-/** Names of files and their SHA-256, in alphabetical order. */
-using FileHashes = std::vector<std::pair<std::string, std::string>>;
-
 /** Whether a file of this name may differ between equal runs. */
 bool
 IsRecordOfOneRun(const std::string & name);

@@ -80,12 +80,6 @@ CannotStart(const Stage & stage, const OutputError & error)
 }
 } // namespace
 
-bool
-StageResult::Has(const std::string & file) const
-{
-  return std::any_of(files.begin(), files.end(), [&](const auto & one) { return one.first == file; });
-}
-
 StagedRun::StagedRun(const std::string & folder, const std::string & toolFolder)
   : m_Lock(std::make_unique<Lock>(folder)), m_Folder(folder), m_ToolFolder(toolFolder)
 {}

@@ -25,14 +25,11 @@ class ReaderReportFiles : public testing::Test
 protected:
   ReaderReportFiles()
   {
-    for (const std::string & folder : m_Exam)
-    {
-      readertest::WriteCandidates(folder);
-      std::filesystem::create_directories(folder + "/segmentation");
-      const Json quality{ { "lumen", { { "position", "supine" } } },
-                          { "provenance", { { "input.inputVolume", "seriesInstanceUID:1.2.3" } } } };
-      WriteJson(quality, folder + "/segmentation/quality.json");
-    }
+    readertest::WriteCandidates(m_Exam);
+    std::filesystem::create_directories(m_Exam + "/segmentation");
+    const Json quality{ { "lumen", { { "position", "supine" } } },
+                        { "provenance", { { "input.inputVolume", "seriesInstanceUID:1.2.3" } } } };
+    WriteJson(quality, m_Exam + "/segmentation/quality.json");
     std::filesystem::create_directories(m_Out);
     m_Verdicts = readertest::Verdicts(m_Exam);
   }
@@ -41,7 +38,8 @@ protected:
   Lesions()
   {
     WriteJson(m_Verdicts, m_Path);
-    return LesionsOf(ReadReaderVerdicts(m_Path, m_Exam), CandidatesOfPositions(m_Exam));
+    const ColonExamination exam(m_Exam);
+    return LesionsOf(ReadReaderVerdicts(m_Path, exam), exam.ReadCandidates());
   }
 
   /** The page of the report. */
@@ -50,16 +48,16 @@ protected:
   {
     WriteJson(m_Verdicts, m_Path);
     const Remarks remarks =
-      WriteReaderReport({ m_Exam[0], "", m_Path, isAnonymous }, m_Out, [](const std::string & path) { return path; });
+      WriteReaderReport({ m_Exam, "", m_Path, isAnonymous }, m_Out, [](const std::string & path) { return path; });
     EXPECT_EQ(remarks.empty(), HasPdfWriter());
     return ReadFileBytes(m_Out + "/reader-report.html");
   }
 
-  basetest::Folder               m_Folder;
-  const std::vector<std::string> m_Exam{ m_Folder / "exam" };
-  const std::string              m_Path = m_Folder / "verdicts.json";
-  const std::string              m_Out = m_Folder / "out";
-  Json                           m_Verdicts;
+  basetest::Folder  m_Folder;
+  const std::string m_Exam = m_Folder / "exam";
+  const std::string m_Path = m_Folder / "verdicts.json";
+  const std::string m_Out = m_Folder / "out";
+  Json              m_Verdicts;
 };
 
 bool
@@ -98,7 +96,7 @@ TEST_F(ReaderReportFiles, IsPreliminaryUntilAllIsReadAndCategorized)
 {
   const auto why = [&] {
     const auto lesions = this->Lesions();
-    return WhyPreliminary(ReadReaderVerdicts(m_Path, m_Exam).assessment, lesions);
+    return WhyPreliminary(ReadReaderVerdicts(m_Path, ColonExamination(m_Exam)).assessment, lesions);
   };
   EXPECT_EQ(why(), "1 candidate is unread");
   m_Verdicts["assessment"]["colonic"] = "";

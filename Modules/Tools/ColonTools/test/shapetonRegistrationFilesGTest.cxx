@@ -1,6 +1,7 @@
 #include "shapetonColonPointMapper.h"
 #include "shapetonJson.h"
 #include "shapetonRegistrationFiles.h"
+#include "shapetonRegistrationFolder.h"
 #include "shapetonTestColons.h"
 #include "shapetonFileBytes.h"
 #include "shapetonTestErrors.h"
@@ -53,113 +54,6 @@ TestPair()
   return pair;
 }
 } // namespace
-
-TEST(ColonPositionFiles, ReadsWhatTheFolderHolds)
-{
-  const shapeton::ColonPositionFiles written = MakeExamination("supine", 1, {});
-  const std::string                  folder = FreshFolder("examination");
-  WriteExamination(written, folder);
-  const shapeton::ColonPositionFiles read = shapeton::ReadColonPosition(folder, "supine");
-  EXPECT_TRUE(read.warnings.empty());
-  EXPECT_EQ(read.position.flat->Surface().V, written.position.flat->Surface().V);
-  EXPECT_EQ(read.position.flexures, written.position.flexures);
-  EXPECT_EQ(read.position.taeniae.curves, written.position.taeniae.curves);
-  EXPECT_EQ(read.position.curvature.size(), written.position.flat->Surface().V.rows());
-  EXPECT_EQ(read.position.isExcluded.size(), static_cast<std::size_t>(read.position.flat->Grid().Columns()));
-  ASSERT_EQ(read.segments.size(), written.segments.size());
-  EXPECT_EQ(read.segments[2].name, "descending");
-  ASSERT_EQ(read.position.folds.size(), written.position.folds.size());
-  for (std::size_t i = 0; i < read.position.folds.size(); ++i)
-  {
-    const shapeton::HaustralFold & a = read.position.folds[i];
-    const shapeton::HaustralFold & b = written.position.folds[i];
-    EXPECT_EQ(a.label, b.label);
-    EXPECT_EQ(a.centerUv, b.centerUv);
-    EXPECT_EQ(a.endUv, b.endUv);
-    EXPECT_EQ(a.center, b.center);
-    EXPECT_EQ(a.ends, b.ends);
-    EXPECT_EQ(a.length, b.length);
-    EXPECT_EQ(a.area, b.area);
-  }
-}
-
-TEST(ColonPositionFiles, EqualExaminationsHaveOneIdentity)
-{
-  WriteExamination(MakeExamination("a", 1, {}), FreshFolder("one"));
-  WriteExamination(MakeExamination("b", 1, {}), FreshFolder("same"));
-  WriteExamination(MakeExamination("c", 2, {}), FreshFolder("other"));
-  const auto identity = [](const char * name) {
-    return shapeton::ReadColonPosition(::testing::TempDir() + "RegistrationFiles/" + name, "supine").identity;
-  };
-  EXPECT_EQ(identity("one"), identity("same"));
-  EXPECT_NE(identity("one"), identity("other"));
-}
-
-TEST(ColonPositionFiles, NamesWhatIsMissingAndWhoWritesIt)
-{
-  const auto faultWithout = [](const std::string & file) {
-    const std::string folder = FreshFolder("part");
-    WriteExamination(MakeExamination("prone", 1, {}), folder);
-    fs::remove(folder + '/' + file);
-    return FaultOf([&] { shapeton::ReadColonPosition(folder, "prone"); });
-  };
-  for (const auto & [file, tool] :
-       { std::pair<const char *, const char *>{ "segmentation/centerline.vtp", "(ColonSegmentation)" },
-         { "flattening/flat.vtp", "(ColonFlattening)" },
-         { "landmarks/landmarks.json", "(ColonLandmarks)" },
-         { "landmarks/folds-surface.vtp", "(ColonLandmarks)" },
-         { "folds/folds.csv", "(ColonFolds)" } })
-  {
-    const std::string fault = faultWithout(file);
-    EXPECT_NE(fault.find(std::string(file) + "\" is missing"), std::string::npos) << fault;
-    EXPECT_NE(fault.find(tool), std::string::npos) << fault;
-    EXPECT_EQ(fault.find("prone: "), 0U) << fault;
-  }
-  EXPECT_EQ(faultWithout("landmarks/taeniae.vtp"), "");
-  EXPECT_NE(FaultOf([] { shapeton::ReadColonPosition("absent", "prone"); }).find("the folder \"absent\" was not found"),
-            std::string::npos);
-}
-
-TEST(ColonPositionFiles, WithoutTaeniaeThereIsAWarning)
-{
-  const std::string folder = FreshFolder("noTaeniae");
-  WriteExamination(MakeExamination("prone", 1, {}), folder);
-  fs::remove(folder + "/landmarks/taeniae.vtp");
-  const shapeton::ColonPositionFiles files = shapeton::ReadColonPosition(folder, "prone");
-  ASSERT_EQ(files.warnings.size(), 1U);
-  EXPECT_NE(files.warnings[0].find("no taeniae"), std::string::npos);
-}
-
-TEST(ColonPositionFiles, ExaminationsThatChangedPlacesAreTold)
-{
-  const auto warnings = [](const std::string & name, const std::string & lumen) {
-    const std::string folder = FreshFolder("places");
-    WriteExamination(MakeExamination(name, 1, {}), folder);
-    shapeton::WriteFileBytes(folder + "/segmentation/quality.json", "{\"lumen\": {" + lumen + "}}");
-    return shapeton::ReadColonPosition(folder, name).warnings;
-  };
-  const std::string prone = "\"position\": \"prone\", \"gravitySource\": \"levels\"";
-  EXPECT_TRUE(warnings("prone", prone).empty());
-  ASSERT_EQ(warnings("supine", prone).size(), 1U);
-  EXPECT_NE(warnings("supine", prone)[0].find("supine: the patient position of this examination is prone"),
-            std::string::npos);
-  EXPECT_TRUE(warnings("prone", "\"position\": \"supine\", \"gravitySource\": \"assumed\"").empty());
-  EXPECT_TRUE(warnings("supine", "\"position\": \"leftDecubitus\", \"gravitySource\": \"levels\"").empty());
-  EXPECT_TRUE(warnings("supine", "\"position\": 1").empty());
-}
-
-TEST(ColonPositionFiles, MalformedFilesAreRefused)
-{
-  const auto faultWith = [](const std::string & file, const std::string & bytes) {
-    const std::string folder = FreshFolder("malformed");
-    WriteExamination(MakeExamination("prone", 1, {}), folder);
-    shapeton::WriteFileBytes(folder + '/' + file, bytes);
-    return FaultOf([&] { shapeton::ReadColonPosition(folder, "prone"); });
-  };
-  EXPECT_NE(faultWith("landmarks/landmarks.json", "{}").find("not written by ColonLandmarks"), std::string::npos);
-  EXPECT_NE(faultWith("folds/folds.csv", "fold,u\n1,2\n").find("folds.csv\", line 1"), std::string::npos);
-  EXPECT_NE(faultWith("flattening/flat.vtp", "").find("flat.vtp"), std::string::npos);
-}
 
 TEST(RegistrationResults, TheMapOnTheSurfaceIsThatOfTheRegistration)
 {

@@ -94,6 +94,10 @@ public:
   /** Values of a repeatable `point`: LPS, mm. */
   std::vector<std::array<double, 3>>
   GetPoints(const std::string & name) const;
+  /** The value in the spelling of the provenance (`1e3` and `1000` are the same), for the command line of another tool;
+   * "" if there is neither a value nor a default, or for a flag that is not set. */
+  std::string
+  GetCanonical(const std::string & name) const;
   ///@}
 
   /** True if the XML declares the parameter. */

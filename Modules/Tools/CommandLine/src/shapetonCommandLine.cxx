@@ -493,6 +493,14 @@ CommandLine::LeaveOutOfProvenance(const std::string & name)
   m_State->idle.insert(name);
 }
 
+std::string
+CommandLine::GetCanonical(const std::string & name) const
+{
+  const Parameter & parameter = m_State->Find(name);
+  const std::string value = m_State->ProvenanceOf(parameter);
+  return parameter.tag != "boolean" || value == "true" ? value : "";
+}
+
 void
 CommandLine::AllowReplacing(const std::string & name)
 {
@@ -621,8 +629,8 @@ CommandLine::GetProvenance() const
   provenance.insert(provenance.end(), m_State->facts.begin(), m_State->facts.end());
   for (const auto & parameter : m_State->module.parameters)
   {
-    const std::string value = m_State->IsInProvenance(parameter) ? m_State->ProvenanceOf(parameter) : "";
-    if (!value.empty() && (parameter.tag != "boolean" || value == "true"))
+    const std::string value = m_State->IsInProvenance(parameter) ? this->GetCanonical(parameter.name) : "";
+    if (!value.empty())
     {
       provenance.emplace_back("option." + parameter.name, value);
     }

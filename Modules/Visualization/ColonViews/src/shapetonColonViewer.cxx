@@ -7,7 +7,6 @@
 #include "shapetonReaderVerdicts.h"
 #include "shapetonScriptPage.h"
 #include "shapetonViewerPosition.h"
-#include "shapetonVolume.h"
 #include "shapetonWarningKinds.h"
 
 #include <filesystem>
@@ -19,18 +18,14 @@ extern const char * const ViewerStyle[];
 
 namespace
 {
-bool
-Exists(const std::string & path)
-{
-  return std::filesystem::exists(path);
-}
+constexpr const char * colonViewerName = "ColonViewer"; // the tool, for the files that it is declared to read
 
 /** Empty if the positions are not registered. */
 std::string
-RegistrationOf(const std::string & exam, const ColonViewerOptions & options)
+RegistrationOf(const ExaminationFolder & exam, const ColonViewerOptions & options)
 {
-  const std::string ofRun = exam + "/registration";
-  return options.second.empty() && Exists(ofRun + "/map-supine-to-prone.vtp") ? ofRun : options.registration;
+  const std::string ofRun = exam.GetFolder() + '/' + examination::registration.stage;
+  return options.second.empty() && exam.Has(examination::supineToProne) ? ofRun : options.registration;
 }
 
 std::string
@@ -50,19 +45,19 @@ TitleOf(const std::string & exam, const ColonViewerOptions & options)
 }
 
 Json
-Identity(Json & positions, const std::vector<std::string> & folders, bool isAnonymous)
+Identity(Json & positions, const ColonExamination & exam, bool isAnonymous)
 {
   Json series = Json::array();
   for (auto & position : positions)
   {
-    const std::string uid = SeriesOfIdentity(position["seriesUID"]);
+    const std::string uid = position["seriesUID"];
     position.erase("seriesUID");
     if (!uid.empty() && !isAnonymous)
     {
       series.push_back(uid);
     }
   }
-  return { { "seriesUIDs", series }, { "sha256", DigestOfPositions(folders) } };
+  return { { "seriesUIDs", series }, { "sha256", exam.Digest() } };
 }
 
 /** Warnings that differ only in numbers, together. */
@@ -79,13 +74,13 @@ WarningsForPage(const std::vector<std::string> & warnings)
 
 /** Names the lesions of candidates of two positions. */
 void
-NameLesions(const std::vector<std::string> & folders, Json & positions)
+NameLesions(const ColonExamination & exam, Json & positions)
 {
-  if (folders.size() < 2)
+  if (positions.size() < 2)
   {
     return;
   }
-  const auto candidates = CandidatesOfPositions(folders);
+  const auto candidates = exam.ReadCandidates();
   for (const PolypLesion & lesion : LesionsOfPositions(candidates[0], candidates[1]))
   {
     for (const std::size_t k : { 0, 1 })
@@ -103,20 +98,20 @@ NameLesions(const std::vector<std::string> & folders, Json & positions)
 
 /** Adds both maps; false if there are none. */
 bool
-PutMaps(PageBlocks & blocks, const std::vector<std::string> & folders, const std::string & registration)
+PutMaps(PageBlocks & blocks, const std::vector<ExaminationFolder> & positions, const std::string & registration)
 {
-  if (folders.size() < 2 || registration.empty())
+  if (positions.size() < 2 || registration.empty())
   {
     return false;
   }
-  PutViewerMap(blocks, "0/", folders[0], registration + "/map-supine-to-prone.vtp");
-  PutViewerMap(blocks, "1/", folders[1], registration + "/map-prone-to-supine.vtp");
+  PutViewerMap(blocks, "0/", positions[0], registration + '/' + examination::supineToProne.name);
+  PutViewerMap(blocks, "1/", positions[1], registration + '/' + examination::proneToSupine.name);
   return true;
 }
 } // namespace
 
 void
-WriteColonViewer(const std::string &        exam,
+WriteColonViewer(const std::string &        folderOfExam,
                  const std::string &        folder,
                  const ColonViewerOptions & options,
                  const OutputPath &         outputPath)
@@ -125,27 +120,26 @@ WriteColonViewer(const std::string &        exam,
   RequireParameter(options.near >= 0.0 && options.near <= 100.0, "the parameter \"near\" must be from 0 to 100 mm");
   RequireParameter(options.registration.empty() || !options.second.empty(),
                    "the parameter \"registration\" requires \"second\"");
-  const std::vector<std::string> folders = PositionFoldersOf(exam, options.second);
-  PageBlocks                     blocks(folder + "/data", options.isSingle, outputPath);
-  Json                           positions = Json::array();
-  for (std::size_t k = 0; k < folders.size(); ++k)
+  const ColonExamination exam(folderOfExam, options.second, colonViewerName);
+  PageBlocks             blocks(folder + "/data", options.isSingle, outputPath);
+  Json                   positions = Json::array();
+  for (const ExaminationFolder & position : exam.GetPositions())
   {
-    positions.push_back(PutViewerPosition(blocks, std::to_string(k) + "/", folders[k], options));
+    positions.push_back(PutViewerPosition(blocks, std::to_string(positions.size()) + "/", position, options));
   }
-  NameLesions(folders, positions);
+  NameLesions(exam, positions);
   Json info;
-  info["title"] = TitleOf(exam, options);
-  info["exam"] = Identity(positions, folders, options.isAnonymous);
+  info["title"] = TitleOf(folderOfExam, options);
+  info["exam"] = Identity(positions, exam, options.isAnonymous);
   info["bits"] = options.bits;
   info["isSecondReader"] = options.isSecondReader;
   info["warnings"] = WarningsForPage(options.warnings);
-  info["hasMap"] = PutMaps(blocks, folders, RegistrationOf(exam, options));
+  info["hasMap"] = PutMaps(blocks, exam.GetPositions(), RegistrationOf(exam.GetPositions().front(), options));
   if (!options.verdicts.empty())
   {
-    const ReaderVerdicts verdicts = ReadReaderVerdicts(options.verdicts, folders);
+    const ReaderVerdicts verdicts = ReadReaderVerdicts(options.verdicts, exam);
     info["verdicts"] = ReadJson(options.verdicts);
-    WriteMarkups({ MarkupOfVerdicts(verdicts, CandidatesOfPositions(folders)) },
-                 outputPath(folder + "/verdicts.mrk.json"));
+    WriteMarkups({ MarkupOfVerdicts(verdicts, exam.ReadCandidates()) }, outputPath(folder + "/verdicts.mrk.json"));
   }
   info["positions"] = std::move(positions);
   blocks.PutJson("info", info);
@@ -153,6 +147,6 @@ WriteColonViewer(const std::string &        exam,
                          PageText(ViewerStyle),
                          PageText(ViewerScript),
                          std::string("startColonViewer(") + (options.isSingle ? "null" : "'data'") + ");" };
-  WriteFileBytes(outputPath(folder + "/viewer.html"), TextOf(page, blocks));
+  WriteFileBytes(outputPath(folder + '/' + examination::viewerPage.name), TextOf(page, blocks));
 }
 } // namespace shapeton

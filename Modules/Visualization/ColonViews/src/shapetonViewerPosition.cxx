@@ -3,25 +3,19 @@
 #include "shapetonColonFlexures.h"
 #include "shapetonCurveSet.h"
 #include "shapetonExceptions.h"
-#include "shapetonFileErrors.h"
 #include "shapetonFlatColon.h"
 #include "shapetonFlatColonStrip.h"
 #include "shapetonHaustralFoldFiles.h"
-#include "shapetonImageFile.h"
 #include "shapetonPicture.h"
-#include "shapetonPolypSearch.h"
-#include "shapetonReadImage.h"
 #include "shapetonSegmentQuality.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonViewerCandidates.h"
 #include "shapetonViewerDetails.h"
 #include "shapetonViewerVolume.h"
-
-#include "itkNrrdImageIO.h"
+#include "shapetonVolume.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 
 namespace shapeton
@@ -29,6 +23,7 @@ namespace shapeton
 namespace
 {
 using LabelImage = itk::Image<unsigned short, 2>;
+using MaskImage = itk::Image<unsigned char, 3>;
 
 SurfaceArray::ValueMatrix
 ValuesOf(const std::vector<SurfaceArray> & arrays, const std::string & name, const std::string & path)
@@ -41,42 +36,17 @@ ValuesOf(const std::vector<SurfaceArray> & arrays, const std::string & name, con
   return array->values;
 }
 
-/** Files of one position. Files missing after a failed stage are recorded as missing. */
-class PositionFolder
+/** Whether a file exists; if not, adds what the page lacks. */
+bool
+Has(const ExaminationFolder & exam, const ExaminationFile & file, const char * what, Json & missing)
 {
-public:
-  explicit PositionFolder(std::string folder) : m_Folder(std::move(folder)) { RequireCurrentFileNames(m_Folder); }
-
-  std::string
-  Required(const std::string & name) const
+  const bool isThere = exam.Has(file);
+  if (!isThere)
   {
-    const std::string path = m_Folder + "/" + name;
-    if (!std::filesystem::exists(path))
-    {
-      throw InputError("the examination lacks \"" + path + "\"; let VirtualColonoscopy finish it");
-    }
-    return path;
+    missing.push_back(what);
   }
-  bool
-  Has(const std::string & name, const std::string & what)
-  {
-    const bool isThere = std::filesystem::exists(m_Folder + "/" + name);
-    if (!isThere)
-    {
-      m_Missing.push_back(what);
-    }
-    return isThere;
-  }
-  const Json &
-  Missing() const
-  {
-    return m_Missing;
-  }
-
-private:
-  std::string m_Folder;
-  Json        m_Missing = Json::array();
-};
+  return isThere;
+}
 
 Json
 PlaceOf(const VertexMatrix & points, int vertex)
@@ -96,10 +66,10 @@ PlacesOf(const CurveSet & curves, std::size_t curve)
 }
 
 Json
-Taeniae(const std::string & path)
+Taeniae(const ExaminationFolder & exam)
 {
-  const CurveSet                  curves = ReadCurves(path);
-  const SurfaceArray::ValueMatrix uv = ValuesOf(curves.pointArrays, "uv", path);
+  const CurveSet                  curves = exam.ReadCurvesOf(examination::taeniae);
+  const SurfaceArray::ValueMatrix uv = ValuesOf(curves.pointArrays, "uv", exam.PathOf(examination::taeniae));
   Json                            taeniae = Json::array();
   for (std::size_t curve = 0; curve < curves.curves.size(); ++curve)
   {
@@ -114,9 +84,10 @@ Taeniae(const std::string & path)
 }
 
 Json
-Flexures(const std::string & path)
+Flexures(const ExaminationFolder & exam)
 {
-  const CurveSet                  curves = ReadCurves(path);
+  const std::string               path = exam.PathOf(examination::flexures);
+  const CurveSet                  curves = exam.ReadCurvesOf(examination::flexures);
   const SurfaceArray::ValueMatrix numbers = ValuesOf(curves.cellArrays, "flexure", path);
   const SurfaceArray::ValueMatrix confidence = ValuesOf(curves.cellArrays, "confidence", path);
   Json                            flexures = Json::array();
@@ -145,10 +116,11 @@ EvaluableSegments(const Json & landmarks)
 }
 
 void
-PutCenterline(PageBlocks & blocks, const std::string & prefix, const std::string & path)
+PutCenterline(PageBlocks & blocks, const std::string & prefix, const ExaminationFolder & exam)
 {
   constexpr const char *    arrays[] = { "arcLength", "radius", "notAssessable" };
-  const CurveSet            line = ReadCurves(path);
+  const std::string         path = exam.PathOf(examination::centerline);
+  const CurveSet            line = exam.ReadCenterline();
   SurfaceArray::ValueMatrix rows(line.V.rows(), 6);
   rows.leftCols(3) = line.V;
   for (int i = 0; i < 3; ++i)
@@ -271,88 +243,92 @@ RequireSameFaces(const SurfaceMesh & mesh, const SurfaceMesh & flat, const std::
 }
 
 Eigen::MatrixXd
-SegmentsOf(const std::string & path, const SurfaceMesh & flat)
+SegmentsOfFaces(const ExaminationFolder & exam, const SurfaceMesh & flat)
 {
-  const SurfaceFile file = ReadSurfaceFile(path);
-  RequireSameFaces(file.mesh, flat, path);
-  return ValuesOf(file.mesh.cellArrays, "segment", path);
+  const std::string path = exam.PathOf(examination::segments);
+  const SurfaceMesh segments = exam.ReadSurfaceOf(examination::segments);
+  RequireSameFaces(segments, flat, path);
+  return ValuesOf(segments.cellArrays, "segment", path);
 }
 
 void
-PutPoints(PageBlocks & blocks, const std::string & prefix, const SurfaceMesh & mesh, const std::string & path)
+PutPoints(PageBlocks & blocks, const std::string & prefix, const FlatColon & flat, const std::string & path)
 {
+  const SurfaceMesh & mesh = flat.Surface();
   blocks.PutReals(prefix + "points", mesh.V);
   // On the map, faces on folds may measure only thousandths of a millimeter.
   blocks.PutReals<std::uint32_t>(prefix + "uv", ValuesOf(mesh.pointArrays, "uv", path));
   blocks.PutReals(prefix + "arc", ValuesOf(mesh.pointArrays, "arcLength", path));
-  // Equal on both sides of the cut; renumbered because the page uses them as array indices.
-  const SurfaceArray::ValueMatrix sources = ValuesOf(mesh.pointArrays, "sourcePointId", path);
-  std::vector<std::uint32_t>      first(static_cast<std::size_t>(sources.maxCoeff()) + 1, mesh.NumberOfVertices());
-  std::vector<std::uint32_t>      source(mesh.NumberOfVertices());
+  // The first vertex at this place, equal on both sides of the cut: the page uses it as an index of its arrays.
+  const std::vector<int> &   places = flat.Grid().SourceOfPoints();
+  std::vector<std::uint32_t> first(places.size(), mesh.NumberOfVertices());
+  std::vector<std::uint32_t> source;
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
   {
-    auto & of = first[static_cast<std::size_t>(sources(vertex, 0))];
+    std::uint32_t & of = first[places[vertex]];
     of = std::min<std::uint32_t>(of, vertex);
-    source[vertex] = of;
+    source.push_back(of);
   }
   blocks.Put(prefix + "source", source, 1);
+}
+
+/** The labels of the lumen as a volume to be drawn, for a run without a CT. */
+itk::Image<float, 3>::Pointer
+VolumeOfLabels(const MaskImage & labels)
+{
+  const auto volume = itk::Image<float, 3>::New();
+  volume->CopyInformation(&labels);
+  volume->SetRegions(labels.GetLargestPossibleRegion());
+  volume->Allocate();
+  const std::size_t voxels = labels.GetLargestPossibleRegion().GetNumberOfPixels();
+  std::copy_n(labels.GetBufferPointer(), voxels, volume->GetBufferPointer());
+  return volume;
 }
 
 /** The original and the cleansed CT. Runs without cleansing.nrrd have only the latter; runs on a lumen mask have none,
  * so that the page shows the mask. */
 ViewerVolume
-VolumeOf(const std::string & segmentation, PositionFolder & files, const Volume & lumen)
+ReadViewerVolume(const ExaminationFolder & exam, const MaskImage & lumen, Json & missing)
 {
   ViewerVolume volume;
-  volume.isCt = files.Has("segmentation/cleansed.nrrd", "CT");
-  volume.shown = volume.isCt ? ReadImageFile(segmentation + "cleansed.nrrd").image : lumen.image;
+  volume.isCt = Has(exam, examination::cleansedCt, "CT", missing);
   volume.isCleansed = volume.isCt;
-  if (volume.isCt && files.Has("segmentation/cleansing.nrrd", "CT before cleansing"))
+  volume.shown = volume.isCt ? exam.ReadCleansedCt() : VolumeOfLabels(lumen);
+  if (!HaveSameGrid(&lumen, volume.shown))
+  {
+    throw InputError(exam.PathOf(examination::lumen) +
+                     ": the mask differs in size or position from the CT; run VirtualColonoscopy again");
+  }
+  if (volume.isCt && Has(exam, examination::cleansing, "CT before cleansing", missing))
   {
     volume.cleansed = volume.shown;
-    volume.shown = UncleansedCt(volume.cleansed, segmentation + "cleansing.nrrd");
+    volume.shown = exam.ReadOriginalCt(volume.cleansed);
     volume.isCleansed = false;
   }
   return volume;
 }
 
-/** Whether tagged residue coats the faces of the wall; empty without the CT before cleansing. */
-std::vector<bool>
-CoatedFaces(const SurfaceMesh & wall, const std::string & lumen, const ViewerVolume & volume)
+void
+PutWall(PageBlocks &              blocks,
+        const std::string &       prefix,
+        const ExaminationFolder & exam,
+        const std::vector<bool> & coated,
+        const FlatColon &         flat,
+        Json &                    info,
+        Json &                    missing)
 {
-  if (!volume.cleansed)
-  {
-    return {};
-  }
-  const auto labels = ReadImage<LumenMask>(lumen, itk::NrrdImageIO::New(), "run VirtualColonoscopy again");
-  return FindCoatedFaces(wall, labels, AttenuationOf(volume.shown));
-}
-
-SurfaceMesh
-PutWall(PageBlocks &         blocks,
-        const std::string &  prefix,
-        const std::string &  folder,
-        const ViewerVolume & volume,
-        PositionFolder &     files,
-        Json &               info)
-{
-  const std::string path = files.Required("flattening/flat.vtp");
-  const FlatColon   flat(ReadSurfaceFile(path).mesh, {}, '"' + path + '"');
+  const std::string path = exam.PathOf(examination::flat);
   const auto &      mesh = flat.Surface();
   info["circumference"] = flat.Grid().Circumference();
   info["faces"] = mesh.NumberOfFaces();
   info["relief"] = PutRelief(blocks, prefix, flat);
-  PutPoints(blocks, prefix, mesh, path);
+  PutPoints(blocks, prefix, flat, path);
   const FlatFaces faces(mesh, path);
   faces.PutCorners(blocks, prefix + "faces");
-  const bool            hasSegments = files.Has("landmarks/segments.vtp", "segments");
-  const Eigen::MatrixXd segments =
-    hasSegments ? SegmentsOf(folder + "/landmarks/segments.vtp", mesh) : Eigen::MatrixXd();
-  faces.PutKinds(blocks, prefix + "kinds", segments, CoatedFaces(mesh, folder + "/segmentation/lumen.nrrd", volume));
-  const bool hasFolds = files.Has("folds/labels.nrrd", "folds");
-  faces.PutFolds(
-    blocks, prefix + "folds", hasFolds ? ReadFoldLabels(folder + "/folds/labels.nrrd").GetPointer() : nullptr);
-  return mesh;
+  const bool hasSegments = Has(exam, examination::segments, "segments", missing);
+  faces.PutKinds(blocks, prefix + "kinds", hasSegments ? SegmentsOfFaces(exam, mesh) : Eigen::MatrixXd(), coated);
+  const bool hasFolds = Has(exam, examination::foldLabels, "folds", missing);
+  faces.PutFolds(blocks, prefix + "folds", hasFolds ? exam.ReadFolds().GetPointer() : nullptr);
 }
 } // namespace
 
@@ -365,40 +341,39 @@ Hundredths(double value)
 Json
 PutViewerPosition(PageBlocks &               blocks,
                   const std::string &        prefix,
-                  const std::string &        exam,
+                  const ExaminationFolder &  exam,
                   const ColonViewerOptions & options)
 {
-  PositionFolder files(exam);
-  Json           info;
-  const Json     quality = ReadJson(files.Required("segmentation/quality.json"));
-  info["name"] = quality.value("/lumen/position"_json_pointer, std::string());
-  info["seriesUID"] = quality.value("/provenance/input.inputVolume"_json_pointer, std::string());
-  PutCenterline(blocks, prefix, files.Required("segmentation/centerline.vtp"));
-  const std::string  lumenPath = files.Required("segmentation/lumen.nrrd");
-  const Volume       lumen = ReadImageFile(lumenPath);
-  const ViewerVolume volume = VolumeOf(exam + "/segmentation/", files, lumen);
-  const SurfaceMesh  flat = PutWall(blocks, prefix, exam, volume, files, info);
-  PutViewerVolume(blocks, prefix + "volume", volume, *MaskForImage(lumen, lumenPath, volume.shown), flat.V, options);
-  info["taeniae"] =
-    files.Has("landmarks/taeniae.vtp", "taeniae") ? Taeniae(exam + "/landmarks/taeniae.vtp") : Json::array();
-  info["flexures"] =
-    files.Has("landmarks/flexures.vtp", "flexures") ? Flexures(exam + "/landmarks/flexures.vtp") : Json::array();
-  const std::string landmarks = exam + "/landmarks/landmarks.json";
-  info["segments"] = std::filesystem::exists(landmarks) ? EvaluableSegments(ReadJson(landmarks)) : Json::array();
-  info["candidates"] = files.Has("polyps/candidates.csv", "candidates")
-                         ? CandidatesForViewer(exam + "/polyps/candidates.csv")
+  Json       info;
+  Json       missing = Json::array();
+  const Json quality = exam.ReadQuality();
+  info["name"] = PositionOfQuality(quality);
+  info["seriesUID"] = SeriesOfQuality(quality);
+  PutCenterline(blocks, prefix, exam);
+  const auto         lumen = exam.ReadLumen();
+  const ViewerVolume volume = ReadViewerVolume(exam, *lumen, missing);
+  const auto         flat = exam.ReadFlatColon();
+  // Whether tagged residue coats a face of the wall; not known without the CT before cleansing.
+  const auto coated =
+    volume.cleansed ? FindCoatedFaces(flat->Surface(), lumen, AttenuationOf(volume.shown)) : std::vector<bool>();
+  PutWall(blocks, prefix, exam, coated, *flat, info, missing);
+  PutViewerVolume(blocks, prefix + "volume", volume, *lumen, flat->Surface().V, options);
+  info["taeniae"] = Has(exam, examination::taeniae, "taeniae", missing) ? Taeniae(exam) : Json::array();
+  info["flexures"] = Has(exam, examination::flexures, "flexures", missing) ? Flexures(exam) : Json::array();
+  info["segments"] = exam.Has(examination::landmarks) ? EvaluableSegments(exam.ReadLandmarks()) : Json::array();
+  info["candidates"] = Has(exam, examination::candidates, "candidates", missing)
+                         ? CandidatesForViewer(exam.PathOf(examination::candidates))
                          : Json::array();
-  const std::string wall = files.Required("segmentation/wall-repaired.vtp");
-  PutViewerDetails(blocks, prefix, flat, ReadSurfaceFile(wall).mesh, info["candidates"]);
-  info["missing"] = files.Missing();
+  PutViewerDetails(blocks, prefix, flat->Surface(), exam.ReadSurfaceOf(examination::repairedWall), info["candidates"]);
+  info["missing"] = missing;
   return info;
 }
 
 void
-PutViewerMap(PageBlocks & blocks, const std::string & prefix, const std::string & exam, const std::string & path)
+PutViewerMap(PageBlocks & blocks, const std::string & prefix, const ExaminationFolder & exam, const std::string & path)
 {
   const SurfaceMesh mesh = ReadSurfaceFile(path).mesh;
-  RequireSameFaces(mesh, ReadSurfaceFile(exam + "/flattening/flat.vtp").mesh, path);
+  RequireSameFaces(mesh, exam.ReadSurfaceOf(examination::flat), path);
   const SurfaceArray::ValueMatrix confidence = ValuesOf(mesh.pointArrays, "confidence", path);
   const SurfaceArray::ValueMatrix excluded = ValuesOf(mesh.pointArrays, "excluded", path);
   constexpr double                fullTrust = 200.0; // code of confidence 1; 255 is an excluded vertex

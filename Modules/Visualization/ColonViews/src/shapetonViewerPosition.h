@@ -10,20 +10,20 @@ namespace shapeton
 Json
 Hundredths(double value);
 
-/** Reads the files of one position of a VirtualColonoscopy run in `exam` and adds their data as blocks with this
- * prefix. Returns the JSON values: name, seriesUID, circumference, candidates, taeniae, flexures, and `missing`, the
- * stages without a file. Throws InputError if wall, centerline or lumen are missing. */
+/** Reads one position of an examination and adds its data as blocks with this prefix. Returns the JSON values: name,
+ * seriesUID, circumference, candidates, taeniae, flexures, and `missing`, the stages without a file. Throws InputError
+ * if wall, centerline or lumen are missing. */
 Json
 PutViewerPosition(PageBlocks &               blocks,
                   const std::string &        prefix,
-                  const std::string &        exam,
+                  const ExaminationFolder &  exam,
                   const ColonViewerOptions & options);
 
 /** Adds the map from the position in `exam` to the other one: `prefix`mapped, the mapped position (LPS, mm)
  * of each point, and `prefix`trust, its confidence times 200, or 255 if the wall is not visible in one position. Throws
  * InputError if the map belongs to another wall. */
 void
-PutViewerMap(PageBlocks & blocks, const std::string & prefix, const std::string & exam, const std::string & path);
+PutViewerMap(PageBlocks & blocks, const std::string & prefix, const ExaminationFolder & exam, const std::string & path);
 } // namespace shapeton
 
 #endif

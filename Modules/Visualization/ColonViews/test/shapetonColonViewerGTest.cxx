@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 namespace
 {
 using shapeton::ColonViewerOptions;
@@ -18,7 +20,9 @@ AsItIs(const std::string & path)
 void
 Write(const ColonViewerOptions & options)
 {
-  WriteColonViewer(testing::TempDir() + "/no-examination", testing::TempDir(), options, AsItIs);
+  const std::string folder = testing::TempDir() + "/no-examination";
+  std::filesystem::create_directories(folder);
+  WriteColonViewer(folder, testing::TempDir(), options, AsItIs);
 }
 
 std::string

@@ -46,12 +46,12 @@ WriteCandidates(const std::string & folder)
 /** Verdicts of version 2 on this run: candidate 1 is a pedunculated polyp of 9 mm, 2 is unsure, 3 unread; a finding of
  * 11 mm; a bookmark; category C3. */
 inline shapeton::Json
-Verdicts(const std::vector<std::string> & folders)
+Verdicts(const std::string & folder)
 {
   using shapeton::Json;
   Json verdicts;
   verdicts["version"] = 2;
-  verdicts["exam"] = { { "seriesUIDs", Json::array() }, { "sha256", shapeton::DigestOfPositions(folders) } };
+  verdicts["exam"] = { { "seriesUIDs", Json::array() }, { "sha256", shapeton::ColonExamination(folder).Digest() } };
   verdicts["secondReader"] = true;
   verdicts["assessment"] = { { "colonic", "C3" }, { "extracolonic", "" }, { "note", "" } };
   verdicts["candidates"] = {

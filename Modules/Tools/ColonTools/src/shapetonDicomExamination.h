@@ -1,11 +1,8 @@
-#ifndef shapetonColonExamination_h
-#define shapetonColonExamination_h
+#ifndef shapetonDicomExamination_h
+#define shapetonDicomExamination_h
 
-#include "shapetonColonLandmarkDocument.h"
-#include "shapetonCurveSet.h"
 #include "shapetonDicomSegmentation.h"
-#include "shapetonJson.h"
-#include "shapetonPolypCandidates.h"
+#include "shapetonExaminationFolder.h"
 #include "shapetonRemarks.h"
 
 #include <string>
@@ -13,10 +10,13 @@
 
 namespace shapeton
 {
-/** Results of VirtualColonoscopy for one series. */
-struct ColonExamination
+/** Results of VirtualColonoscopy for one DICOM series, which belong together according to the records of its stages. */
+struct DicomExamination
 {
-  std::string folder;
+  /** Nothing else is read yet. */
+  explicit DicomExamination(ExaminationFolder itsFolder);
+
+  ExaminationFolder folder;
   /** UID of the series that was read; "#part" is appended for a part of a mixed series. */
   std::string seriesUID;
   /** Digest of the series folder's contents, "sha256:...". */
@@ -39,23 +39,18 @@ struct ColonExamination
   /** Missing results. */
   Remarks missing;
 
-  /** Whether a stage file, "STAGE/FILE", exists; if not, adds `what` to the missing results. Throws InputError if the
-   * file exists but does not match the rest. */
+  /** Whether a file exists; if not, adds `what` to the missing results. Throws InputError if the file exists but does
+   * not match the rest. */
   bool
-  Has(const std::string & name, const std::string & what);
+  Has(const ExaminationFile & file, const std::string & what);
   /** Throws InputError unless the file exists and matches the rest. */
   std::string
-  Required(const std::string & name) const;
-  std::string
-  PathOf(const std::string & name) const
-  {
-    return folder + '/' + name;
-  }
+  Required(const ExaminationFile & file) const;
 };
 
 /** Reads the folder. Lumen and centerline are required. Throws InputError. */
-ColonExamination
-ReadColonExamination(const std::string & folder);
+DicomExamination
+ReadDicomExamination(const std::string & folder);
 } // namespace shapeton
 
 #endif

@@ -1,7 +1,7 @@
 #ifndef shapetonRunRecords_h
 #define shapetonRunRecords_h
 
-#include "ShapetonColonToolsExport.h"
+#include "ShapetonColonExaminationExport.h"
 #include "shapetonRemarks.h"
 
 #include <string>
@@ -14,8 +14,8 @@ namespace shapeton
  * A run that was interrupted or is still active may contain stages computed from outdated results of other stages.
  * Such results must not be combined into one examination.
  *
- * \ingroup ShapetonColonTools */
-class ShapetonColonTools_EXPORT RunRecords
+ * \ingroup ShapetonColonExamination */
+class ShapetonColonExamination_EXPORT RunRecords
 {
 public:
   explicit RunRecords(const std::string & folder);

@@ -180,8 +180,8 @@ IsCompletePng(const std::string & bytes)
 class VerdictFile
 {
 public:
-  VerdictFile(const std::string & path, const std::vector<std::string> & folders)
-    : m_Path(path), m_Folders(folders), m_Document(ReadJson(path)), m_Root(path, m_Document, "the file")
+  VerdictFile(const std::string & path, const ColonExamination & exam)
+    : m_Path(path), m_Exam(exam), m_Document(ReadJson(path)), m_Root(path, m_Document, "the file")
   {}
 
   ReaderVerdicts
@@ -216,7 +216,7 @@ private:
       m_Root.Refuse("has an unsupported version");
     }
     const VerdictMembers exam(m_Path, this->ObjectOf("exam"), "the examination");
-    if (exam.RequiredText("sha256") != DigestOfPositions(m_Folders))
+    if (exam.RequiredText("sha256") != m_Exam.Digest())
     {
       throw InputError("the verdicts " + Quoted(m_Path) +
                        " belong to another examination; use verdicts saved for this one");
@@ -270,7 +270,7 @@ private:
     members.Coordinates("uv", 2, false); // for the page only
     ReaderFinding finding;
     finding.id = id;
-    finding.position = members.Position(m_Folders.size());
+    finding.position = members.Position(m_Exam.GetPositions().size());
     finding.place = members.Place();
     finding.segment = SegmentOf(members);
     finding.arcLength = members.Number("arcLength");
@@ -300,14 +300,14 @@ private:
     {
       members.Refuse("has a picture that is not a PNG file");
     }
-    return { id, members.Position(m_Folders.size()), members.Place(), members.Text("label"), *bytes };
+    return { id, members.Position(m_Exam.GetPositions().size()), members.Place(), members.Text("label"), *bytes };
   }
 
   const std::string &                      m_Path;
-  const std::vector<std::string> &         m_Folders;
+  const ColonExamination &                 m_Exam;
   Json                                     m_Document;
   VerdictMembers                           m_Root;
-  std::vector<std::vector<PolypCandidate>> m_Candidates = CandidatesOfPositions(m_Folders);
+  std::vector<std::vector<PolypCandidate>> m_Candidates = m_Exam.ReadCandidates();
 };
 
 /** Null for NaN. */
@@ -364,16 +364,16 @@ NameOf(ReaderVerdict verdict)
 }
 
 ReaderVerdicts
-ReadReaderVerdicts(const std::string & path, const std::vector<std::string> & folders)
+ReadReaderVerdicts(const std::string & path, const ColonExamination & exam)
 {
-  return VerdictFile(path, folders).Read();
+  return VerdictFile(path, exam).Read();
 }
 
 void
-WriteReaderVerdicts(const ReaderVerdicts & verdicts, const std::vector<std::string> & folders, const std::string & path)
+WriteReaderVerdicts(const ReaderVerdicts & verdicts, const ColonExamination & exam, const std::string & path)
 {
   Json document{ { "version", 2 },
-                 { "exam", { { "seriesUIDs", Json::array() }, { "sha256", DigestOfPositions(folders) } } },
+                 { "exam", { { "seriesUIDs", Json::array() }, { "sha256", exam.Digest() } } },
                  { "secondReader", verdicts.isSecondReader.value_or(false) },
                  { "candidatesRevealed", true },
                  { "assessment",

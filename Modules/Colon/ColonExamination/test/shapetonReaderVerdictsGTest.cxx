@@ -20,7 +20,7 @@ class ReaderVerdictsFile : public testing::Test
 protected:
   ReaderVerdictsFile()
   {
-    readertest::WriteCandidates(m_Exam[0]);
+    readertest::WriteCandidates(m_Exam);
     m_Verdicts = Verdicts(m_Exam);
   }
 
@@ -28,7 +28,7 @@ protected:
   Read()
   {
     WriteJson(m_Verdicts, m_Path);
-    return ReadReaderVerdicts(m_Path, m_Exam);
+    return ReadReaderVerdicts(m_Path, ColonExamination(m_Exam));
   }
 
   /** Whether the verdicts are rejected with this message if `value` is at `pointer`. */
@@ -40,10 +40,10 @@ protected:
     return basetest::Refuses([&] { this->Read(); }, message);
   }
 
-  Folder                         m_Folder;
-  const std::vector<std::string> m_Exam{ m_Folder / "exam" };
-  const std::string              m_Path = m_Folder / "verdicts.json";
-  Json                           m_Verdicts;
+  Folder            m_Folder;
+  const std::string m_Exam = m_Folder / "exam";
+  const std::string m_Path = m_Folder / "verdicts.json";
+  Json              m_Verdicts;
 };
 } // namespace
 
@@ -93,7 +93,7 @@ TEST_F(ReaderVerdictsFile, OfVersion1HasNoAssessment)
 
 TEST_F(ReaderVerdictsFile, BecomesMarkups)
 {
-  const Markup markup = MarkupOfVerdicts(this->Read(), CandidatesOfPositions(m_Exam));
+  const Markup markup = MarkupOfVerdicts(this->Read(), ColonExamination(m_Exam).ReadCandidates());
   EXPECT_EQ(
     markup.labels,
     (std::vector<std::string>{ "candidate 1: polyp", "candidate 2: unsure", "candidate 3: unread", "finding F1" }));
@@ -167,4 +167,17 @@ TEST_F(ReaderVerdictsFile, WithPicturesThatAreNotPngIsRefused)
       << picture;
   }
   EXPECT_TRUE(this->Refuses("/bookmarks/0/picture", nullptr, "the bookmark \"B1\" has no picture"));
+}
+
+TEST_F(ReaderVerdictsFile, ComesBackAsItWasWritten)
+{
+  const ReaderVerdicts   verdicts = this->Read();
+  const ColonExamination exam(m_Exam);
+  const std::string      copy = m_Folder / "copy.json";
+  WriteReaderVerdicts(verdicts, exam, copy);
+  const ReaderVerdicts again = ReadReaderVerdicts(copy, exam);
+  WriteReaderVerdicts(again, exam, m_Path);
+  EXPECT_EQ(ReadJson(copy), ReadJson(m_Path));
+  EXPECT_EQ(again.candidates[0].statement.size, 9.0);
+  EXPECT_EQ(again.bookmarks[0].png, verdicts.bookmarks[0].png);
 }

@@ -3,6 +3,7 @@
 #include "shapetonJson.h"
 #include "shapetonExceptions.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace shapeton
@@ -63,6 +64,27 @@ RecordOf(const Json & json)
   return record;
 }
 } // namespace
+
+bool
+StageResult::Has(const std::string & file) const
+{
+  return std::any_of(files.begin(), files.end(), [&](const auto & one) { return one.first == file; });
+}
+
+std::string
+StageRecord::IdentityOfInput() const
+{
+  const Json parsed = Json::parse(signature);
+  for (const Json & argument : parsed.at("arguments"))
+  {
+    const auto value = argument.at(1).get<std::string>();
+    if (argument.at(0) == "" && value.rfind("sha256:", 0) == 0) // a positional output is not an identity
+    {
+      return value;
+    }
+  }
+  return "";
+}
 
 std::string
 RecordPathOf(const std::string & file)

@@ -1,7 +1,7 @@
 #ifndef shapetonReaderVerdicts_h
 #define shapetonReaderVerdicts_h
 
-#include "shapetonExaminationPositions.h"
+#include "shapetonColonExamination.h"
 #include "shapetonSlicerMarkups.h"
 
 #include <limits>
@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** What the reader decided on a candidate. \ingroup ShapetonColonViews */
+/** What the reader decided on a candidate. \ingroup ShapetonColonExamination */
 enum class ReaderVerdict
 {
   Unread,
@@ -18,11 +18,11 @@ enum class ReaderVerdict
   Unsure
 };
 
-/** "unread", "polyp", "not a polyp", "unsure". \ingroup ShapetonColonViews */
-ShapetonColonViews_EXPORT std::string
-                          NameOf(ReaderVerdict verdict);
+/** "unread", "polyp", "not a polyp", "unsure". \ingroup ShapetonColonExamination */
+ShapetonColonExamination_EXPORT std::string
+                                NameOf(ReaderVerdict verdict);
 
-/** The categories that the reader entered; empty if none. \ingroup ShapetonColonViews */
+/** The categories that the reader entered; empty if none. \ingroup ShapetonColonExamination */
 struct ReaderAssessment
 {
   /** C-RADS category of the colon: "C0", "C1", "C2", "C2a", "C2b", "C3", "C4". */
@@ -32,7 +32,7 @@ struct ReaderAssessment
   std::string note;
 };
 
-/** What the reader states on any lesion. \ingroup ShapetonColonViews */
+/** What the reader states on any lesion. \ingroup ShapetonColonExamination */
 struct ReaderStatement
 {
   /** Largest diameter (mm, above 0 to 200); NaN if the reader did not enter one. */
@@ -41,7 +41,7 @@ struct ReaderStatement
   std::string     note;
 };
 
-/** The reader's verdict on a candidate of the program. \ingroup ShapetonColonViews */
+/** The reader's verdict on a candidate of the program. \ingroup ShapetonColonExamination */
 struct CandidateVerdict
 {
   /** See NameOfCandidate(). */
@@ -50,7 +50,7 @@ struct CandidateVerdict
   ReaderStatement statement;
 };
 
-/** A polyp that the reader found. \ingroup ShapetonColonViews */
+/** A polyp that the reader found. \ingroup ShapetonColonExamination */
 struct ReaderFinding
 {
   std::string id;
@@ -65,7 +65,7 @@ struct ReaderFinding
   ReaderStatement statement;
 };
 
-/** A place that the reader marked, with a snapshot. \ingroup ShapetonColonViews */
+/** A place that the reader marked, with a snapshot. \ingroup ShapetonColonExamination */
 struct ReaderBookmark
 {
   std::string     id;
@@ -75,7 +75,7 @@ struct ReaderBookmark
   std::string     png; ///< bytes of a PNG file
 };
 
-/** Contents of a verdicts.json. \ingroup ShapetonColonViews */
+/** Contents of a verdicts.json. \ingroup ShapetonColonExamination */
 struct ReaderVerdicts
 {
   /** Whether the reader read without candidates first; not known for version 1. */
@@ -86,24 +86,21 @@ struct ReaderVerdicts
   std::vector<ReaderBookmark>   bookmarks;
 };
 
-/** Reads a verdicts.json, version 1 or 2, saved by the page of the examination with these folders
- * (PositionFoldersOf()). Keys added by version 2 may be missing.
+/** Reads a verdicts.json, version 1 or 2, saved by the page of the examination. Keys added by version 2 may be missing.
  *
  * Throws InputError if the version is unknown, the examination is another one, an id is repeated or belongs to no
  * candidate, a word (verdict, category, morphology, segment) is unknown, a size is not above 0 and at most 200 mm, a
- * picture is not a PNG file, or a value has the wrong type. \ingroup ShapetonColonViews */
-ShapetonColonViews_EXPORT ReaderVerdicts
-ReadReaderVerdicts(const std::string & path, const std::vector<std::string> & folders);
+ * picture is not a PNG file, or a value has the wrong type. \ingroup ShapetonColonExamination */
+ShapetonColonExamination_EXPORT ReaderVerdicts
+ReadReaderVerdicts(const std::string & path, const ColonExamination & exam);
 
-/** Writes a verdicts.json, version 2, that the page of the examination with these folders opens. Throws OutputError.
- * \ingroup ShapetonColonViews */
-ShapetonColonViews_EXPORT void
-WriteReaderVerdicts(const ReaderVerdicts &           verdicts,
-                    const std::vector<std::string> & folders,
-                    const std::string &              path);
+/** Writes a verdicts.json, version 2, that the page of the examination opens. Throws OutputError.
+ * \ingroup ShapetonColonExamination */
+ShapetonColonExamination_EXPORT void
+WriteReaderVerdicts(const ReaderVerdicts & verdicts, const ColonExamination & exam, const std::string & path);
 
-/** One point for each candidate in the verdicts and each finding. \ingroup ShapetonColonViews */
-ShapetonColonViews_EXPORT Markup
+/** One point for each candidate in the verdicts and each finding. \ingroup ShapetonColonExamination */
+ShapetonColonExamination_EXPORT Markup
 MarkupOfVerdicts(const ReaderVerdicts & verdicts, const std::vector<std::vector<PolypCandidate>> & candidates);
 } // namespace shapeton
 

@@ -1,0 +1,38 @@
+#ifndef shapetonRegistrationFolder_h
+#define shapetonRegistrationFolder_h
+
+#include "ShapetonColonExaminationExport.h"
+#include "shapetonCsvTable.h"
+#include "shapetonRegistrationResults.h"
+
+namespace shapeton
+{
+/** \defgroup RegistrationTables Tables of a registration
+ * \ingroup ShapetonColonExamination */
+///@{
+ShapetonColonExamination_EXPORT CsvTable
+TableOfMatches(const RegistrationResults & results);
+
+/** One row per point: coordinates, status (counted, excluded or offSurface), distance in space (mm) and on the map
+ * (width 1). */
+ShapetonColonExamination_EXPORT CsvTable
+TableOfErrors(const RegistrationResults & results);
+
+/** Reads points of the wall in both positions: a table with the columns sx, sy, sz (supine) and px, py, pz (prone),
+ * LPS, mm. Throws InputError with file and line; also if the table has no points. */
+ShapetonColonExamination_EXPORT std::vector<PointPair>
+                                ReadPointPairs(const std::string & path);
+
+/** Reads a folder back, for reports and later stages. Throws InputError if a file is missing or not written by
+ * ColonRegistration. */
+ShapetonColonExamination_EXPORT RegistrationResults
+ReadRegistrationResults(const std::string & folder);
+
+/** Confidence of a registration in a folder, 0 to 1; 0 if flagged as doubtful. Throws InputError if the JSON file does
+ * not state it. */
+ShapetonColonExamination_EXPORT double
+ConfidenceOfRegistration(const std::string & folder);
+///@}
+} // namespace shapeton
+
+#endif
