@@ -5,6 +5,7 @@
 #include "shapetonHeatSnapshot.h"
 #include "shapetonShapeAnalysis.h"
 #include "shapetonExceptions.h"
+#include "shapetonSameGrid.h"
 #include "shapetonTransferFunctionChoice.h"
 #include "shapetonTransferFunctionPicture.h"
 #include "shapetonToolDevice.h"

@@ -3,6 +3,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
 #include "shapetonReadOptions.h"
+#include "shapetonSameGrid.h"
 #include "shapetonShapeTable.h"
 #include "shapetonToolVolumes.h"
 

@@ -2,6 +2,7 @@
 
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonHeatClassification.h"
+#include "shapetonSameGrid.h"
 #include "shapetonVolumeReader.h"
 
 #include <map>

@@ -2,6 +2,7 @@
 #include "SeedTrial.h"
 #include "ValidationReport.h"
 
+#include "shapetonSameGrid.h"
 #include "shapetonSeededHeatSolver.h"
 #include "shapetonShapePhantomImageSource.h"
 #include "shapetonVolumeReader.h"

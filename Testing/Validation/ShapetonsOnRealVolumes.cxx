@@ -1,6 +1,7 @@
 // CHD and shapetons on real volumes.
 #include "ShapetonComparison.h"
 
+#include "shapetonSameGrid.h"
 #include "shapetonVolumeReader.h"
 
 #include "itkRegionOfInterestImageFilter.h"

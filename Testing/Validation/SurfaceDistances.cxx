@@ -2,8 +2,8 @@
 #include "BoundTable.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonSameGrid.h"
 #include "shapetonSquaredDistances.h"
-#include "shapetonVolume.h"
 
 #include <algorithm>
 #include <cmath>

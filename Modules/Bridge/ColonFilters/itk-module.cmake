@@ -5,7 +5,6 @@ itk_module(ShapetonColonFilters
   EXCLUDE_FROM_DEFAULT
   DEPENDS
     ShapetonCommon
-    ShapetonVolumeFiles
     ShapetonHeatDiffusionMetric
     ShapetonConformalFlattening
     ShapetonColonLumen

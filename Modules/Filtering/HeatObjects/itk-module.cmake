@@ -7,8 +7,6 @@ itk_module(ShapetonHeatObjects
     ShapetonCommon
     ShapetonHeat
     ITKCommon
-  PRIVATE_DEPENDS
-    ShapetonVolumeFiles
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

@@ -16,7 +16,6 @@ itk_module(ShapetonColonViews
     ShapetonReport
   PRIVATE_DEPENDS
     ShapetonColonExamination
-    ShapetonVolumeFiles
     ITKCommon
   TEST_DEPENDS
     ITKGoogleTest

@@ -5,7 +5,7 @@ from collections import Counter
 from pathlib import Path
 
 from .modules import DECLARATION, LIST, PREFIX, Module, declared, folder_of, listed
-from .tree import Fault, line_at
+from .tree import Fault, find, line_at
 
 # Dependencies whose headers the files of a part of a module may include.
 VISIBLE = {"include": ("DEPENDS", "COMPILE_DEPENDS"),
@@ -35,6 +35,7 @@ ITK_HEADERS = {
 }
 # Code for POSIX systems, and headers that only it includes.
 POSIX_FOLDER = Path("Modules/Core/Common/src/posix")
+SYSTEM_CALL = re.compile(r"\b(?:gmtime|localtime)_r\(|/proc/self/exe")
 SYSTEM_HEADER = re.compile(r"sys/.*|(fcntl|poll|pthread|sched|signal|spawn|termios|unistd)\.h")
 ITK_NAMESPACE = re.compile(r"^\s*namespace itk\b", re.MULTILINE)
 OPTION = re.compile(r"--[a-zA-Z]")
@@ -100,6 +101,7 @@ def system_headers(tree):
         is_test = {"test", "Testing", "tests"} & set(file.parts)
         if is_test or POSIX_FOLDER in file.parents:
             continue
+        yield from find(tree, file, SYSTEM_CALL, f"calls POSIX; only {POSIX_FOLDER} may, see shapetonOperatingSystem.h: ")
         for line, header in tree.includes(file):
             if SYSTEM_HEADER.fullmatch(header):
                 yield Fault(str(file), line, f"includes {header}; only {POSIX_FOLDER} may, see shapetonOperatingSystem.h")

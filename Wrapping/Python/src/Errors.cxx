@@ -3,9 +3,7 @@
 #include "shapetonExceptions.h"
 #include "shapetonParticleDiffusionImageFilter.h"
 
-#include <algorithm>
 #include <cctype>
-#include <regex>
 #include <stdexcept>
 #include <string>
 
@@ -15,15 +13,6 @@ namespace py = pybind11;
 
 namespace
 {
-/** Strips "ITK ERROR: Class(0x1234): ", the prefix of ITK's macros. */
-std::string
-WordsOf(const itk::ExceptionObject & error)
-{
-  const std::string text = error.GetDescription();
-  const auto        front = text.find("ERROR: ") == std::string::npos ? std::string::npos : text.find("): ");
-  return front == std::string::npos ? text : text.substr(front + 3);
-}
-
 /** An exception class with process lifetime: its static holder must not be destroyed after interpreter
  * shutdown. */
 py::handle
@@ -45,18 +34,17 @@ Raise(const py::handle & kind, const Exception & error)
 std::string
 InPython(const std::string & message)
 {
-  static const std::regex parameter("the parameter \"\\w+\"");
-  static const std::regex border("([a-z0-9])([A-Z])"); // between two words of a name
-  std::string             text;
-  auto                    rest = message.begin();
-  for (std::sregex_iterator match(message.begin(), message.end(), parameter), end; match != end; ++match)
-  {
-    std::string name = std::regex_replace(match->str(), border, "$1_$2");
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-    text.append(rest, (*match)[0].first).append(name);
-    rest = (*match)[0].second;
-  }
-  return text.append(rest, message.end());
+  return SpellParameters(message, [](const std::string & name, bool hasValue) {
+    std::string words;
+    for (std::size_t i = 0; i < name.size(); ++i)
+    {
+      const auto letter = static_cast<unsigned char>(name[i]);
+      const bool isNewWord =
+        i > 0 && std::isupper(letter) != 0 && std::isupper(static_cast<unsigned char>(name[i - 1])) == 0;
+      words += (isNewWord ? "_" : "") + std::string(1, static_cast<char>(std::tolower(letter)));
+    }
+    return words + (hasValue ? " = " : "");
+  });
 }
 
 void
@@ -76,7 +64,7 @@ Update(itk::ProcessObject * filter)
   }
   catch (const itk::ExceptionObject & error)
   {
-    throw ParameterError(WordsOf(error));
+    throw ParameterError(WithoutItkPrefix(error.GetDescription()));
   }
 }
 
@@ -126,7 +114,7 @@ AddErrors(py::module_ & module)
     }
     catch (const itk::ExceptionObject & error)
     {
-      PyErr_SetString(PyExc_RuntimeError, WordsOf(error).c_str());
+      PyErr_SetString(PyExc_RuntimeError, WithoutItkPrefix(error.GetDescription()).c_str());
     }
     catch (const std::logic_error & error) // errors of the caller, such as arrays of different sizes
     {

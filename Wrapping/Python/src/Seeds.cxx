@@ -5,8 +5,8 @@
 
 #include "shapetonExceptions.h"
 #include "shapetonHeatSeeds.h"
+#include "shapetonSameGrid.h"
 #include "shapetonSeededHeatSegmentationImageFilter.h"
-#include "shapetonVolume.h"
 
 #include <atomic>
 #include <map>

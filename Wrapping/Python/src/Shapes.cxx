@@ -3,8 +3,8 @@
 #include "Options.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonSameGrid.h"
 #include "shapetonShapeDatabase.h"
-#include "shapetonVolume.h"
 
 namespace shapeton::python
 {

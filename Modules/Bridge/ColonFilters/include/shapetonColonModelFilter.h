@@ -4,8 +4,8 @@
 #include "shapetonColonLumenOptionsMethods.h"
 #include "shapetonColonModel.h"
 #include "shapetonColonWallOptionsMethods.h"
+#include "shapetonSameGrid.h"
 #include "shapetonStageFilter.h"
-#include "shapetonVolume.h"
 
 #include "itkImageToMeshFilter.h"
 

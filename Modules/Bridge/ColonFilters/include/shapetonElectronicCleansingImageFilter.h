@@ -2,8 +2,8 @@
 #define shapetonElectronicCleansingImageFilter_h
 
 #include "shapetonElectronicCleansing.h"
+#include "shapetonSameGrid.h"
 #include "shapetonStageFilter.h"
-#include "shapetonVolume.h"
 
 #include "itkImageToImageFilter.h"
 

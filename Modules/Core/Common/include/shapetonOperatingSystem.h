@@ -6,8 +6,10 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <ctime>
 #include <functional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -285,6 +287,18 @@ WasKilled(const ChildProcess::End & end);
 /** Calls a function in each process that is forked from this one. */
 ShapetonCommon_EXPORT void
 CallAfterFork(void (*function)());
+
+/** Path of the program of this process; empty, with an error, if the system does not tell it. */
+ShapetonCommon_EXPORT std::string
+                      PathOfThisProgram(std::error_code & error);
+
+/** A time in UTC, or in the time zone of this machine, in a format of std::strftime(). */
+///@{
+ShapetonCommon_EXPORT std::string
+                      UniversalTimeText(std::time_t time, const char * format);
+ShapetonCommon_EXPORT std::string
+                      LocalTimeText(std::time_t time, const char * format);
+///@}
 
 /** The folder of the shared library or program that contains this function, without symbolic links. */
 ShapetonCommon_EXPORT std::string

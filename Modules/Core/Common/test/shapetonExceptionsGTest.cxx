@@ -79,3 +79,21 @@ TEST(Exceptions, ARequirementNamesThePlaceThatRequires)
   }
 }
 } // namespace
+
+TEST(Exceptions, ReferencesToParametersAreSpelledByTheCaller)
+{
+  const auto spelled = [](const std::string & text) {
+    return shapeton::SpellParameters(
+      text, [](const std::string & name, bool hasValue) { return '<' + name + (hasValue ? ":" : "") + '>'; });
+  };
+  EXPECT_EQ(spelled("give the parameter \"p\" = 2, or omit the parameter \"time_2\""), "give <p:>2, or omit <time_2>");
+  EXPECT_EQ(spelled("the parameter \"\" and the parameter \"a b\" and the parameter \"end"),
+            "the parameter \"\" and the parameter \"a b\" and the parameter \"end");
+  EXPECT_EQ(spelled(""), "");
+}
+
+TEST(Exceptions, ThePrefixOfITKIsRemoved)
+{
+  EXPECT_EQ(shapeton::WithoutItkPrefix("/a/itkFoo.h:3:\nITK ERROR: Foo(0x55d0c0a8): no luck"), "no luck");
+  EXPECT_EQ(shapeton::WithoutItkPrefix("no luck (0x1): here"), "no luck (0x1): here");
+}

@@ -3,8 +3,8 @@
 #include "shapetonExceptions.h"
 #include "shapetonParallelFor.h"
 #include "shapetonPi.h"
+#include "shapetonSameGrid.h"
 #include "shapetonStableRegions.h"
-#include "shapetonVolume.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "shapetonExceptions.h"
 #include "shapetonParallelFor.h"
-#include "shapetonVolume.h"
+#include "shapetonSameGrid.h"
 #include "shapetonWindowMerge.h"
 
 #include <algorithm>

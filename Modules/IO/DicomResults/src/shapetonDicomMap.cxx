@@ -3,7 +3,7 @@
 #include "shapetonDicomFrames.h"
 #include "shapetonDicomResultObject.h"
 #include "shapetonExceptions.h"
-#include "shapetonVolume.h"
+#include "shapetonSameGrid.h"
 
 #include <algorithm>
 

@@ -3,16 +3,15 @@
 #include "shapetonDicomText.h"
 #include "shapetonExceptions.h"
 #include "shapetonFileErrors.h"
+#include "shapetonOperatingSystem.h"
 #include "shapetonSha256.h"
 
 #include "dcmtk/dcmdata/dcistrmb.h"
 #include "dcmtk/dcmdata/dcrleerg.h"
 
 #include <ctime>
-#include <iomanip>
 #include <regex>
 #include <set>
-#include <sstream>
 
 namespace shapeton
 {
@@ -60,25 +59,15 @@ std::pair<std::string, std::string>
 CurrentTime(const std::string & offset)
 {
   const std::time_t now = std::time(nullptr);
-  std::tm           parts{};
   const bool        hasOffset = std::regex_match(offset, std::regex("[+-][0-9]{4}"));
-  if (hasOffset)
+  if (!hasOffset)
   {
-    constexpr int     perMinute = 60, perHour = 3600; // seconds
-    const int         seconds = perHour * std::stoi(offset.substr(1, 2)) + perMinute * std::stoi(offset.substr(3, 2));
-    const std::time_t there = now + (offset[0] == '-' ? -seconds : seconds);
-    gmtime_r(&there, &parts);
+    return { LocalTimeText(now, "%Y%m%d"), LocalTimeText(now, "%H%M%S") };
   }
-  else
-  {
-    localtime_r(&now, &parts);
-  }
-  const auto format = [&](const char * pattern) {
-    std::ostringstream text;
-    text << std::put_time(&parts, pattern);
-    return text.str();
-  };
-  return { format("%Y%m%d"), format("%H%M%S") };
+  constexpr int     perMinute = 60, perHour = 3600; // seconds
+  const int         seconds = perHour * std::stoi(offset.substr(1, 2)) + perMinute * std::stoi(offset.substr(3, 2));
+  const std::time_t there = now + (offset[0] == '-' ? -seconds : seconds);
+  return { UniversalTimeText(there, "%Y%m%d"), UniversalTimeText(there, "%H%M%S") };
 }
 
 /** Designators of private coding schemes ("99...") in a data set. */

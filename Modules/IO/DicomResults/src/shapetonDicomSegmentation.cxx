@@ -5,7 +5,7 @@
 #include "shapetonDicomResultObject.h"
 #include "shapetonDicomText.h"
 #include "shapetonExceptions.h"
-#include "shapetonVolume.h"
+#include "shapetonSameGrid.h"
 
 #include <Eigen/Core>
 

@@ -4,6 +4,7 @@
 #include "shapetonDicomResultsTesting.h"
 #include "shapetonDicomSegmentationReader.h"
 #include "shapetonFileBytes.h"
+#include "shapetonSameGrid.h"
 
 #include <array>
 #include <cstdlib>

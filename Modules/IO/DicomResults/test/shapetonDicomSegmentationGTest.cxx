@@ -1,6 +1,7 @@
 #include "shapetonDicomResultsTesting.h"
 #include "shapetonDicomSegmentationReader.h"
 #include "shapetonFileBytes.h"
+#include "shapetonSameGrid.h"
 
 #include <filesystem>
 #include <functional>

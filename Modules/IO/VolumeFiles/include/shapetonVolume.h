@@ -42,11 +42,6 @@ ShapetonVolumeFiles_EXPORT std::string
 ShapetonVolumeFiles_EXPORT std::string
                            SeriesOfIdentity(const std::string & identity);
 
-/** Whether two volumes have the same size and the same voxel positions, to a hundredth of the smallest spacing.
- * \ingroup ShapetonVolumeFiles */
-ShapetonVolumeFiles_EXPORT bool
-HaveSameGrid(const itk::ImageBase<3> * a, const itk::ImageBase<3> * b);
-
 /** A mask that is 1 where the volume is not 0. Throws InputError, prefixed by `path`, if all voxels are 0.
  * \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT itk::Image<unsigned char, 3>::Pointer

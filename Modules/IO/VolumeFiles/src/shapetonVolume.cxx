@@ -1,6 +1,7 @@
 #include "shapetonVolume.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonSameGrid.h"
 
 #include <algorithm>
 
@@ -21,35 +22,6 @@ std::string
 SeriesOfIdentity(const std::string & identity)
 {
   return identity.rfind(prefixOfSeries, 0) == 0 ? identity.substr(prefixOfSeries.size()) : "";
-}
-
-bool
-HaveSameGrid(const itk::ImageBase<3> * a, const itk::ImageBase<3> * b)
-{
-  const itk::ImageRegion<3> region = a->GetLargestPossibleRegion();
-  if (region != b->GetLargestPossibleRegion())
-  {
-    return false;
-  }
-  const auto & spacing = a->GetSpacing();
-  const double tolerance = 0.01 * std::min({ spacing[0], spacing[1], spacing[2] });
-  for (unsigned int corner = 0; corner < 8; ++corner)
-  {
-    itk::Index<3> index = region.GetIndex();
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      index[axis] += (corner >> axis) & 1U ? static_cast<itk::IndexValueType>(region.GetSize(axis)) - 1 : 0;
-    }
-    itk::ImageBase<3>::PointType pointA;
-    itk::ImageBase<3>::PointType pointB;
-    a->TransformIndexToPhysicalPoint(index, pointA);
-    b->TransformIndexToPhysicalPoint(index, pointB);
-    if (pointA.EuclideanDistanceTo(pointB) > tolerance)
-    {
-      return false;
-    }
-  }
-  return true;
 }
 
 itk::Image<unsigned char, 3>::Pointer

@@ -7,6 +7,7 @@
 #include "shapetonStageFolder.h"
 #include "shapetonStageRecord.h"
 #include "shapetonExceptions.h"
+#include "shapetonOperatingSystem.h"
 #include "shapetonSha256.h"
 
 #include <algorithm>
@@ -245,7 +246,7 @@ std::string
 FolderOfThisProgram()
 {
   std::error_code error;
-  const fs::path  program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path  program = PathOfThisProgram(error);
   if (error)
   {
     throw OutputError("cannot locate this program (" + error.message() + "); mount /proc");

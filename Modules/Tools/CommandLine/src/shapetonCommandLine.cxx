@@ -28,7 +28,6 @@
 #include <iostream>
 #include <map>
 #include <new>
-#include <regex>
 #include <set>
 
 namespace shapeton
@@ -45,23 +44,6 @@ FlushStdout()
   {
     throw OutputError("cannot write to the standard output; free some space or redirect it");
   }
-}
-
-// Strips "ITK ERROR: Class(0x55d0c0a8): ", and the location that precedes it in a rethrown exception.
-std::string
-WithoutItkPrefix(const std::string & message)
-{
-  const std::string prefix = "ITK ERROR: ";
-  const auto        start = message.rfind(prefix);
-  if (start == std::string::npos)
-  {
-    return message;
-  }
-  const std::string text = message.substr(start + prefix.size());
-  const auto        object = text.find("(0x");
-  const auto        end = text.find("): ");
-  const bool        hasObject = object != std::string::npos && end != std::string::npos && object < end;
-  return hasObject && text.find(' ') > end ? text.substr(end + 3) : text;
 }
 
 struct Failure
@@ -132,14 +114,8 @@ DescribeException()
 std::string
 TimeText(std::chrono::system_clock::time_point point)
 {
-  const std::time_t time = std::chrono::system_clock::to_time_t(point);
-  std::tm           parts{};
-  gmtime_r(&time, &parts);
-  char text[32];
-  std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
+  return UniversalTimeText(std::chrono::system_clock::to_time_t(point), "%Y-%m-%dT%H:%M:%SZ");
 }
-
 } // namespace
 
 struct CommandLine::State
@@ -542,15 +518,8 @@ CommandLine::RequireApart(const std::string & input, const std::string & outputF
 std::string
 CommandLine::InOptions(const std::string & message)
 {
-  static const std::regex parameter("the parameter \"(\\w+)\"( = )?");
-  std::string             text;
-  auto                    rest = message.begin();
-  for (std::sregex_iterator match(message.begin(), message.end(), parameter), end; match != end; ++match)
-  {
-    text.append(rest, (*match)[0].first).append("--").append((*match)[1].str()).append((*match)[2].matched ? " " : "");
-    rest = (*match)[0].second;
-  }
-  return text.append(rest, message.end());
+  return SpellParameters(message,
+                         [](const std::string & name, bool hasValue) { return "--" + name + (hasValue ? " " : ""); });
 }
 
 void

@@ -1,6 +1,7 @@
 #include "shapetonSeedFiles.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonSameGrid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "shapetonLumenBox.h"
 
-#include "shapetonVolume.h"
+#include "shapetonSameGrid.h"
 
 #include <algorithm>
 #include <cmath>

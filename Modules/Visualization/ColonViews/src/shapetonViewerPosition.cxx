@@ -7,12 +7,12 @@
 #include "shapetonFlatColonStrip.h"
 #include "shapetonHaustralFoldFiles.h"
 #include "shapetonPicture.h"
+#include "shapetonSameGrid.h"
 #include "shapetonSegmentQuality.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonViewerCandidates.h"
 #include "shapetonViewerDetails.h"
 #include "shapetonViewerVolume.h"
-#include "shapetonVolume.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <filesystem>
@@ -18,6 +19,39 @@
 
 namespace shapeton
 {
+namespace
+{
+std::string
+TextOf(const std::tm & parts, const char * format)
+{
+  constexpr std::size_t longest = 128;
+  char                  text[longest];
+  return { text, std::strftime(text, longest, format, &parts) };
+}
+} // namespace
+
+std::string
+PathOfThisProgram(std::error_code & error)
+{
+  return std::filesystem::read_symlink("/proc/self/exe", error).string();
+}
+
+std::string
+UniversalTimeText(std::time_t time, const char * format)
+{
+  std::tm parts{};
+  gmtime_r(&time, &parts);
+  return TextOf(parts, format);
+}
+
+std::string
+LocalTimeText(std::time_t time, const char * format)
+{
+  std::tm parts{};
+  localtime_r(&time, &parts);
+  return TextOf(parts, format);
+}
+
 namespace
 {
 /** A part of this library. */

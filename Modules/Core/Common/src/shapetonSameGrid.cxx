@@ -1,0 +1,35 @@
+#include "shapetonSameGrid.h"
+
+#include <algorithm>
+
+namespace shapeton
+{
+bool
+HaveSameGrid(const itk::ImageBase<3> * a, const itk::ImageBase<3> * b)
+{
+  const itk::ImageRegion<3> region = a->GetLargestPossibleRegion();
+  if (region != b->GetLargestPossibleRegion())
+  {
+    return false;
+  }
+  const auto & spacing = a->GetSpacing();
+  const double tolerance = 0.01 * std::min({ spacing[0], spacing[1], spacing[2] });
+  for (unsigned int corner = 0; corner < 8; ++corner)
+  {
+    itk::Index<3> index = region.GetIndex();
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] += (corner >> axis) & 1U ? static_cast<itk::IndexValueType>(region.GetSize(axis)) - 1 : 0;
+    }
+    itk::ImageBase<3>::PointType pointA;
+    itk::ImageBase<3>::PointType pointB;
+    a->TransformIndexToPhysicalPoint(index, pointA);
+    b->TransformIndexToPhysicalPoint(index, pointB);
+    if (pointA.EuclideanDistanceTo(pointB) > tolerance)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+} // namespace shapeton
