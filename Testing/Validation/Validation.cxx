@@ -165,7 +165,7 @@ struct Request
 {
   ValidationSettings settings;
   std::string        output{ "." };
-  std::string        rows;    ///< for CSV files; empty for the output folder
+  std::string        results; ///< for pictures, and for CSV files in its folder tables; empty for the output folder
   std::string        wanted;  ///< empty for all parts
   std::string        options; ///< options that affect the content of a section
 };
@@ -179,9 +179,9 @@ const std::map<std::string, Taker> takers = {
       request.output = value;
       return !value.empty();
     } },
-  { "--rows",
+  { "--results",
     [](const std::string & value, Request & request) {
-      request.rows = value;
+      request.results = value;
       return !value.empty();
     } },
   { "--patients",
@@ -226,7 +226,7 @@ Parse(const std::vector<std::string> & arguments, Request & request)
         return false;
       }
       ++i;
-      request.options += argument == "--output" || argument == "--rows" ? "" : argument + ' ' + arguments[i] + ' ';
+      request.options += argument == "--output" || argument == "--results" ? "" : argument + ' ' + arguments[i] + ' ';
     }
     else if (argument == "--quick")
     {
@@ -257,6 +257,7 @@ RunPart(const Part & part, const Request & request)
   section.page = request.output + '/' + area.name + ".md";
   section.pageTitle = area.title;
   section.name = part.name + (seed.empty() ? "" : " --firstSeed " + seed);
+  section.pictureFolder = request.settings.outputFolder;
   section.rowsFolder = request.settings.rowsFolder;
   section.rowsPrefix = (seed.empty() ? "" : "seeds-" + seed + '-') + part.name;
 
@@ -305,7 +306,7 @@ main(int argc, char * argv[])
   if (!Parse({ argv + 1, argv + argc }, request))
   {
     return Fail("usage: Validation [--quick] [--patients N] [--firstSeed N] [--preset NAME] [--draws N] "
-                "[--seedsOfLabel N] [--output FOLDER] [--rows FOLDER] "
+                "[--seedsOfLabel N] [--output FOLDER] [--results FOLDER] "
                 "[PART], PART one of " +
                 PartNames());
   }
@@ -313,17 +314,15 @@ main(int argc, char * argv[])
   {
     request.settings.dataFolder = folder;
   }
-  request.settings.outputFolder = request.output;
-  request.settings.rowsFolder = request.rows.empty() ? request.output : request.rows;
-  request.settings.pictureFolder = request.settings.quick ? request.output : request.output + "/../pictures";
+  ValidationSettings & settings = request.settings;
+  settings.outputFolder = request.results.empty() ? request.output : request.results;
+  settings.rowsFolder = settings.outputFolder + "/tables";
+  settings.pictureFolder = settings.quick ? settings.outputFolder : settings.outputFolder + "/../pictures";
   try
   {
     std::filesystem::create_directories(request.output);
-    if (!request.rows.empty())
-    {
-      std::filesystem::create_directories(request.rows);
-    }
-    std::filesystem::create_directories(request.settings.pictureFolder);
+    std::filesystem::create_directories(settings.rowsFolder);
+    std::filesystem::create_directories(settings.pictureFolder);
     return Run(request);
   }
   catch (const std::exception & error)

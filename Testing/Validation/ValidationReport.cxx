@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 #include <numeric>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -45,6 +46,21 @@ FindLine(const std::string & text, const std::string & line)
     found = at;
   }
   return found;
+}
+
+std::vector<std::string>
+WithSection(const std::string & section, std::vector<std::string> cells)
+{
+  cells.insert(cells.begin(), section);
+  return cells;
+}
+
+/** Refers to pictures in another folder, relative to the page. */
+std::string
+WithPicturesOf(const std::string & folder, const std::string & text)
+{
+  static const std::regex picture("(!\\[[^\\]]*\\]\\()");
+  return folder.empty() || folder == "." ? text : std::regex_replace(text, picture, "$1" + folder + '/');
 }
 
 std::string
@@ -159,6 +175,17 @@ ValidationReport::AddRowsOfMarkdown(const shapeton::CsvTable & table, const RowT
 void
 ValidationReport::AddTable(const shapeton::CsvTable & table)
 {
+  const auto columns = WithSection("section", table.GetColumns());
+  const auto hasOtherColumns = [&](const std::string & name) {
+    const auto rows = m_Rows.find(name);
+    return rows != m_Rows.end() && rows->second.GetColumns() != columns;
+  };
+  std::string name = "summary";
+  for (int number = 2; hasOtherColumns(name); ++number)
+  {
+    name = "summary-" + std::to_string(number);
+  }
+  this->AddRowsToFile(name, table);
   this->AddRowsOfMarkdown(table, [](const std::vector<std::string> &) { return true; });
 }
 
@@ -183,16 +210,19 @@ ValidationReport::AddSummary(const std::string & name, const shapeton::CsvTable 
 }
 
 void
+ValidationReport::AddRowsToFile(const std::string & name, const shapeton::CsvTable & table)
+{
+  shapeton::CsvTable & all = m_Rows.try_emplace(name, WithSection("section", table.GetColumns())).first->second;
+  for (const std::vector<std::string> & row : table.GetRows())
+  {
+    all.AddRow(WithSection(m_Heading, row));
+  }
+}
+
+void
 ValidationReport::AddRowsAndShow(const std::string & name, const shapeton::CsvTable & table, const RowTest & isShown)
 {
-  std::vector<std::string> columns = table.GetColumns();
-  columns.insert(columns.begin(), "section");
-  shapeton::CsvTable & all = m_Rows.try_emplace(name, columns).first->second;
-  for (std::vector<std::string> row : table.GetRows())
-  {
-    row.insert(row.begin(), m_Heading);
-    all.AddRow(row);
-  }
+  this->AddRowsToFile(name, table);
   const auto & rows = table.GetRows();
   const auto   failed = std::count_if(rows.begin(), rows.end(), HasFailed);
   this->AddText(std::to_string(rows.size()) + (rows.size() == 1 ? " row" : " rows") +
@@ -215,7 +245,7 @@ void
 ValidationReport::Write(const ValidationSection & section) const
 {
   const auto  folder = std::filesystem::absolute(section.page).parent_path();
-  std::string text = m_Text;
+  std::string text = WithPicturesOf(std::filesystem::proximate(section.pictureFolder, folder).generic_string(), m_Text);
   for (const auto & [name, table] : m_Rows)
   {
     const std::string path = section.rowsFolder + '/' + section.rowsPrefix + '-' + name + ".csv";

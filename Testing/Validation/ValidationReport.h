@@ -11,11 +11,12 @@
 /** Where a report is written. */
 struct ValidationSection
 {
-  std::string page;       ///< path of the Markdown page
-  std::string pageTitle;  ///< heading of a new page
-  std::string name;       ///< identifies the section in its page
-  std::string rowsFolder; ///< folder of the CSV files
-  std::string rowsPrefix; ///< first part of their names: `rowsPrefix`-`name of the rows`.csv
+  std::string page;          ///< path of the Markdown page
+  std::string pageTitle;     ///< heading of a new page
+  std::string name;          ///< identifies the section in its page
+  std::string rowsFolder;    ///< folder of the CSV files
+  std::string rowsPrefix;    ///< first part of their names: `rowsPrefix`-`name of the rows`.csv
+  std::string pictureFolder; ///< folder that the text refers to for its pictures
 };
 
 /** Replaces the lines between `<!-- part NAME -->` and `<!-- end NAME -->` by `text`. Appends
@@ -33,6 +34,7 @@ public:
 
   void
   AddText(const std::string & text);
+  /** Adds all rows to the page and to a CSV file: `summary`, or `summary-2` and so on for tables with other columns. */
   void
   AddTable(const shapeton::CsvTable & table);
 
@@ -66,6 +68,8 @@ public:
 private:
   using RowTest = std::function<bool(const std::vector<std::string> &)>;
 
+  void
+  AddRowsToFile(const std::string & name, const shapeton::CsvTable & table);
   /** Adds the rows to the CSV file `name`, and to the page a link and the rows that pass `isShown`, if any. */
   void
   AddRowsAndShow(const std::string & name, const shapeton::CsvTable & table, const RowTest & isShown);
@@ -117,7 +121,7 @@ struct ValidationSettings
   int                      seedsOfLabel{ 0 };   ///< seeds per label in these parts; 0: 5, 20 and 100
   std::string              dataFolder;          ///< empty without real data
   std::string              rowsFolder{ "." };   ///< folder of the CSV files
-  std::string              outputFolder{ "." }; ///< folder of the pages and their pictures
+  std::string              outputFolder{ "." }; ///< folder of the pictures of Documentation/validation
   std::string              pictureFolder;       ///< folder of pictures in Documentation/pictures
 };
 void

@@ -45,6 +45,7 @@ protected:
     section.name = "part";
     section.rowsFolder = folder + "/rows";
     section.rowsPrefix = "part";
+    section.pictureFolder = folder;
   }
 
   std::string       folder;
@@ -156,6 +157,34 @@ TEST_F(ValidationReportFiles, SummaryWithoutBoundsShowsOnlyTheLink)
   report.Write(section);
   const std::string page = ReadText(section.page);
   EXPECT_NE(page.find("1 row: [values](rows/part-values.csv).\n\n0 of 0 checks passed."), std::string::npos) << page;
+}
+
+TEST_F(ValidationReportFiles, WritesTablesToFilesByTheirColumns)
+{
+  shapeton::CsvTable walks({ "walk", "share" });
+  walks.AddRow({ "published", "0.5" });
+  shapeton::CsvTable times({ "walk", "time, s" });
+  times.AddRow({ "published", "3" });
+  ValidationReport report("Title");
+  report.AddTable(walks);
+  report.AddTable(times);
+  report.AddText("## Others");
+  report.AddTable(walks);
+  report.Write(section);
+  EXPECT_EQ(ReadText(folder + "/rows/part-summary.csv"), "section,walk,share\n,published,0.5\nOthers,published,0.5\n");
+  EXPECT_EQ(ReadText(folder + "/rows/part-summary-2.csv"), "section,walk,\"time, s\"\n,published,3\n");
+  const std::string page = ReadText(section.page);
+  EXPECT_NE(page.find("| walk | share |\n| --- | --- |\n| published | 0.5 |\n"), std::string::npos) << page;
+}
+
+TEST_F(ValidationReportFiles, RefersToPicturesInTheirFolder)
+{
+  section.pictureFolder = folder + "/pictures";
+  ValidationReport report("Title");
+  report.AddText("![A chart](chart.svg)");
+  report.Write(section);
+  const std::string page = ReadText(section.page);
+  EXPECT_NE(page.find("![A chart](pictures/chart.svg)"), std::string::npos) << page;
 }
 
 TEST(ValidationReport, SummaryRequiresAColumnOfBounds)
