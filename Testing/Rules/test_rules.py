@@ -192,6 +192,28 @@ class Repository(RuleTest):
         self.check(repository.option_tables, {"a.md": table.replace("7", "8")},
                    "a.md: has an old table of options: run CMake/options.py readme")
 
+    def test_length_of_pages(self):
+        self.check(repository.short_pages, {"CHANGELOG.md": "x " * 400, "Modules/A/B/README.md": "x " * 350, "a.cxx": "x " * 5000})
+        for page, limit, kind in (("CHANGELOG.md", 400, "the changelog"), ("Modules/A/B/README.md", 350, "the page of a module"),
+                                  ("Applications/Tool/README.md", 500, "the page of a tool"), ("a/b.md", 800, "another page"),
+                                  ("Documentation/figures.md", 2600, "a page of reference")):
+            self.check(repository.short_pages, {page: "x " * (limit + 1)},
+                       f"{page}: has {limit + 1} words; {kind} has at most {limit}")
+        pages = {f"{i}.md": "x " * 800 for i in range(75)}
+        self.check(repository.short_pages, pages)
+        self.check(repository.short_pages, {**pages, "75.md": "x"}, "README.md: all pages have 60001 words, more than 60000")
+
+    def test_failures_of_validations(self):
+        table, page = f"{repository.TABLES}/a.csv", "Documentation/validation/a.md"
+        files = {table: "section,value,\nA,1,pass\nA,2,FAIL\nB,3,FAIL (1 of 2)\n"}
+        self.check(repository.stated_failures, {**files, page: "text\n[a](tables/a.csv)\n(2 failed)"})
+        for text in ("", " (1 failed)", " failed"):
+            self.check(repository.stated_failures, {**files, page: f"text\n[a](tables/a.csv){text}"},
+                       f"{page}:2: must state that 2 rows of a.csv failed")
+        self.check(repository.stated_failures, {table: "section\n", page: "[a](tables/a.csv) (2 failed)"},
+                   f"{page}:1: must state that 0 rows of a.csv failed")
+        self.check(repository.stated_failures, files, f"{table}: is not linked by a page of Documentation/validation")
+
     def test_length_of_tools(self):
         self.check(repository.short_tools, {"Applications/Tool/Tool.cxx": "x\n" * 150})
         self.check(repository.short_tools, {"Applications/Tool/Tool.cxx": "x\n" * 151},

@@ -5,14 +5,27 @@ import re
 from pathlib import Path
 
 from .modules import DECLARATION
-from .tree import Fault, find, is_source
+from .tree import Fault, find, is_source, line_at
 from .xml_tree import options
 
 LARGEST_FILE = 1_000_000
 LONGEST_TOOL = 150
+LONGEST_PAGES = (  # kind, regular expression of the path, words; the first that matches applies
+    ("the changelog", r"CHANGELOG\.md", 400),
+    ("the first page", r"README\.md", 1000),
+    ("the page of a module", r"Modules/.*", 350),
+    ("the page of a tool", r"Applications/.*", 500),
+    ("a page of validation", r"Documentation/validation/.*", 1700),
+    ("a page of reference", r"Documentation/(developer-guide|figures)\.md", 2600),
+    ("a page of Documentation", r"Documentation/.*", 1500),
+    ("another page", r".*", 800),
+)
+LONGEST_DOCUMENTATION = 60_000
+TABLES = "Documentation/validation/tables"
 CODE = re.compile(r"`[^`]*`")
 LINK = re.compile(r'\]\(\s*<?([^)>\s]+)|^\s*\[[^\]]+\]:\s*(\S+)|(?:src|href)="([^"]+)"')
 WEB = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:")
+TABLE_LINK = re.compile(r"\]\((tables/[^)]+)\)(?:\s\((\d+) failed\))?")
 HEADING = re.compile(r"^#+ +(.*?) *#*$", re.MULTILINE)
 MACHINE = re.compile(r"/(?:home|root|work|Users)/|:\\Users")
 LICENSE = re.compile(r"General[ ]Public License|All rights[ ]reserved|Copyright[ ]\(")
@@ -85,6 +98,36 @@ def sizes(tree):
         size = (tree.root / file).stat().st_size
         if size > LARGEST_FILE:
             yield Fault(str(file), 0, f"has {size} bytes, more than 1 MB")
+
+
+def short_pages(tree):
+    """Pages have at most the words of LONGEST_PAGES, and LONGEST_DOCUMENTATION together; measured tables are CSV files."""
+    total = 0
+    for page in tree.files:
+        if page.suffix != ".md":
+            continue
+        words = len(tree.text(page).split())
+        total += words
+        kind, limit = next((kind, limit) for kind, path, limit in LONGEST_PAGES if re.fullmatch(path, str(page)))
+        if words > limit:
+            yield Fault(str(page), 0, f"has {words} words; {kind} has at most {limit}")
+    if total > LONGEST_DOCUMENTATION:
+        yield Fault("README.md", 0, f"all pages have {total} words, more than {LONGEST_DOCUMENTATION}")
+
+
+def stated_failures(tree):
+    """Each table of a validation is linked with the number of its failed rows: [measures](tables/a.csv) (2 failed)."""
+    linked = set()
+    for page in tree.below("Documentation/validation"):
+        for match in TABLE_LINK.finditer(tree.text(page)) if page.suffix == ".md" else ():
+            file = page.parent / match[1]
+            failed = sum("FAIL" in row for row in tree.text(file).split("\n")) if file in tree.known else 0
+            linked.add(file)
+            if failed != int(match[2] or 0):
+                yield Fault(str(page), line_at(tree.text(page), match.start()), f"must state that {failed} rows of {file.name} failed")
+    for file in tree.below(TABLES):
+        if file not in linked:
+            yield Fault(str(file), 0, "is not linked by a page of Documentation/validation")
 
 
 def texts(tree):
