@@ -21,11 +21,10 @@ run HeatTransferFunction foot.nii.gz foot.nrrd foot.vp --lines "$footLines" --pi
 panels 2 350 "$(rendering ventricles.png)=(a) MR head" "$(rendering stent.png)=(b) abdomen with a stent" \
   "$(rendering foot.png)=(c) foot" "$(histogram foot/histogram-range.png)=(d) foot, heats from 0.17 to 0.31" \
   "stent-published.png@0,700,1110,490=(b) with p = 8, 100,000 steps, as published" "stent.png@0,700,1110,490=(b) ours"
-differs 'Ours: window, p, smoothing and steps chosen from the data: (a) see 2.9, (c) see 2.6. (b) the window of soft tissue,' \
-  '-160 to 240 HU, p = 25, smoothing of 1.2 mm and 48,000 steps. Colors are one per line, at most six lines. **Agrees:**' \
-  '(d) lines converge and stay apart, each for a bone; (b) spine, ribs and pelvis are one class (ivory), both kidneys are' \
-  'in one line (red). **Differs:** that line contains the muscles beside the spine, too; liver and pancreas have no line' \
-  'of their own. With p = 8, all voxels of (b) are one class.'
+differs 'Parameters chosen from the data; (b) window -160 to 240 HU, p = 25. Colors: one per line. **Agrees:** (d) lines' \
+  'converge and stay apart, each for a bone; (b) spine, ribs and pelvis are one class (ivory), both kidneys are in one' \
+  'line (red). **Differs:** that line contains the muscles beside the spine, too; liver and pancreas have no line. With p' \
+  '= 8, as published, all voxels of (b) are one class.'
 
 figure 2.3 'equalized and normalized histogram'
 needs volumes/ch2.nii.gz
@@ -34,8 +33,8 @@ run CumulativeHeatDiffusion ch2.nii.gz head.nrrd --p 20 --timeSteps 4000 --snaps
 run CumulativeHeatDiffusion ch2.nii.gz head.nrrd --p 20 --timeSteps 4000 --snapshotSpacing logarithmic \
   --histogram normalized.png --histogramScale normalized
 panels 2 430 "$(histogram equalized.png)=(a) equalized" "$(histogram normalized.png)=(b) normalized"
-differs 'Ours: MR head, p = 20, 4,000 steps; the dissertation does not name its data set. **Agrees:** equalization assigns space by' \
-  'the number of voxels; without it, the lines of cool parts are crowded at the left.'
+differs 'MR head; the dissertation does not name its data. **Agrees:** equalization assigns space by the number of voxels;' \
+  'without it, the lines of cool parts are crowded at the left.'
 
 figure 2.4 'a cube in time'
 run ShapePhantom cube.nrrd --shape figure2.4
@@ -48,9 +47,9 @@ for step in 20 100 750 900 1000 1100; do
   cube+=("$(rendering "cube-$step.png")=t = $step")
 done
 panels 3 280 "${cube[@]}" "$(histogram cube-histogram.png)=4000 steps"
-differs 'Ours: 4,000 steps. Orange: within 15 % of the final heat; red: hotter. **Agrees:** faces reach the final heat' \
-  'first, then edges, then corners; one line remains. **Not comparable:** the steps depend on the size of the cube' \
-  'and the thresholds, which are not printed ([values](validation/heat.md#figures-24-25-and-27-of-the-dissertation)).'
+differs 'Orange: within 15 % of the final heat; red: hotter. **Agrees:** faces reach the final heat first, then edges, then' \
+  'corners; one line remains. **Not comparable:** the steps depend on size and thresholds, which are not printed' \
+  '([values](validation/heat.md#figures-24-25-and-27-of-the-dissertation)).'
 
 figure 2.6 'the foot, one line at a time'
 needs scivis/foot.nii.gz
@@ -65,12 +64,11 @@ for line in ${footLines//,/ }; do
   bones+=("foot-${line%%:*}.png@270,115,480,480=${line%%:*}")
 done
 panels 3 250 "${bones[@]}"
-differs 'Published: p = 7 and 100,000 steps in Table 2.1, 1,000,000 in the text; other parameters are not stated. With 100,000 steps, all' \
-  'voxels are one class. Ours, chosen from the data: window 1.06 to 101, p = 29.6 (1/p is the median difference of neighbors),' \
-  'smoothing of 0.7 mm against noise, 40,000 steps. **Agrees:** the compact bone of the proximal phalanx of each toe has a line; those of the' \
-  'three middle toes are neighbors (0.182, 0.200 and 0.224; big toe: 0.209, small toe: 0.292). **Differs:** a range' \
-  'contains stray voxels of other tissue; bone (smoothed intensity above 95) makes up 75, 79, 56, 85, 61 and 26 % of the six ranges.' \
-  'Metatarsals are cut by the border of the volume, lose heat there, and have no line. Marrow is separate.'
+differs 'Published: p = 7, 100,000 steps (Table 2.1) or 1,000,000 (text); with 100,000 steps, all voxels are one class. Ours,' \
+  'chosen from the data: p = 29.6, 40,000 steps. **Agrees:** the compact bone of the proximal phalanx of each toe has a' \
+  'line; those of the three middle toes are neighbors (.182, .200, .224; big toe .209, small toe .292). **Differs:** a' \
+  'range contains stray voxels; bone makes up 75, 79, 56, 85, 61 and 26 % of the six ranges. Metatarsals are cut by the' \
+  'border, lose heat there, and have no line. Marrow is separate.'
 
 figure 2.7 'scale and orientation'
 run ShapePhantom a.nrrd --shape figure2.7a --size 96,96,96
@@ -81,9 +79,9 @@ run CumulativeHeatDiffusion four.nrrd four-heat.nrrd --preset published --timeSt
 run HeatTransferFunction four.nrrd four-heat.nrrd four.vp --picture four.png
 panels 2 400 "$(rendering a.png)=(a) two spheres, a cube" "$(histogram a-histogram.png)" \
   "$(rendering four.png)=(b) two cubes, two cuboids" "$(histogram four-histogram.png)"
-differs 'Ours: 40,000 steps. **Agrees:** three and four lines. **Differs:** the lines of one shape in two sizes are not' \
-  'close to each other. The heat values of the spheres differ by a factor of 2, the ratio of their radii; their' \
-  '`normalizedHeat` differs by 0.1 % ([values](validation/heat.md#figures-24-25-and-27-of-the-dissertation)).'
+differs '**Agrees:** three and four lines. **Differs:** the lines of one shape in two sizes are not close. The heats of the' \
+  'spheres differ by a factor of 2, the ratio of their radii; their `normalizedHeat` differs by .1 %' \
+  '([values](validation/heat.md#figures-24-25-and-27-of-the-dissertation)).'
 
 figure 2.8 'p'
 needs volumes/engine.nii.gz
@@ -95,7 +93,7 @@ for p in 2 5 10 15; do
   engine+=("$(rendering engine-$p.png)=p = $p")
 done
 panels 2 400 "${engine[@]}"
-differs 'Ours: 100 steps; the rendered heat ranges are our choice. **Agrees:** p = 2 and 5 differ much, 10 and 15 little.'
+differs '100 steps; the rendered ranges are our choice. **Agrees:** p = 2 and 5 differ much, 10 and 15 little.'
 
 figure 2.9 'an MR head'
 needs scivis/mri_ventricles.nii.gz
@@ -106,12 +104,10 @@ run HeatTransferFunction mri_ventricles.nii.gz ventricles.nrrd ventricles.vp --l
 panels 3 270 "ventricles-published.png@16,734,380,380=p = 6, 400,000 steps, as published" "ventricles.png@16,734,380,380=ours, lines" \
   "ventricles/slices-classes.png@16,82,318,318=ours, classes" "ventricles.png@100,150,640,460=ours, lines" \
   "ventricles.png@410,734,380,190" "ventricles/slices-classes.png@678,82,318,154"
-differs 'Published: p = 6, 400,000 steps, 256^3 voxels. Ours: a head of 256 x 256 x 124 voxels, where these values leave heat in 90 voxels' \
-  'only. Chosen from the data: window 19.9 to 99.6, p = 32.7, smoothing of 0.63 mm, 40,000 steps. **Agrees:** eyes (yellow), fluid of' \
-  'the ventricles (blue), brain (orange) and muscles of the neck (red) have different lines; each eye has a narrow line of its own,' \
-  '0.151 and 0.248. **Differs:** only parts of the brain have a line, and one ventricle shares it; lines also contain stray' \
-  'voxels where heat changes from one object to the next; the scalp has no line. The header of the file does not name the axes' \
-  'correctly: slices named axial are sagittal.'
+differs 'Published: p = 6, 400,000 steps; in our head these leave heat in 90 voxels only. Ours, chosen from the data: p = 32.7,' \
+  '40,000 steps. **Agrees:** eyes (yellow), ventricles (blue), brain (orange) and muscles of the neck (red) have' \
+  'different lines. **Differs:** only parts of the brain have a line, and one ventricle shares it; lines contain stray' \
+  'voxels; the scalp has no line. The header names the axes wrongly: slices named axial are sagittal.'
 
 figure 2.10 'an aneurysm'
 needs scivis/aneurism.nii.gz
@@ -122,7 +118,7 @@ run HeatTransferFunction aneurism.nii.gz aneurysm.nrrd aneurysm.vp --lines 0.081
   --picture aneurysm.png
 panels 2 420 "$(rendering aneurysm-published.png)=p = 7.5, 100,000 steps, as published" "$(rendering aneurysm.png)=ours" \
   "$(slices aneurysm-published.png)" "$(slices aneurysm.png)"
-differs 'Published: p = 7.5, 100,000 steps. These values give five classes (heats from 0.08), which the default colors do not tell apart; they were not compared with shapes. Ours, chosen from the data: window 45 to 158, p =' \
-  '8.11, smoothing of 0.7 mm, 1,200 steps; the colored ranges are our choice. **Agrees:** blob (yellow), large vessels (red) and thin' \
-  'vessels (green) are distinguished, with some mixed voxels, as published. Heat falls with thickness: where the inscribed radius is' \
-  '2, 4, 6 and 10 voxels, the median is 0.49, 0.20, 0.11 and 0.085. **Differs:** far fewer steps.'
+differs 'Published: p = 7.5, 100,000 steps; these give five classes, which the default colors do not distinguish. Ours, chosen' \
+  'from the data: p = 8.11, 1,200 steps. **Agrees:** blob (yellow), large vessels (red) and thin vessels (green) are' \
+  'distinguished, with some mixed voxels, as published. Heat falls with thickness (.49 to .085 for radii of 2 to 10' \
+  'voxels). **Differs:** far fewer steps.'

@@ -3,9 +3,7 @@
 
 chapter 3 'shapetons'
 write 'Colors are density classes. [CHD or shapetons?](shapetons.md) defines the *published* and the *controlled* walk. Figures 3.6 to' \
-  '3.8 show the published walk with 65,000 shapetons unless stated, 3.9 and 3.11 the controlled walk. Slices are the input in the' \
-  'colors of the classes. Shapetons start in voxels of the stated intensities' \
-  '([threshold.py](../Testing/Figures/threshold.py)).' ''
+  '3.8 show the published walk, 3.9 and 3.11 the controlled walk.' ''
 
 figure 3.4 'four shapes by shapetons'
 run ShapePhantom figure3.4.nrrd --shape figure3.4 --size 96,96,96
@@ -13,9 +11,9 @@ run ShapetonDiffusion figure3.4.nrrd figure3.4-published.nrrd --preset published
 run ShapetonDiffusion figure3.4.nrrd figure3.4-controlled.nrrd --shapetons 50000 --timeSteps 1000 --distance 0.01 \
   --p 7 --preset objects --report figure3.4-controlled
 panels 2 400 "$(rendering figure3.4-published/rendering.png)=published walk" "$(rendering figure3.4-controlled/rendering.png)=controlled walk"
-differs 'Ours: published walk with 65,000 shapetons and 2,500 steps; controlled walk with 50,000 and 1,000. **Differs:** the' \
-  'published walk finds one class. The controlled walk distinguishes objects by surface over volume: cube and large cuboid have one class,' \
-  'sphere and small cuboid the other; published are one class for both cuboids, a similar one for the cube, another for the sphere.'
+differs '**Differs:** the published walk finds one class. The controlled walk distinguishes surface over volume: cube and large' \
+  'cuboid have one class, sphere and small cuboid the other; published are one class for both cuboids, a similar one for' \
+  'the cube, another for the sphere.'
 
 figure 3.5 'deformed shapes by shapetons'
 run ShapePhantom figure3.5.nrrd --shape figure3.5 --size 96,96,96
@@ -30,10 +28,10 @@ for shapetons in 1000 50000; do
   done
 done
 panels 2 320 "${deformed[@]}"
-differs 'Published: 1,000 shapetons, 2,500 steps. Ours: the same, and 50,000 shapetons; distance 0.01, p = 7. **Differs:** with 1,000, the' \
-  'published walk visits 86 % of the voxels 3.4 times on average, in one class, and the controlled walk separates the four objects from' \
-  'their surroundings, but not from each other. With 50,000, the published walk still finds one class. **Agrees:** with 50,000, the' \
-  'controlled walk finds one class for both spheres and others for the cuboids. **Differs:** the deformed cuboid has a class of its own.'
+differs 'Published: 1,000 shapetons, 2,500 steps. **Differs:** with 1,000, the published walk finds one class, and the' \
+  'controlled walk separates the objects from their surroundings, but not from each other. With 50,000, the published' \
+  'walk still finds one class. **Agrees:** with 50,000, the controlled walk finds one class for both spheres and others' \
+  'for the cuboids. **Differs:** the deformed cuboid has a class of its own.'
 
 figure 3.6 'number of shapetons'
 run ShapePhantom cube128.nrrd --shape figure2.4 --size 128,128,128
@@ -44,8 +42,8 @@ for shapetons in 4000 8000 15000 30000; do
   many+=("$(visits "many-$shapetons.png")=$shapetons")
 done
 panels 2 300 "${many[@]}"
-differs 'Visits of a cube in 128^3, 1,600 steps. **Agrees:** more shapetons cover more voxels of the cube (92 %, 99 %,' \
-  '100 %, 100 %). The walk shows no shape inside the cube.'
+differs 'Visits of a cube, 1,600 steps. **Agrees:** more shapetons cover more of it (92, 99, 100, 100 %). The walk shows no' \
+  'shape inside the cube.'
 
 figure 3.7 'distance'
 run ShapePhantom vessels.nrrd --shape vessels --size 128,128,128
@@ -57,17 +55,17 @@ for distance in 0.001 0.005 0.01 0.05; do
   steps+=("$(visits "vessels-$distance.png")=distance $distance")
 done
 panels 2 400 "${steps[@]}"
-differs 'Ours: a phantom, p = 7.5, 400 steps, shapetons start in the vessels. **Agrees:** thin vessels are visible at' \
-  'small distances and lost at large ones, because steps jump over walls.'
+differs 'A phantom; shapetons start in the vessels. **Agrees:** thin vessels are visible at small distances and lost at large' \
+  'ones, because steps jump over walls.'
 
 figure 3.7-aneurysm 'the aneurysm'
 needs scivis/aneurism.nii.gz
 run ShapetonDiffusion aneurism.nii.gz aneurysm-visits.nrrd --intensityWindow 20,120 --p 10 --smoothing 0.5 --shapetons 60000 \
   --timeSteps 400 --report aneurysm-shapetons
 panels 1 700 "$(rendering aneurysm-shapetons/rendering.png)=objects, 60,000 shapetons, 400 steps of two voxels"
-differs 'Ours: preset `objects`, window 20 to 120, p = 10, smoothing 0.5 mm. **Agrees:** thin vessels are visible, with more' \
-  'visits (green to red) than their surroundings. **Differs:** the walls of thin vessels leak into a halo (blue), and the' \
-  'aneurysm itself is in the lowest class, probably because it has less surface per volume.'
+differs '**Agrees:** thin vessels are visible, with more visits (green to red) than their surroundings. **Differs:** their' \
+  'walls leak into a halo (blue), and the aneurysm is in the lowest class, probably because it has less surface per' \
+  'volume.'
 
 figure 3.8 'p with shapetons'
 needs volumes/engine.nii.gz
@@ -78,8 +76,8 @@ for p in 4 9 15 20; do
   pipes+=("$(visits "engine-shapetons-$p.png")=p = $p")
 done
 panels 2 400 "${pipes[@]}"
-differs 'Ours: 1,300 steps, distance 0.05. **Differs:** pipe, rim and beam do not appear one after the other. From p = 15' \
-  'on, visits accumulate where noise isolates voxels, and less of the engine is reached (100 %, 100 %, 97 %, 81 %).'
+differs '**Differs:** pipe, rim and beam do not appear one after the other. From p = 15 on, visits accumulate where noise' \
+  'isolates voxels, and less of the engine is reached (100, 100, 97, 81 %).'
 
 figure 3.9 'a CT of the chest'
 needs ct/no-colon/chest.nii.gz
@@ -89,13 +87,11 @@ run ShapetonDiffusion chest.nii.gz chest-visits.nrrd --mask chest-bright.nii --i
 run HeatTransferFunction chest.nii.gz chest-visits.nrrd chest.vp \
   --lines '0.009-0.024:#c03a3a:0.3,0.026-0.048:#3a9a5a:0.7,0.048-0.2:#f0d060:0.9' --picture chest.png
 panels 1 700 "$(rendering chest.png)" "$(slices chest.png)"
-differs 'Published: 65,000 shapetons, 1,600 steps, distance 0.05; p = 6 in Table 3.2. Ours: preset `objects`, 200,000 shapetons that' \
-  'start above 120 HU, 300 steps of two voxels, window 100 to 300, p = 8, smoothing 1 mm; the colored ranges are our choice.' \
-  '**Agrees:** most ribs and the sternum have one class (yellow), large objects others: heart, aorta and spleen (red), shoulder blades,' \
-  'clavicles and vertebrae mostly green. **Differs:** visits fluctuate, so bones have specks of other classes; clavicles, shoulder blades' \
-  'and vertebrae have no class of their own; the kidneys and the contrast medium in vessels are as bright as bone and share its classes;' \
-  'the xiphoid is not visible. Without the start region, the automatic window of soft tissue (p = 39.6) shows lungs, heart' \
-  'and body, but no bones, and traps 16 % of the shapetons in voxels that noise cuts off.'
+differs 'Ours: 200,000 shapetons that start above 120 HU; the colored ranges are our choice. **Agrees:** most ribs and the' \
+  'sternum have one class (yellow), heart, aorta and spleen another (red); shoulder blades, clavicles and vertebrae are' \
+  'mostly green. **Differs:** bones have specks of other classes; clavicles, shoulder blades and vertebrae have no class' \
+  'of their own; kidneys and contrast medium share the classes of bone; the xiphoid is not visible. Without the start' \
+  'region, the automatic window shows no bones, and 16 % of the shapetons are trapped.'
 
 figure 3.10 'a polyp'
 walter_reed
@@ -104,10 +100,9 @@ run ShapetonDiffusion polyp-box.nrrd polyp-visits.nrrd --preset published --p 15
   --intensityWindow=-1000,200 --preview polyp-visits.png --previewEvery 1000
 panels 2 400 "polyp-visits.png@16,80,380,382=(a) visits, red: many, blue: few" \
   "walter-reed/polyps/report/polyp-candidate-1.png@812,28,402,300=(b) marked by the default preset"
-differs 'Walter Reed, candidate 1 of 5.6, in a box of 60 mm of the cleansed CT. Ours: window -1000 to 200 HU, steps of 2 mm.' \
-  '**Agrees:** the polyp is blue. **Differs:** so is all tissue, and the color does not distinguish the polyp. Shapetons' \
-  'collect in voxels that the partial volume of the boundary isolates (yellow, red). See [how many polyps this' \
-  'finds](../Applications/ColonPolyps/README.md#options).'
+differs 'Walter Reed, candidate 1 of 5.6, in the cleansed CT. **Agrees:** the polyp is blue. **Differs:** so is all tissue.' \
+  'Shapetons collect in voxels that the partial volume of the boundary isolates (yellow, red). See [how many polyps this' \
+  'finds](validation/colon-polyps.md#polyp-candidates-by-shapetons).'
 
 figure 3.11 'hydrogen, abdomen, head, foot'
 needs ct/totalsegmentator/example_ct.nii.gz volumes/ch2.nii.gz scivis/foot.nii.gz
@@ -132,17 +127,14 @@ run HeatTransferFunction foot.nii.gz foot-visits.nrrd foot-visits.vp --lines '0.
 panels 2 400 "$(rendering hydrogen/rendering.png)=(a) hydrogen, a phantom" "$(slices hydrogen/rendering.png)" "$(rendering abdomen.png)=(c) abdomen" \
   "$(slices abdomen.png)" "$(rendering brain.png)=(d) head, started in the brain" "$(slices brain.png)" \
   "$(rendering foot-visits.png)=(e) foot" "$(slices foot-visits.png)"
-differs 'Published: 65,000 shapetons, (c) 260,000; distance 0.01; (c) p = 8, 2,600 steps, (d) p = 6, 4,160 steps, (e) p = 9, 420 steps.' \
-  'Ours: preset `objects`, steps of two voxels, p = 8 unless stated; the colored ranges are our choice. (a) 50,000 shapetons, 1,000' \
-  'steps of 0.01, p = 7. **Agrees:** the lobes have one class, different from nucleus and orbit. **Differs:** a phantom; in the real' \
-  'hydrogen atom, which has no edges, nested layers of lobes and ring share classes. (c) 300,000 shapetons, 300 steps, window -50 to 150,' \
-  'smoothing 2 mm, started above 10 HU. **Agrees:** bones (white), psoas muscles (green), most of the liver (red) and the bladder' \
-  '(amber) differ. **Differs:** pancreas, aorta and kidneys have no class of their own; liver and muscles of the back share one. (d) 150,000' \
-  'shapetons, 700 steps, window 30 to 90, smoothing 1 mm. **Agrees:** the brain (amber) is separated from ventricles and skull.' \
-  '**Differs:** only because the shapetons start in a box within it; started in all gray values of the brain, brain and scalp have' \
-  'nearly the same number of visits, and with the published walk, head and air are one class. Few reach the cerebellum; eye sockets are not visible. (e)' \
-  'Another foot: 200,000 shapetons, 250 steps, window 60 to 140, smoothing 0.5 mm, started above 80. **Agrees:** bones are visible,' \
-  'separated at the joints. Dense shafts (blue) differ from spongy ends (yellow). (b) Our data contain no hand.' 
+differs 'The colored ranges are our choice. (a) **Agrees:** the lobes have one class, different from nucleus and orbit.' \
+  '**Differs:** a phantom; in the real hydrogen atom, which has no edges, nested layers of lobes and ring share classes.' \
+  '(b) Our data contain no hand. (c) **Agrees:** bones (white), psoas muscles (green), most of the liver (red) and the' \
+  'bladder (amber) differ. **Differs:** pancreas, aorta and kidneys have no class of their own; liver and muscles of the' \
+  'back share one. (d) **Agrees:** the brain (amber) is separated from ventricles and skull. **Differs:** only because' \
+  'the shapetons start in a box within it; otherwise brain and scalp have nearly the same number of visits, and with the' \
+  'published walk, head and air are one class. Eye sockets are not visible. (e) Another foot. **Agrees:** bones are' \
+  'visible, separated at the joints; dense shafts (blue) differ from spongy ends (yellow).'
 
 figure table-3.1 'number of shapetons'
 run ShapePhantom cube128.nrrd --shape figure2.4 --size 128,128,128
@@ -154,11 +146,11 @@ for pair in 4000,7100 8000,4400 15000,2800 30000,1600 65000,1500 150000,1200; do
   numbers+=("$shapetons=cube-$shapetons")
 done
 table numbers "${numbers[@]}"
-differs 'The cube of Figure 2.4 in 128^3 voxels, published walk, published numbers of steps. Ours: wall seconds of two threads of a busy' \
-  'machine. **Agrees:** with fewer shapetons, a step is faster; the published steps visit 99.99 % (4,000 shapetons) to 100 % of the' \
-  'cube. **Differs:** on a CPU, the time of a step grows about in proportion to the number of shapetons or faster, so many shapetons save' \
-  'no time. The steady state of (3.10) is not comparable ([claims](shapetons.md#which-published-claims-hold)). On a GPU: not measured for' \
-  'these numbers; [65,536 shapetons take 0.011 ms per step on an H100](benchmarks.md#on-a-gpu).'
+differs 'The cube of Figure 2.4, published walk; wall seconds of two busy threads. **Agrees:** with fewer shapetons, a step is' \
+  'faster; the published steps visit 99.99 to 100 % of the cube. **Differs:** on a CPU, the time of a step grows at least' \
+  'linearly with the number of shapetons, so adding shapetons saves no time. The steady state of (3.10) is not comparable' \
+  '([claims](shapetons.md#which-published-claims-hold)). On a GPU: not measured for these numbers; [65,536 shapetons take' \
+  '.011 ms per step on an H100](benchmarks.md#on-a-gpu).'
 
 figure table-3.2 'times of heat and shapetons'
 needs scivis/foot.nii.gz volumes/engine.nii.gz scivis/aneurism.nii.gz scivis/mri_ventricles.nii.gz \
@@ -176,9 +168,10 @@ both_of example_ct 8 100000 2600
 both_of chest 6 100000 1600
 table volumes 'foot=256^3=foot' 'engine=256 x 256 x 128=engine' 'aneurysm=256^3=aneurism' 'MR head=256 x 256 x 124=mri_ventricles' \
   'CT abdomen=122 x 101 x 112=example_ct' 'CT chest=256 x 256 x 133=chest'
-differs 'Ours: both tools with `--preset published`, wall seconds of two threads of a busy machine; head and CTs have other sizes than the' \
-  'published volumes. No Visible Female hand and no foot of 176 x 187 x 190 voxels is in our data. The H200 column is of' \
-  '[phantoms of the published sizes](benchmarks.md#table-21-of-the-dissertation-with-our-column); shapetons of these volumes were not' \
-  'measured on a GPU. **Agrees:** shapetons take less time than heat for the published steps of the large volumes. **Differs:** they are' \
-  '1.7 to 2.6 times faster, not 90 to 5,400 times, because our heat takes 6 to 18 times less than published at equal' \
-  'sizes; for the small abdomen, heat is faster. Equal pictures need more shapetons ([speed](shapetons.md#speed)).'
+differs 'Both tools with `--preset published`, wall seconds of two busy threads; head and CTs have other sizes than the' \
+  'published volumes. The H200 column is of [phantoms of the published' \
+  'sizes](benchmarks.md#table-21-of-the-dissertation-with-our-column). **Agrees:** shapetons take less time than heat for' \
+  'the published steps of the large volumes. **Differs:** they are 1.7 to 2.6 times faster, not 90 to 5,400 times,' \
+  'because our heat takes 6 to 18 times less than published at equal sizes; for the small abdomen, heat is faster. Equal' \
+  'pictures need more shapetons ([speed](shapetons.md#speed)). No hand, no foot of 176 x 187 x 190 voxels, and no GPU' \
+  'times of shapetons.'

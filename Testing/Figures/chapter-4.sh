@@ -2,28 +2,25 @@
 # shellcheck shell=bash disable=SC2016
 
 chapter 4 'landmarks of the colon'
-write 'Walter Reed: a patient in prone position. Patient 00020: position not stated; its *second position* is simulated by a known' \
-  'smooth displacement of up to 15 mm ([second-position.py](../Testing/Figures/second-position.py)), which creates no new folds and' \
-  'moves no gas. It is easier than a real second position; Table 4.1 has a real pair, too. Pictures name the two supine and prone.' ''
+write 'Walter Reed: a patient in prone position. Patient 00020: its *second position* (named prone) is simulated by a known smooth' \
+  'displacement of up to 15 mm, which creates no new folds and moves no gas: easier than a real one. Table 4.1 has a real pair, too.' ''
 
 figure 4.1 'haustral folds on the surface'
 walter_reed
 patient_20
 panels 2 430 "walter-reed/landmarks/report/folds-surface.png@140,40,620,815=(a) Walter Reed, prone" \
   "patient-20/landmarks/report/folds-surface.png@140,40,620,815=(b) patient 00020"
-differs 'Published: mean curvature in [-4.5, -0.5], not divided by the area, and connected components. Ours: mean curvature' \
-  'smoothed by heat diffusion, in 1/mm, with a threshold derived from each surface, because the published interval is valid for' \
-  'one mesh density only. **Agrees:** folds are found on the whole surface, 254 and 267. **Differs:** seen from outside, a fold is' \
-  'a furrow; its crest is inside. The long blue band at the cecum of Walter Reed is not a fold.'
+differs 'Published: mean curvature in [-4.5, -.5], not divided by the area. Ours: smoothed by heat diffusion, in 1/mm, with a' \
+  'threshold from each surface. **Agrees:** folds are found on the whole surface, 254 and 267. **Differs:** seen from' \
+  'outside, a fold is a furrow. The long blue band at the cecum of Walter Reed is not a fold.'
 
 figure 4.2 'taeniae coli'
 walter_reed
 panels 2 430 "walter-reed/landmarks/report/landmarks-anterior.png@140,40,640,815=front" \
   "walter-reed/landmarks/report/landmarks-posterior.png@140,40,640,815=back"
-differs 'Ours: all three taeniae (yellow, blue, pink) instead of one in red, by the better of fuzzy C-means and dynamic programming' \
-  'for three paths at once. **Agrees:** the lines run between the rows of haustra through the whole colon, without markers; the' \
-  'dissertation needed markers in 2 of 9 data sets. **Differs:** the two methods disagree by more than 10 mm along 17 % of this' \
-  'colon, and the tool warns.'
+differs 'All three taeniae (yellow, blue, pink). **Agrees:** the lines run between the rows of haustra through the whole colon,' \
+  'without markers; the dissertation needed markers in 2 of 9 data sets. **Differs:** our two methods disagree by more' \
+  'than 10 mm along 17 % of this colon, and the tool warns.'
 
 figure 4.3 'a taenia in transverse and ascending colon'
 walter_reed
@@ -43,11 +40,10 @@ panels 4 230 "walter-reed/landmarks/report/landmarks-anterior.png@140,40,640,815
   "patient-20/landmarks/report/landmarks-anterior.png@140,40,640,815=patient 00020, ours" \
   "patient-20-published/report/landmarks-anterior.png@140,40,640,815=patient 00020, published rule"
 differs 'Red: rectum; orange: sigmoid; green: descending; teal: transverse; blue: ascending; purple: cecum; gray: unknown.' \
-  'Published: bends of the projected centerline, sorted by height. Ours: the best four positions in anatomical order, with the' \
-  'pelvic brim where a CT shows it. **Agrees:** segments from rectum to cecum, one color each. Along the line that experts drew in' \
-  'patient 00020, our splenic flexure, hepatic flexure and ileocecal valve are 35, 35 and 8 mm from theirs, our end of the' \
-  'descending colon 58 mm. **Differs:** in both colons, the published rule (`--flexureRule published`) takes neighboring bends near' \
-  'the spleen for splenic and hepatic flexure, because the highest bends are neighbors.'
+  '**Agrees:** segments from rectum to cecum, one color each. In patient 00020, our splenic flexure, hepatic flexure and' \
+  'ileocecal valve are 35, 35 and 8 mm from those of experts, our end of the descending colon 58 mm. **Differs:** in both' \
+  'colons, the published rule (`--flexureRule published`) takes neighboring bends near the spleen for splenic and hepatic' \
+  'flexure.'
 
 figure 4.5 'hepatic and splenic flexure'
 walter_reed
@@ -56,7 +52,8 @@ panels 2 360 "walter-reed/landmarks/report/landmarks-posterior.png@520,80,300,30
   "walter-reed/landmarks/report/landmarks-posterior.png@170,32,300,300=(b) splenic, Walter Reed" \
   "patient-20/landmarks/report/landmarks-posterior.png@520,80,300,300=(a) hepatic, patient 00020" \
   "patient-20/landmarks/report/landmarks-posterior.png@200,32,300,300=(b) splenic, patient 00020"
-differs 'Seen from behind. The black loop is the section of the wall with the plane across the centerline, as published (there red).'
+differs 'Seen from behind. The black loop is the section of the wall with the plane across the centerline, as published (there' \
+  'red).'
 
 # split POSITION: cuts the wall into segments and maps each; both are results of the figure.
 split() {
@@ -73,8 +70,8 @@ split second
 panels 2 430 "patient-20-ascending.png=ascending, supine: 0.643" "second-ascending.png=prone: 0.680" \
   "patient-20-transverse.png=transverse, supine: 0.217" "second-transverse.png=prone: 0.220" \
   "patient-20-descending.png=descending, supine: 0.288" "second-descending.png=prone: 0.278"
-differs 'Height over width of the rectangle. Patient 00020 and its second position; each segment with the checkerboard of its map.' \
-  '**Agrees:** the moduli of corresponding segments differ, here by 6, 2 and 3 %, so no conformal map takes one to the other.'
+differs 'Height over width of the rectangle. **Agrees:** the moduli of corresponding segments differ, here by 6, 2 and 3 %, so' \
+  'no conformal map takes one to the other.'
 
 figure 4.7 'mean curvature'
 both_positions
@@ -82,9 +79,8 @@ panels 2 470 "patient-20/landmarks/report/landmarks-anterior.png@120,40,640,464=
   "second/landmarks/report/landmarks-anterior.png@120,40,640,464=(d) prone" \
   "patient-20/flattening/report/flat-curvature.png@0,1030,945,346=(c) supine, transverse to cecum" \
   "second/flattening/report/flat-curvature.png@0,1030,945,346=(f) prone, transverse to cecum"
-differs 'Patient 00020 and its second position. Ours in 1/mm, from -0.2 (blue, away from the lumen) to 0.2 (red, folds). **Agrees:**' \
-  'the folds of both positions form the same pattern. (b) and (e), the colors on the surface in space, are not drawn by a tool;' \
-  '`folds-surface.vtp` has them as `meanCurvature`.'
+differs 'In 1/mm, from -.2 (blue) to .2 (red, folds). **Agrees:** the folds of both positions form the same pattern. (b) and' \
+  '(e), the colors in space, are not drawn; `folds-surface.vtp` has them as `meanCurvature`.'
 
 # as_published: registers the two positions as in the dissertation.
 as_published() {
@@ -99,11 +95,10 @@ panels 2 360 "patient-20/folds/folds.png@620,1330,663,436=(a), (b) supine: folds
   "second/folds/folds.png@620,1330,663,436=prone" \
   "both/report/aligned.png@700,580,679,478=(c), (d) ours: matches that constrain the map" \
   "both-published/report/aligned.png@700,580,679,478=as published"
-differs 'Patient 00020 and its second position, ascending colon. Published: graph cut, ends of the long axes of large folds' \
-  'as features, graph matching by dual decomposition, features near the taenia only. Ours: graph cut; whole folds as features,' \
-  'matched exactly (`--matching dualDecomposition` is published); all that agree with their neighbors constrain the map. **Agrees:**' \
-  'most folds have a partner, and the number of folds differs. **Differs:** ours finds more and better pairs (Table 4.1), also away' \
-  'from the taenia. One color per pair, red: contradicted or wrong, black: unmatched; the prone wall is drawn as mapped.'
+differs 'Ascending colon. Published: ends of large folds near the taenia as features, matched by dual decomposition. Ours:' \
+  'whole folds, matched exactly; all that agree with their neighbors constrain the map. **Agrees:** most folds have a' \
+  'partner, and the number of folds differs. **Differs:** ours finds more and better pairs (Table 4.1). One color per' \
+  'pair, red: contradicted or wrong, black: unmatched.'
 
 figure table-4.1 'feature correspondences'
 both_positions
@@ -113,6 +108,6 @@ run VirtualColonoscopy colon-lumen-mask.nii.gz mask --inputIsLumen
 run VirtualColonoscopy colon-lumen-mask-other-position.nii.gz other-mask --inputIsLumen
 run ColonRegistration mask other-mask both-masks
 table matches 'patient 00020, second position=both' 'the same, as published=both-published' 'a real pair=both-masks'
-differs 'Published counts are border features of one patient; who judged them is not stated. Ours are folds: a pair is right or wrong by the known' \
-  'displacement, where a point of it is near the folds; a real pair has no truth, and only contradictions to neighboring pairs can be' \
-  'counted. *As published*: dual decomposition and the map of 4.3 and 5.4.2.'
+differs 'Published counts are border features of one patient; who judged them is not stated. Ours are folds, right or wrong by' \
+  'the known displacement; a real pair has no truth, only contradictions. *As published*: dual decomposition and the map' \
+  'of 4.3 and 5.4.2.'

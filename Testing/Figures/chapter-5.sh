@@ -13,14 +13,14 @@ panels 2 400 "patient-20/segmentation/report/wall-anterior.png@200,10,600,850=(a
   "walter-reed/polyps/report/polyp-candidate-1.png@812,0,402,656=a polyp of Walter Reed, inside and flat" \
   "raw/flat-relief.png@0,1030,817,334=(b) patient 00020, flat with handles (crosses)" \
   "walter-reed/flattening/report/flat-volume.png@0,1045,874,330=(b) Walter Reed, by direct volume rendering"
-differs 'Below: transverse colons. **Agrees:** the wall is flattened with its handles, and folds keep their shape. **Differs:** a polyp on' \
-  'a stalk, as this one, does not: a conformal map shrinks its head to a point, and the tool says so.'
+differs '**Agrees:** the wall is flattened with its handles, and folds keep their shape. **Differs:** a polyp on a stalk does' \
+  'not: a conformal map shrinks its head to a point, and the tool says so.'
 
 figure 5.2 'geodesic and diffusion distance'
 write '![Figure 5.2](validation/figure-5.2.png)' ''
-paragraph '**Agrees** for times as in flattening: when thumb and index finger are cut apart, f changes by 29.6 % with geodesic' \
-  'and by 3.5 % with diffusion distances. Generated hand; made by `Utilities/run-validation flattening-distances`,' \
-  '[values](validation/flattening.md#figure-52-geodesic-and-diffusion-distance).'
+paragraph 'Made by `Utilities/run-validation flattening-distances`. **Agrees** for times as in flattening: when thumb and index' \
+  'finger are cut apart, f changes by 29.6 % with geodesic and by 3.5 % with diffusion distances' \
+  '([values](validation/flattening.md#figure-52-geodesic-and-diffusion-distance)).'
 
 figure 5.3 'slit maps'
 needs meshes/SBU_F_Intestine_Large.glb
@@ -29,15 +29,15 @@ run ConformalMap SBU_F_Intestine_Large.glb cecum.vtp --part $cecum --component 1
 panels 1 720 "cecum.png=(a) to (c): a real cecum; its holes lead to the colon (yellow) and to the appendix (red)" \
   "cecum-forms.png=(d) harmonic 1-form, (e) its conjugate, (f) holomorphic 1-form"
 write '![Figure 5.3](validation/figure-5.3.png)' ''
-differs 'Ours: the cecum of the SBU colon, 458 faces, n = 1; above, a generated face with n = 3 as published, made by' \
-  '`Utilities/run-validation flattening-slits` ([values](validation/flattening.md#figure-53-a-face-with-three-holes)). **Agrees:**' \
-  'squares stay squares, and boundaries become circles and slits.'
+differs 'The cecum of the SBU colon, 458 faces, n = 1; above, a generated face with n = 3 as published' \
+  '([values](validation/flattening.md#figure-53-a-face-with-three-holes)). **Agrees:** squares stay squares, and' \
+  'boundaries become circles and slits.'
 
 figure 5.4 'a pot with and without its handle'
 write '![Figure 5.4](validation/figure-5.4.png)' ''
-paragraph '**Agrees:** cutting the handle changes the conformal modulus less in the heat diffusion metric, but at best by a factor of' \
-  '0.35, and only for times much longer than the square of the radius of the handle. Generated pot; made by' \
-  '`Utilities/run-validation flattening-handle`, [values](validation/flattening.md#figure-54-a-pot-with-and-without-its-handle).'
+paragraph 'Made by `Utilities/run-validation flattening-handle`. **Agrees:** cutting the handle changes the modulus less in the' \
+  'heat diffusion metric, but at best by a factor of .35, and only for times much longer than the square of its radius' \
+  '([values](validation/flattening.md#figure-54-a-pot-with-and-without-its-handle)).'
 
 figure 5.5 'the ascending colon with handles'
 raw_wall
@@ -48,29 +48,28 @@ run SurfaceRicciFlow raw-landmarks/segment-ascending.vtp ricci.vtp --picture ric
 panels 1 660 "ricci.png=(a) surface Ricci flow: wall in space, and in the Poincare disk" \
   "raw/flat-relief.png@0,1375,817,337=(b) heat diffusion, with handles (crosses)" \
   "patient-20/flattening/report/flat-relief.png@0,1035,943,341=heat diffusion, without handles"
-differs 'Patient 00020. (a) The ascending segment has two handles, so that no flat metric has straight boundaries; the metric of' \
-  'curvature -1 is laid out in the disk (`SurfaceRicciFlow`, residual 1e-12). **Agrees:** the Ricci flow map is irregular and loses the' \
-  'global shape, most of it shows the surroundings of the handles; with heat diffusion and 21 handles, the map has the course and the' \
-  'folds of the one without handles. **Differs:** at each handle, the map folds over,' \
-  'here 0.5 % of all faces, and the wall around it is smeared along the colon (at 190 cm). The moduli from u and v differ by 15 %,' \
-  'without handles by 0.2 %. (a) is by vertex scaling with flips; the dissertation does not say which scheme it used.'
+differs 'Patient 00020. (a) The ascending segment has two handles, so no flat metric has straight boundaries; the metric of' \
+  'curvature -1 is laid out in the disk. **Agrees:** the Ricci flow map loses the global shape, most of it shows the' \
+  'surroundings of the handles; with heat diffusion and 21 handles, the map has the course and the folds of the one' \
+  'without. **Differs:** at each handle, the map folds over (.5 % of all faces), and the wall around it is smeared (at' \
+  '190 cm). The moduli from u and v differ by 15 %, without handles by .2 %. The dissertation does not say which scheme' \
+  'of Ricci flow it used; ours is vertex scaling with flips.'
 
 figure 5.6 'polyps'
 walter_reed
 panels 3 330 "walter-reed/polyps/report/polyp-candidate-1.png@812,0,402,656=candidate 1" \
   "walter-reed/polyps/report/polyp-candidate-2.png@812,0,402,656=candidate 2" \
   "walter-reed/polyps/report/polyp-candidate-4.png@812,0,402,656=candidate 4"
-differs 'Walter Reed; numbers as in 5.9. Candidate 1 (10 mm, at 16 cm) is a polyp on a stalk, 2 and 4 are possible polyps of 4 and 5 mm.' \
-  '**Agrees:** a close-up shows small bumps of the wall on the flat map. **Differs:** ours are found by the program, and not' \
+differs 'Walter Reed. Candidate 1 (10 mm, at 16 cm) is a polyp on a stalk, 2 and 4 are possible polyps of 4 and 5 mm.' \
+  '**Agrees:** a close-up shows small bumps on the flat map. **Differs:** ours are found by the program, and not' \
   'confirmed by optical colonoscopy.'
 
 figure 5.7 'registered ascending colon'
 both_positions
 panels 1 560 "both/report/aligned.png@840,580,539,478=(a) supine, (b) prone, as mapped"
-differs 'Patient 00020 and its second position. Published: mean error 8.14 mm in space, 0.0385 on the map of width 1, at 16 pairs of' \
-  'points. Ours: 1.8 mm and 0.0102 at 1,503 points of the wall; median 1.2 mm, 95 % 5.4 mm. The published map' \
-  '(`--map published`) has 23.9 mm and 0.175. **Agrees:** folds are aligned. **Not comparable:** our second position is simulated,' \
-  'and handles are removed before.'
+differs 'Published: mean error 8.14 mm in space, .0385 on the map, at 16 pairs of points. Ours: 1.8 mm and .0102 at 1,503' \
+  'points; median 1.2 mm, 95 % 5.4 mm. The published map has 23.9 mm and .175. **Agrees:** folds are aligned. **Not' \
+  'comparable:** our second position is simulated, and handles are removed before.'
 
 figure 5.8 'handles found on the flat colon'
 raw_wall
@@ -78,17 +77,17 @@ walter_reed
 run ColonFlattening walter-reed/segmentation/wall.vtp walter-reed-raw.vtp --centerline walter-reed/segmentation/centerline.vtp \
   --statistics walter-reed-raw.json --handles walter-reed-handles.vtp
 panels 1 680 "raw/flat-relief.png@0,1030,817,334=patient 00020, transverse" "raw/flat-relief.png@0,1375,817,337=transverse to cecum"
-differs 'Published: 43 handles on a third of a colon, red where the curvature of the flat map is not 0. Ours: crosses. **Agrees:** in' \
-  'patient 00020, 21 of 21 handles are found as 21 places; 25 other places are recognized as false alarms. **Differs:** the wall of' \
-  'Walter Reed, prone, at 1.25 mm, has 250 handles. They lie so close that they are found as 105 places, of which one has 17' \
-  'handles and one has a radius of 6 cm, because parts of the colon touch. There, the repaired surface is required.'
+differs 'Published: 43 handles on a third of a colon. Ours: crosses. **Agrees:** in patient 00020, 21 of 21 handles are found;' \
+  '25 other places are recognized as false alarms. **Differs:** the wall of Walter Reed has 250 handles, so close that' \
+  'they are found as 105 places, of which one has 17 handles and one a radius of 6 cm, because parts of the colon touch.' \
+  'There, the repaired surface is required.'
 
 figure 5.9 'a whole flat colon'
 walter_reed
 panels 1 720 "walter-reed/polyps/report/polyp-candidates-flat.png@0,65,1409,1005"
-differs 'Walter Reed, from rectum (left) to cecum. Yellow: polyp candidates; blue: recognized as valve, gas or fluid. Hatched: not' \
-  'evaluable. **Agrees:** folds, and small candidates (2 and 4), are visible. **Differs:** ours marks what must not be read; the' \
-  'published rendering of the volume is in 5.1 (b) and in the report of ColonFlattening.'
+differs 'Walter Reed, from rectum (left) to cecum. Yellow: polyp candidates; blue: recognized as valve, gas or fluid; hatched:' \
+  'not evaluable. **Agrees:** folds and small candidates are visible. **Differs:** the published rendering of the volume' \
+  'is in 5.1 (b).'
 
 # flatten_of_table CASE LUMEN OPTIONS...: a wall of 55,000 faces and two of its segments, flattened.
 flatten_of_table() {
@@ -118,7 +117,7 @@ raw_wall
 table times 'patient 00020=faces-20/flat' '00020 A=faces-20/ascending' '00020 T=faces-20/transverse' \
   'Walter Reed=faces-walter-reed/flat' 'Walter Reed A=faces-walter-reed/ascending' 'Walter Reed T=faces-walter-reed/transverse' \
   'SBU colon T=sbu' 'patient 00020, 50 eigenpairs=eigenpairs' 'patient 00020, with handles=raw'
-differs 'A, T: ascending, transverse colon. Published: one core at 1.87 GHz, without the metric, which took 12.4 s more. Ours: two cores,' \
-  'busy with other work. 50 eigenpairs, as published, take longer than all, and their gap between the moduli from u and v is 8.4' \
-  'instead of 0.8 %. The metric of Walter Reed with 55,000 faces is Euclidean, because its triangles are' \
-  'larger than the lumen of the collapsed sigmoid. Ricci flow of the ascending segment with its handles takes 0.4 s.'
+differs 'A, T: ascending, transverse colon. Published: one core at 1.87 GHz, without the metric, which took 12.4 s more. Ours:' \
+  'two busy cores. 50 eigenpairs, as published, take longer than all, and their gap between the moduli is 8.4 instead of' \
+  '.8 %. The metric of Walter Reed with 55,000 faces is Euclidean, because its triangles are larger than the lumen of the' \
+  'collapsed sigmoid. Ricci flow of the ascending segment takes .4 s.'

@@ -2,8 +2,8 @@
 # shellcheck shell=bash disable=SC2016
 
 chapter 6 'graphs on surfaces'
-write 'Nodes are red, the dual graph is green. `GraphEmbeddingVerifier` verifies each certificate. The printed graphs are not given: where' \
-  'possible, ours are real.' ''
+write 'Nodes are red, the dual graph is green. `GraphEmbeddingVerifier` verifies each certificate. The printed graphs are not' \
+  'given; where possible, ours are real.' ''
 
 # embed NAME GRAPH [OPTIONS...]: embeds and draws a graph.
 embed() {
@@ -26,8 +26,8 @@ figure 6.1 'a graph on the torus'
 needs graphs/rome/grafo4950.50.graphml
 embed rome-1 grafo4950.50.graphml
 panels 1 700 rome-1.png
-differs 'A Rome graph of 50 nodes and 64 edges, genus 1, on the flat torus, which tiles the plane. **Agrees:** no edges cross. (b), the' \
-  'torus in space, is not drawn; `--surface F.vtp` writes it.'
+differs 'A Rome graph of genus 1 on the flat torus, which tiles the plane. **Agrees:** no edges cross. (b), the torus in space,' \
+  'is not drawn; `--surface F.vtp` writes it.'
 
 figure 6.2 'graphs on surfaces'
 needs graphs/power/case118.m graphs/rome/grafo4950.50.graphml graphs/karate.gml graphs/rome/grafo8229.70.graphml
@@ -37,7 +37,7 @@ embed karate karate.gml
 embed rome-3 grafo8229.70.graphml
 panels 2 430 "power.png@0,500,1000,500=(a) power grid of 118 buses, genus 0" "rome-1.png=(b) Rome graph of 50 nodes, genus 1" \
   "karate.png=(c) karate club of 34 members, genus 2" "rome-3.png=(d) Rome graph of 70 nodes, genus 3"
-differs 'On the sphere, on the torus and in the Poincare disk. **Differs:** (c) is shown on its hyperbolic surface, not in space.'
+differs '**Differs:** (c) is shown in the Poincare disk, not in space.'
 
 figure 6.3 'K5'
 complete k5.edges 5
@@ -50,8 +50,8 @@ figure 6.4 'the universal cover of genus two'
 needs graphs/karate.gml
 embed karate karate.gml
 panels 1 700 karate.png
-differs 'The karate club: 34 members, 78 friendships. Each color is a copy of the fundamental domain, as published. The printed graph and' \
-  'its generators are not given; the certificate contains ours.'
+differs 'The karate club. Each color is a copy of the fundamental domain, as published; the certificate contains our' \
+  'generators.'
 
 figure 6.6 'stages for a planar graph'
 lines planar.edges '1 2' '2 3' '3 4' '4 1' '1 5' '2 5' '3 5' '4 5' '2 6' '3 6' '5 6'
@@ -63,23 +63,22 @@ figure 6.8 'genus one'
 lines k33.edges 'a x' 'a y' 'a z' 'b x' 'b y' 'b z' 'c x' 'c y' 'c z'
 embed k33 k33.edges
 panels 1 700 k33.png
-differs 'Ours: K3,3; the printed graph is not given. The flat torus tiles the plane (a); `--surface F.vtp` writes the' \
-  'torus in 3D (b).'
+differs 'K3,3. The flat torus tiles the plane (a); `--surface F.vtp` writes the torus in 3D (b).'
 
 figure 6.9 'a large planar graph'
 needs graphs/3elt.graph
 embed elements 3elt.graph
 panels 2 430 "elements.png@0,0,1000,500" "elements.png@0,500,1000,500"
-differs 'Published: 3,000 nodes, 6,000 edges, 28 s. Ours: the finite element mesh 3elt with 4,720 nodes and 13,722 edges, 0.7 s with two' \
-  'cores. **Agrees:** (a) to (d): plane, graph and dual graph, circles, sphere. Circles shrink around the holes of the mesh.'
+differs 'Published: 3,000 nodes, 6,000 edges, 28 s. Ours: 4,720 nodes and 13,722 edges, .7 s with two cores. **Agrees:** (a) to' \
+  '(d): plane, graph and dual graph, circles, sphere. Circles shrink around the holes of the mesh.'
 
 figure 6.11 'genus two and three'
 needs graphs/rome/grafo3309.59.graphml graphs/rome/grafo8229.70.graphml
 embed rome-2 grafo3309.59.graphml
 embed rome-3 grafo8229.70.graphml
 panels 1 640 "rome-2.png=genus 2: Rome graph of 59 nodes and 84 edges" "rome-3.png=genus 3: Rome graph of 70 nodes and 98 edges"
-differs '6.11 and 6.12, in the Poincare disk. **Agrees:** colored domains tile the disk. The generators of Tables 6.1 to 6.5 are for' \
-  'other graphs; the certificate contains ours. Surfaces in space: `--surface`.'
+differs '6.11 and 6.12, in the Poincare disk. **Agrees:** colored domains tile the disk. Tables 6.1 to 6.5 are for other' \
+  'graphs.'
 
 figure 6.13 'isomorphic graphs'
 lines one.edges '1 2' '2 3' '3 4' '4 1' '1 5' '2 5' '3 5' '4 5' '2 6' '3 6' '5 6'
@@ -101,8 +100,8 @@ into anew.edges awk "$(branches '$1 * 37 % 119, $2 * 37 % 119')" case118.m # 37 
 run GraphCompare case118.m anew.edges power-twice
 svg power-twice/comparison.svg 900
 panels 1 720 power-twice/comparison.png
-differs 'Published: part of a graph of e-mails. Ours: the power grid of 118 buses, and the same with other numbers.' \
-  '**Agrees:** the pictures are equal, and partners have one color.'
+differs 'Published: part of a graph of e-mails. Ours: the power grid of 118 buses with two numberings. **Agrees:** the pictures' \
+  'are equal, and partners have one color.'
 
 figure 6.15 'a small graph that changes'
 ring=('1 2' '2 3' '3 4' '4 5' '5 6' '6 1' '7 1' '7 2' '7 3' '8 3' '8 4' '8 5' '9 5' '9 6' '9 1' '7 8' '8 9' '9 7')
@@ -113,8 +112,8 @@ lines small/step-3.edges "${ring[@]}" '10 1' '10 2' '10 7' '11 4' '11 5' '11 8' 
 run DynamicGraph small small-out --labels
 svg small-out/steps.svg 1200
 panels 1 800 small-out/steps.png
-differs 'Ours: nodes 10, 11 and 12 are inserted one after the other, by hand as published; green: neighborhoods that changed. **Agrees:**' \
-  'all nodes stay in place. Here, each new node fits between the circles; in the dissertation, some radii change.'
+differs 'Nodes 10, 11 and 12 are inserted by hand as published; green: neighborhoods that changed. **Agrees:** all nodes stay' \
+  'in place. Here, each new node fits between the circles; in the dissertation, some radii change.'
 
 figure 6.16 'a real graph that changes'
 needs graphs/power/case118.m
@@ -124,10 +123,10 @@ into outages/step-2.edges awk "$(branches '$1, $2' '60 104')" case118.m
 run DynamicGraph outages outages-out --track 49,80,100
 svg outages-out/steps.svg 1200
 panels 1 800 outages-out/steps.png
-differs 'Published: an unnamed real-world graph at three times. Ours: the power grid of 118 buses; the grid is real, the outages of lines' \
-  '60 and 104 are ours. Green: changes; blue: buses 49, 80 and 100, tracked. **Agrees** in step 1: all other nodes stay in place,' \
-  'with a mean displacement of 0.04 rad; for eight other lines, it is at most 0.03. **Differs** in step 2: without line 104, two' \
-  'large faces become one, and nodes move by 0.2 rad. Sparse real graphs are less stable than the examples of the dissertation.'
+differs 'Published: an unnamed real graph. Ours: the power grid is real, the outages of lines 60 and 104 are ours. Green:' \
+  'changes; blue: buses 49, 80 and 100, tracked. **Agrees** in step 1: all other nodes stay in place (mean displacement' \
+  '.04 rad). **Differs** in step 2: two large faces become one, and nodes move by .2 rad. Sparse real graphs are less' \
+  'stable than the examples of the dissertation.'
 
 figure 6.16-temporal 'a network of your own'
 needs graphs/temporal
@@ -142,6 +141,4 @@ run DynamicGraph hours hours-out --compare 0,4
 svg hours-out/steps.svg 1000
 svg hours-out/correspondence.svg 1000
 panels 1 700 hours-out/steps.png hours-out/correspondence.png
-differs 'The network of the dissertation was simulated, too (6.7 there: moving devices of variable power in a bounded area). Ours: five' \
-  'steps of 150 simulated devices. Above: changes since the previous step in green. **Agrees** (below): one color per node through' \
-  'all steps.'
+differs '150 simulated devices, five steps. Above: changes in green. **Agrees** (below): one color per node through all steps.'

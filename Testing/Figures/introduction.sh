@@ -2,16 +2,15 @@
 # shellcheck shell=bash disable=SC2016
 
 write '# Figures of the dissertation, made by our tools' '' \
-  'For readers of the dissertation: which figures our tools reproduce, with which parameters, and what differs.' \
-  '`Utilities/run-validation figures` makes them with the commands in [Testing/Figures](../Testing/Figures), one file per chapter;' \
-  '`figures 5` makes those of chapter 5, `figures 2.4 5.3` two of them. Parameters are those of the dissertation where it states' \
-  'them. [Data](#data) lists the data sets; `SHAPETON_TEST_DATA_DIR` or `--data` is their folder. The commands generate all' \
-  'other data.' '' \
+  'For readers of the dissertation: which figures our tools reproduce, and what differs. `Utilities/run-validation figures` makes' \
+  'them; `figures 5` makes those of chapter 5, `figures 2.4 5.3` two of them. The commands in [Testing/Figures](../Testing/Figures)' \
+  'state all parameters, which are those of the dissertation where it states them, and generate all data that [Data](#data) does' \
+  'not list. `SHAPETON_TEST_DATA_DIR` or `--data` is the folder of these data sets.' '' \
   'Figures not shown below:' '' \
   '| figure | shows | here |' '|---|---|---|' \
   '| 2.2, 3.1 to 3.3, 6.7 | drawings of the method | not results |' \
-  '| 2.5 | conventional and cumulative diffusion | [table](validation/heat.md#figure-25-cumulative-and-conventional-diffusion): patterns agree best (correlation 0.96) at 10 and 30, or 30 and 100 steps; no tool implements conventional diffusion |' \
-  '| 2.11, 3.11 (b), 3.12 | hand of the Visible Female | the only volume of chapters 2, 3 and 7 that our data do not contain; her [feet](heat-diffusion.md#few-steps-local-shape) |' \
+  '| 2.5 | conventional and cumulative diffusion | [values](validation/heat.md#figure-25-cumulative-and-conventional-diffusion): patterns agree (correlation .96); no tool implements conventional diffusion |' \
+  '| 2.11, 3.11 (b), 3.12 | hand of the Visible Female | not in our data; her [feet](heat-diffusion.md#few-steps-local-shape) |' \
   '| Table 2.1 | times of heat diffusion | [table](benchmarks.md#table-21-of-the-dissertation-with-our-column) with real volumes except for head, stent and hand |' \
   '| 6.5; 6.12 | stages; graphs of genus 2 and 3 | see 6.1 and 6.6; 6.11 |' \
-  '| 6.10 | genus 1, 10,000 nodes, one minute | 10,000 nodes and 18,000 edges on a torus take 4 s; not drawn, its circles would be too small |'
+  '| 6.10 | genus 1, 10,000 nodes, one minute | 4 s; not drawn, its circles would be too small |'

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""usage: tables.py OUT.md matches NAME=FOLDER...
-       tables.py OUT.md times NAME=PREFIX...
-       tables.py OUT.md numbers SHAPETONS=PREFIX...
-       tables.py OUT.md volumes NAME=SIZE=PREFIX...
+"""usage: tables.py OUT.csv matches NAME=FOLDER...
+       tables.py OUT.csv times NAME=PREFIX...
+       tables.py OUT.csv numbers SHAPETONS=PREFIX...
+       tables.py OUT.csv volumes NAME=SIZE=PREFIX...
 
 Writes a table of the dissertation with the published values and ours. Called by make-figures.
 
@@ -11,6 +11,7 @@ Writes a table of the dissertation with the published values and ours. Called by
   numbers  Table 3.1; PREFIX.nrrd.run.json are the durations of ShapetonDiffusion
   volumes  Table 3.2; PREFIX-heat.nrrd.run.json and PREFIX-shapetons.nrrd.run.json are the durations of both diffusions
 """
+import csv
 import json
 import sys
 
@@ -80,7 +81,7 @@ def matches(arguments):
     """Table 4.1."""
     yield ("colon", "segment", "supine", "prone", "matched", "right", "wrong", "contradicted")
     for segment, (supine, prone, right, wrong) in PUBLISHED_MATCHES.items():
-        yield ("*published*", segment, supine, prone, "", right, wrong, "")
+        yield ("published", segment, supine, prone, "", right, wrong, "")
     for argument in arguments:
         yield from rows_of_matches(*argument.split("=", 1))
 
@@ -94,7 +95,7 @@ def times(arguments):
     """Table 5.1."""
     yield ("model", "faces", "Ricci flow, s", "metric, s", "flattening, s")
     for model, faces, ricci, ours in PUBLISHED_TIMES:
-        yield (f"*published:* {model}", f"{faces:,}", ricci, "", ours)
+        yield (f"published: {model}", f"{faces:,}", ricci, "", ours)
     for argument in arguments:
         name, prefix = argument.split("=", 1)
         stages = read(prefix + ".vtp.run.json")["stages"]
@@ -109,7 +110,7 @@ def seconds_of(result, stage):
 
 def numbers(arguments):
     """Table 3.1."""
-    yield ("shapetons", "steps", "ms per step, *published*", "ms per step, ours", "s, *published*", "s, ours")
+    yield ("shapetons", "steps", "ms per step, published", "ms per step, ours", "s, published", "s, ours")
     for argument in arguments:
         shapetons, prefix = argument.split("=", 1)
         steps, published = PUBLISHED_NUMBERS[shapetons]
@@ -120,8 +121,8 @@ def numbers(arguments):
 
 def volumes(arguments):
     """Table 3.2."""
-    yield ("volume, *published* size", "our size", "p", "CHD steps", "CHD, s, *published*", "CHD, s, ours", "CHD, s, H200, phantom",
-           "shapeton steps", "shapetons, s, *published*", "shapetons, s, ours")
+    yield ("volume, published size", "our size", "p", "CHD steps", "CHD, s, published", "CHD, s, ours", "CHD, s, H200, phantom",
+           "shapeton steps", "shapetons, s, published", "shapetons, s, ours")
     for argument in arguments:
         name, size, prefix = argument.split("=", 2)
         resolution, p, heatSteps, steps, heatSeconds, shapetonSeconds, device = PUBLISHED_VOLUMES[name]
@@ -135,8 +136,7 @@ def main():
         sys.exit(__doc__)
     head, *rows = {"matches": matches, "times": times, "numbers": numbers, "volumes": volumes}[sys.argv[2]](sys.argv[3:])
     with open(sys.argv[1], "w", encoding="utf-8") as file:
-        for row in (head, ["---"] * len(head), *rows):
-            file.write("| " + " | ".join(map(str, row)) + " |\n")
+        csv.writer(file, lineterminator="\n").writerows((head, *rows))
 
 
 if __name__ == "__main__":

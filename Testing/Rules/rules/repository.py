@@ -14,7 +14,7 @@ LONGEST_PAGES = (  # kind, regular expression of the path, words; the first that
     ("the changelog", r"CHANGELOG\.md", 400),
     ("the first page", r"README\.md", 1000),
     ("the page of a module", r"Modules/.*", 350),
-    ("the page of a tool", r"Applications/.*", 500),
+    ("the page of a tool", r"Applications/.*", 550),
     ("a page of validation", r"Documentation/validation/.*", 1700),
     ("a page of reference", r"Documentation/(developer-guide|figures)\.md", 2600),
     ("a page of Documentation", r"Documentation/.*", 1500),
