@@ -21,10 +21,10 @@ run HeatTransferFunction foot.nii.gz foot.nrrd foot.vp --lines "$footLines" --pi
 panels 2 350 "$(rendering ventricles.png)=(a) MR head" "$(rendering stent.png)=(b) abdomen with a stent" \
   "$(rendering foot.png)=(c) foot" "$(histogram foot/histogram-range.png)=(d) foot, heats from 0.17 to 0.31" \
   "stent-published.png@0,700,1110,490=(b) with p = 8, 100,000 steps, as published" "stent.png@0,700,1110,490=(b) ours"
-differs 'Parameters chosen from the data; (b) window -160 to 240 HU, p = 25. Colors: one per line. **Agrees:** (d) lines' \
-  'converge and stay apart, each for a bone; (b) spine, ribs and pelvis are one class (ivory), both kidneys are in one' \
-  'line (red). **Differs:** that line contains the muscles beside the spine, too; liver and pancreas have no line. With p' \
-  '= 8, as published, all voxels of (b) are one class.'
+differs '(b) window -160 to 240 HU, p = 25; others chosen from the data. Colors: one per line. **Agrees:** (d) lines converge' \
+  'and stay apart, each for a bone; (b) spine, ribs and pelvis are one class (ivory), both kidneys are in one line (red).' \
+  '**Differs:** so are the muscles beside the spine; liver and pancreas have no line. With p = 8, as published, all of' \
+  '(b) is one class.'
 
 figure 2.3 'equalized and normalized histogram'
 needs volumes/ch2.nii.gz
@@ -33,8 +33,7 @@ run CumulativeHeatDiffusion ch2.nii.gz head.nrrd --p 20 --timeSteps 4000 --snaps
 run CumulativeHeatDiffusion ch2.nii.gz head.nrrd --p 20 --timeSteps 4000 --snapshotSpacing logarithmic \
   --histogram normalized.png --histogramScale normalized
 panels 2 430 "$(histogram equalized.png)=(a) equalized" "$(histogram normalized.png)=(b) normalized"
-differs 'MR head; the dissertation does not name its data. **Agrees:** equalization assigns space by the number of voxels;' \
-  'without it, the lines of cool parts are crowded at the left.'
+differs 'MR head; the dissertation does not name its data. **Agrees:** equalization assigns space by the number of voxels.'
 
 figure 2.4 'a cube in time'
 run ShapePhantom cube.nrrd --shape figure2.4
@@ -64,11 +63,10 @@ for line in ${footLines//,/ }; do
   bones+=("foot-${line%%:*}.png@270,115,480,480=${line%%:*}")
 done
 panels 3 250 "${bones[@]}"
-differs 'Published: p = 7, 100,000 steps (Table 2.1) or 1,000,000 (text); with 100,000 steps, all voxels are one class. Ours,' \
-  'chosen from the data: p = 29.6, 40,000 steps. **Agrees:** the compact bone of the proximal phalanx of each toe has a' \
-  'line; those of the three middle toes are neighbors (.182, .200, .224; big toe .209, small toe .292). **Differs:** a' \
-  'range contains stray voxels; bone makes up 75, 79, 56, 85, 61 and 26 % of the six ranges. Metatarsals are cut by the' \
-  'border, lose heat there, and have no line. Marrow is separate.'
+differs 'Published: p = 7, 100,000 steps (Table 2.1) or 1,000,000 (text); with 100,000, all voxels are one class. Ours, chosen' \
+  'from the data: p = 29.6, 40,000 steps. **Agrees:** the proximal phalanx of each toe has a line; those of the three' \
+  'middle toes are neighbors (.182, .200, .224; big toe .209, small toe .292). **Differs:** ranges contain stray voxels;' \
+  'bone makes up 75, 79, 56, 85, 61 and 26 % of the six. Metatarsals are cut by the border and have no line.'
 
 figure 2.7 'scale and orientation'
 run ShapePhantom a.nrrd --shape figure2.7a --size 96,96,96
@@ -107,7 +105,7 @@ panels 3 270 "ventricles-published.png@16,734,380,380=p = 6, 400,000 steps, as p
 differs 'Published: p = 6, 400,000 steps; in our head these leave heat in 90 voxels only. Ours, chosen from the data: p = 32.7,' \
   '40,000 steps. **Agrees:** eyes (yellow), ventricles (blue), brain (orange) and muscles of the neck (red) have' \
   'different lines. **Differs:** only parts of the brain have a line, and one ventricle shares it; lines contain stray' \
-  'voxels; the scalp has no line. The header names the axes wrongly: slices named axial are sagittal.'
+  'voxels; the scalp has no line. Slices named axial are sagittal (the header is wrong).'
 
 figure 2.10 'an aneurysm'
 needs scivis/aneurism.nii.gz
@@ -119,6 +117,5 @@ run HeatTransferFunction aneurism.nii.gz aneurysm.nrrd aneurysm.vp --lines 0.081
 panels 2 420 "$(rendering aneurysm-published.png)=p = 7.5, 100,000 steps, as published" "$(rendering aneurysm.png)=ours" \
   "$(slices aneurysm-published.png)" "$(slices aneurysm.png)"
 differs 'Published: p = 7.5, 100,000 steps; these give five classes, which the default colors do not distinguish. Ours, chosen' \
-  'from the data: p = 8.11, 1,200 steps. **Agrees:** blob (yellow), large vessels (red) and thin vessels (green) are' \
-  'distinguished, with some mixed voxels, as published. Heat falls with thickness (.49 to .085 for radii of 2 to 10' \
-  'voxels). **Differs:** far fewer steps.'
+  'from the data: p = 8.11. **Agrees:** blob (yellow), large (red) and thin vessels (green) are distinguished, with some' \
+  'mixed voxels, as published; heat falls with thickness. **Differs:** 1,200 steps.'

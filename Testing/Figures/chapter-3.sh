@@ -11,9 +11,8 @@ run ShapetonDiffusion figure3.4.nrrd figure3.4-published.nrrd --preset published
 run ShapetonDiffusion figure3.4.nrrd figure3.4-controlled.nrrd --shapetons 50000 --timeSteps 1000 --distance 0.01 \
   --p 7 --preset objects --report figure3.4-controlled
 panels 2 400 "$(rendering figure3.4-published/rendering.png)=published walk" "$(rendering figure3.4-controlled/rendering.png)=controlled walk"
-differs '**Differs:** the published walk finds one class. The controlled walk distinguishes surface over volume: cube and large' \
-  'cuboid have one class, sphere and small cuboid the other; published are one class for both cuboids, a similar one for' \
-  'the cube, another for the sphere.'
+differs '**Differs:** the published walk finds one class. The controlled walk has one class for cube and large cuboid, another' \
+  'for sphere and small cuboid; published are one for both cuboids, a similar one for the cube, another for the sphere.'
 
 figure 3.5 'deformed shapes by shapetons'
 run ShapePhantom figure3.5.nrrd --shape figure3.5 --size 96,96,96
@@ -28,10 +27,10 @@ for shapetons in 1000 50000; do
   done
 done
 panels 2 320 "${deformed[@]}"
-differs 'Published: 1,000 shapetons, 2,500 steps. **Differs:** with 1,000, the published walk finds one class, and the' \
-  'controlled walk separates the objects from their surroundings, but not from each other. With 50,000, the published' \
-  'walk still finds one class. **Agrees:** with 50,000, the controlled walk finds one class for both spheres and others' \
-  'for the cuboids. **Differs:** the deformed cuboid has a class of its own.'
+differs 'Published: 1,000 shapetons, 2,500 steps. **Differs:** with 1,000, the published walk finds one class, the controlled' \
+  'walk only separates the objects from their surroundings; with 50,000, the published walk still finds one class.' \
+  '**Agrees:** with 50,000, the controlled walk finds one class for both spheres and others for the cuboids. **Differs:**' \
+  'the deformed cuboid has its own.'
 
 figure 3.6 'number of shapetons'
 run ShapePhantom cube128.nrrd --shape figure2.4 --size 128,128,128
@@ -87,11 +86,10 @@ run ShapetonDiffusion chest.nii.gz chest-visits.nrrd --mask chest-bright.nii --i
 run HeatTransferFunction chest.nii.gz chest-visits.nrrd chest.vp \
   --lines '0.009-0.024:#c03a3a:0.3,0.026-0.048:#3a9a5a:0.7,0.048-0.2:#f0d060:0.9' --picture chest.png
 panels 1 700 "$(rendering chest.png)" "$(slices chest.png)"
-differs 'Ours: 200,000 shapetons that start above 120 HU; the colored ranges are our choice. **Agrees:** most ribs and the' \
-  'sternum have one class (yellow), heart, aorta and spleen another (red); shoulder blades, clavicles and vertebrae are' \
-  'mostly green. **Differs:** bones have specks of other classes; clavicles, shoulder blades and vertebrae have no class' \
-  'of their own; kidneys and contrast medium share the classes of bone; the xiphoid is not visible. Without the start' \
-  'region, the automatic window shows no bones, and 16 % of the shapetons are trapped.'
+differs '200,000 shapetons that start above 120 HU. **Agrees:** most ribs and the sternum have one class (yellow), heart, aorta' \
+  'and spleen another (red). **Differs:** bones have specks of other classes; clavicles, shoulder blades and vertebrae' \
+  '(mostly green) have no class of their own; kidneys and contrast medium share the classes of bone; the xiphoid is not' \
+  'visible. Without the start region, no bones are visible, and 16 % of the shapetons are trapped.'
 
 figure 3.10 'a polyp'
 walter_reed
@@ -101,7 +99,7 @@ run ShapetonDiffusion polyp-box.nrrd polyp-visits.nrrd --preset published --p 15
 panels 2 400 "polyp-visits.png@16,80,380,382=(a) visits, red: many, blue: few" \
   "walter-reed/polyps/report/polyp-candidate-1.png@812,28,402,300=(b) marked by the default preset"
 differs 'Walter Reed, candidate 1 of 5.6, in the cleansed CT. **Agrees:** the polyp is blue. **Differs:** so is all tissue.' \
-  'Shapetons collect in voxels that the partial volume of the boundary isolates (yellow, red). See [how many polyps this' \
+  'Shapetons collect in voxels isolated by partial volume (yellow, red). See [how many polyps this' \
   'finds](validation/colon-polyps.md#polyp-candidates-by-shapetons).'
 
 figure 3.11 'hydrogen, abdomen, head, foot'
@@ -127,12 +125,11 @@ run HeatTransferFunction foot.nii.gz foot-visits.nrrd foot-visits.vp --lines '0.
 panels 2 400 "$(rendering hydrogen/rendering.png)=(a) hydrogen, a phantom" "$(slices hydrogen/rendering.png)" "$(rendering abdomen.png)=(c) abdomen" \
   "$(slices abdomen.png)" "$(rendering brain.png)=(d) head, started in the brain" "$(slices brain.png)" \
   "$(rendering foot-visits.png)=(e) foot" "$(slices foot-visits.png)"
-differs 'The colored ranges are our choice. (a) **Agrees:** the lobes have one class, different from nucleus and orbit.' \
-  '**Differs:** a phantom; in the real hydrogen atom, which has no edges, nested layers of lobes and ring share classes.' \
-  '(b) Our data contain no hand. (c) **Agrees:** bones (white), psoas muscles (green), most of the liver (red) and the' \
-  'bladder (amber) differ. **Differs:** pancreas, aorta and kidneys have no class of their own; liver and muscles of the' \
-  'back share one. (d) **Agrees:** the brain (amber) is separated from ventricles and skull. **Differs:** only because' \
-  'the shapetons start in a box within it; otherwise brain and scalp have nearly the same number of visits, and with the' \
+differs '(a) **Agrees:** the lobes have one class, different from nucleus and orbit. **Differs:** a phantom; in the real' \
+  'hydrogen atom, layers of lobes and ring share classes. (b) Our data contain no hand. (c) **Agrees:** bones (white),' \
+  'psoas muscles (green), most of the liver (red) and the bladder (amber) differ. **Differs:** pancreas, aorta and' \
+  'kidneys have no class of their own; liver and muscles of the back share one. (d) **Agrees:** the brain (amber) is' \
+  'separated from ventricles and skull. **Differs:** only because the shapetons start in a box within it; with the' \
   'published walk, head and air are one class. Eye sockets are not visible. (e) Another foot. **Agrees:** bones are' \
   'visible, separated at the joints; dense shafts (blue) differ from spongy ends (yellow).'
 
@@ -148,9 +145,8 @@ done
 table numbers "${numbers[@]}"
 differs 'The cube of Figure 2.4, published walk; wall seconds of two busy threads. **Agrees:** with fewer shapetons, a step is' \
   'faster; the published steps visit 99.99 to 100 % of the cube. **Differs:** on a CPU, the time of a step grows at least' \
-  'linearly with the number of shapetons, so adding shapetons saves no time. The steady state of (3.10) is not comparable' \
-  '([claims](shapetons.md#which-published-claims-hold)). On a GPU: not measured for these numbers; [65,536 shapetons take' \
-  '.011 ms per step on an H100](benchmarks.md#on-a-gpu).'
+  'linearly with the number of shapetons, so adding shapetons saves no time. Not measured on a GPU; [65,536 shapetons' \
+  'take .011 ms per step on an H100](benchmarks.md#on-a-gpu).'
 
 figure table-3.2 'times of heat and shapetons'
 needs scivis/foot.nii.gz volumes/engine.nii.gz scivis/aneurism.nii.gz scivis/mri_ventricles.nii.gz \
@@ -168,10 +164,8 @@ both_of example_ct 8 100000 2600
 both_of chest 6 100000 1600
 table volumes 'foot=256^3=foot' 'engine=256 x 256 x 128=engine' 'aneurysm=256^3=aneurism' 'MR head=256 x 256 x 124=mri_ventricles' \
   'CT abdomen=122 x 101 x 112=example_ct' 'CT chest=256 x 256 x 133=chest'
-differs 'Both tools with `--preset published`, wall seconds of two busy threads; head and CTs have other sizes than the' \
-  'published volumes. The H200 column is of [phantoms of the published' \
-  'sizes](benchmarks.md#table-21-of-the-dissertation-with-our-column). **Agrees:** shapetons take less time than heat for' \
-  'the published steps of the large volumes. **Differs:** they are 1.7 to 2.6 times faster, not 90 to 5,400 times,' \
-  'because our heat takes 6 to 18 times less than published at equal sizes; for the small abdomen, heat is faster. Equal' \
-  'pictures need more shapetons ([speed](shapetons.md#speed)). No hand, no foot of 176 x 187 x 190 voxels, and no GPU' \
-  'times of shapetons.'
+differs 'Wall seconds of two busy threads; head and CTs have other sizes than the published volumes. The H200 column is of' \
+  '[phantoms](benchmarks.md#table-21-of-the-dissertation-with-our-column). **Agrees:** shapetons take less time than heat' \
+  'in the large volumes. **Differs:** they are 1.7 to 2.6 times faster, not 90 to 5,400 times, because our heat takes 6' \
+  'to 18 times less than published at equal sizes; for the small abdomen, heat is faster. Equal pictures need more' \
+  'shapetons ([speed](shapetons.md#speed)). No hand, no foot of 176 x 187 x 190 voxels, and no GPU times of shapetons.'

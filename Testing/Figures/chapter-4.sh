@@ -10,17 +10,17 @@ walter_reed
 patient_20
 panels 2 430 "walter-reed/landmarks/report/folds-surface.png@140,40,620,815=(a) Walter Reed, prone" \
   "patient-20/landmarks/report/folds-surface.png@140,40,620,815=(b) patient 00020"
-differs 'Published: mean curvature in [-4.5, -.5], not divided by the area. Ours: smoothed by heat diffusion, in 1/mm, with a' \
-  'threshold from each surface. **Agrees:** folds are found on the whole surface, 254 and 267. **Differs:** seen from' \
-  'outside, a fold is a furrow. The long blue band at the cecum of Walter Reed is not a fold.'
+differs 'Published: mean curvature in [-4.5, -.5]. Ours: smoothed by heat diffusion, in 1/mm, with a threshold from each' \
+  'surface. **Agrees:** folds are found on the whole surface, 254 and 267. **Differs:** from outside, a fold is a furrow.' \
+  'The long blue band at the cecum of Walter Reed is not a fold.'
 
 figure 4.2 'taeniae coli'
 walter_reed
 panels 2 430 "walter-reed/landmarks/report/landmarks-anterior.png@140,40,640,815=front" \
   "walter-reed/landmarks/report/landmarks-posterior.png@140,40,640,815=back"
-differs 'All three taeniae (yellow, blue, pink). **Agrees:** the lines run between the rows of haustra through the whole colon,' \
-  'without markers; the dissertation needed markers in 2 of 9 data sets. **Differs:** our two methods disagree by more' \
-  'than 10 mm along 17 % of this colon, and the tool warns.'
+differs '**Agrees:** the lines run between the rows of haustra through the whole colon, without markers; the dissertation' \
+  'needed markers in 2 of 9 data sets. **Differs:** our two methods disagree by more than 10 mm along 17 % of this colon,' \
+  'and the tool warns.'
 
 figure 4.3 'a taenia in transverse and ascending colon'
 walter_reed
@@ -39,11 +39,10 @@ panels 4 230 "walter-reed/landmarks/report/landmarks-anterior.png@140,40,640,815
   "walter-reed-published/report/landmarks-anterior.png@140,40,640,815=Walter Reed, published rule" \
   "patient-20/landmarks/report/landmarks-anterior.png@140,40,640,815=patient 00020, ours" \
   "patient-20-published/report/landmarks-anterior.png@140,40,640,815=patient 00020, published rule"
-differs 'Red: rectum; orange: sigmoid; green: descending; teal: transverse; blue: ascending; purple: cecum; gray: unknown.' \
-  '**Agrees:** segments from rectum to cecum, one color each. In patient 00020, our splenic flexure, hepatic flexure and' \
-  'ileocecal valve are 35, 35 and 8 mm from those of experts, our end of the descending colon 58 mm. **Differs:** in both' \
-  'colons, the published rule (`--flexureRule published`) takes neighboring bends near the spleen for splenic and hepatic' \
-  'flexure.'
+differs 'From the rectum: red, orange, green, teal, blue, purple; gray: unknown. **Agrees:** one color per segment. In patient' \
+  '00020, our splenic flexure, hepatic flexure and ileocecal valve are 35, 35 and 8 mm from those of experts, our end of' \
+  'the descending colon 58 mm. **Differs:** in both colons, the published rule takes neighboring bends near the spleen' \
+  'for splenic and hepatic flexure.'
 
 figure 4.5 'hepatic and splenic flexure'
 walter_reed
@@ -79,8 +78,8 @@ panels 2 470 "patient-20/landmarks/report/landmarks-anterior.png@120,40,640,464=
   "second/landmarks/report/landmarks-anterior.png@120,40,640,464=(d) prone" \
   "patient-20/flattening/report/flat-curvature.png@0,1030,945,346=(c) supine, transverse to cecum" \
   "second/flattening/report/flat-curvature.png@0,1030,945,346=(f) prone, transverse to cecum"
-differs 'In 1/mm, from -.2 (blue) to .2 (red, folds). **Agrees:** the folds of both positions form the same pattern. (b) and' \
-  '(e), the colors in space, are not drawn; `folds-surface.vtp` has them as `meanCurvature`.'
+differs 'From -.2/mm (blue) to .2/mm (red, folds). **Agrees:** the folds of both positions form the same pattern. (b) and (e),' \
+  'the colors in space, are not drawn.'
 
 # as_published: registers the two positions as in the dissertation.
 as_published() {
@@ -95,10 +94,9 @@ panels 2 360 "patient-20/folds/folds.png@620,1330,663,436=(a), (b) supine: folds
   "second/folds/folds.png@620,1330,663,436=prone" \
   "both/report/aligned.png@700,580,679,478=(c), (d) ours: matches that constrain the map" \
   "both-published/report/aligned.png@700,580,679,478=as published"
-differs 'Ascending colon. Published: ends of large folds near the taenia as features, matched by dual decomposition. Ours:' \
-  'whole folds, matched exactly; all that agree with their neighbors constrain the map. **Agrees:** most folds have a' \
-  'partner, and the number of folds differs. **Differs:** ours finds more and better pairs (Table 4.1). One color per' \
-  'pair, red: contradicted or wrong, black: unmatched.'
+differs 'Ascending colon. Published: ends of large folds near the taenia, matched by dual decomposition. Ours: whole folds,' \
+  'matched exactly. **Agrees:** most folds have a partner, and the number of folds differs. **Differs:** ours finds more' \
+  'and better pairs (Table 4.1). Red: contradicted or wrong, black: unmatched.'
 
 figure table-4.1 'feature correspondences'
 both_positions

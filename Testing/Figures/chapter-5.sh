@@ -49,20 +49,18 @@ panels 1 660 "ricci.png=(a) surface Ricci flow: wall in space, and in the Poinca
   "raw/flat-relief.png@0,1375,817,337=(b) heat diffusion, with handles (crosses)" \
   "patient-20/flattening/report/flat-relief.png@0,1035,943,341=heat diffusion, without handles"
 differs 'Patient 00020. (a) The ascending segment has two handles, so no flat metric has straight boundaries; the metric of' \
-  'curvature -1 is laid out in the disk. **Agrees:** the Ricci flow map loses the global shape, most of it shows the' \
-  'surroundings of the handles; with heat diffusion and 21 handles, the map has the course and the folds of the one' \
-  'without. **Differs:** at each handle, the map folds over (.5 % of all faces), and the wall around it is smeared (at' \
-  '190 cm). The moduli from u and v differ by 15 %, without handles by .2 %. The dissertation does not say which scheme' \
-  'of Ricci flow it used; ours is vertex scaling with flips.'
+  'curvature -1 is laid out in the disk. **Agrees:** the Ricci flow map loses the global shape; with heat diffusion and' \
+  '21 handles, the map has the course and the folds of the one without. **Differs:** at each handle, the map folds over' \
+  '(.5 % of all faces), and the wall around it is smeared (at 190 cm). The moduli from u and v differ by 15 %, without' \
+  'handles by .2 %. Ours is vertex scaling with flips; the published scheme is not stated.'
 
 figure 5.6 'polyps'
 walter_reed
 panels 3 330 "walter-reed/polyps/report/polyp-candidate-1.png@812,0,402,656=candidate 1" \
   "walter-reed/polyps/report/polyp-candidate-2.png@812,0,402,656=candidate 2" \
   "walter-reed/polyps/report/polyp-candidate-4.png@812,0,402,656=candidate 4"
-differs 'Walter Reed. Candidate 1 (10 mm, at 16 cm) is a polyp on a stalk, 2 and 4 are possible polyps of 4 and 5 mm.' \
-  '**Agrees:** a close-up shows small bumps on the flat map. **Differs:** ours are found by the program, and not' \
-  'confirmed by optical colonoscopy.'
+differs 'Walter Reed. Candidate 1 (10 mm) is a polyp on a stalk, 2 and 4 are possible polyps of 4 and 5 mm. **Agrees:** a' \
+  'close-up shows small bumps on the flat map. **Differs:** ours are not confirmed by optical colonoscopy.'
 
 figure 5.7 'registered ascending colon'
 both_positions
@@ -78,16 +76,15 @@ run ColonFlattening walter-reed/segmentation/wall.vtp walter-reed-raw.vtp --cent
   --statistics walter-reed-raw.json --handles walter-reed-handles.vtp
 panels 1 680 "raw/flat-relief.png@0,1030,817,334=patient 00020, transverse" "raw/flat-relief.png@0,1375,817,337=transverse to cecum"
 differs 'Published: 43 handles on a third of a colon. Ours: crosses. **Agrees:** in patient 00020, 21 of 21 handles are found;' \
-  '25 other places are recognized as false alarms. **Differs:** the wall of Walter Reed has 250 handles, so close that' \
-  'they are found as 105 places, of which one has 17 handles and one a radius of 6 cm, because parts of the colon touch.' \
-  'There, the repaired surface is required.'
+  '25 other places are recognized as false alarms. **Differs:** the 250 handles of Walter Reed are found as 105 places,' \
+  'of which one has 17 handles and one a radius of 6 cm, because parts of the colon touch. There, the repaired surface is' \
+  'required.'
 
 figure 5.9 'a whole flat colon'
 walter_reed
 panels 1 720 "walter-reed/polyps/report/polyp-candidates-flat.png@0,65,1409,1005"
-differs 'Walter Reed, from rectum (left) to cecum. Yellow: polyp candidates; blue: recognized as valve, gas or fluid; hatched:' \
-  'not evaluable. **Agrees:** folds and small candidates are visible. **Differs:** the published rendering of the volume' \
-  'is in 5.1 (b).'
+differs 'Walter Reed, from rectum (left) to cecum. Yellow: candidates; blue: valve, gas or fluid; hatched: not evaluable.' \
+  '**Agrees:** folds and small candidates are visible. **Differs:** the published volume rendering is in 5.1 (b).'
 
 # flatten_of_table CASE LUMEN OPTIONS...: a wall of 55,000 faces and two of its segments, flattened.
 flatten_of_table() {
@@ -117,7 +114,7 @@ raw_wall
 table times 'patient 00020=faces-20/flat' '00020 A=faces-20/ascending' '00020 T=faces-20/transverse' \
   'Walter Reed=faces-walter-reed/flat' 'Walter Reed A=faces-walter-reed/ascending' 'Walter Reed T=faces-walter-reed/transverse' \
   'SBU colon T=sbu' 'patient 00020, 50 eigenpairs=eigenpairs' 'patient 00020, with handles=raw'
-differs 'A, T: ascending, transverse colon. Published: one core at 1.87 GHz, without the metric, which took 12.4 s more. Ours:' \
-  'two busy cores. 50 eigenpairs, as published, take longer than all, and their gap between the moduli is 8.4 instead of' \
-  '.8 %. The metric of Walter Reed with 55,000 faces is Euclidean, because its triangles are larger than the lumen of the' \
-  'collapsed sigmoid. Ricci flow of the ascending segment takes .4 s.'
+differs 'A, T: ascending, transverse colon. Published: one core at 1.87 GHz, without the metric (12.4 s). Ours: two busy cores.' \
+  '50 eigenpairs, as published, take longer than all, and their gap between the moduli is 8.4 instead of .8 %. The metric' \
+  'of Walter Reed with 55,000 faces is Euclidean, because its triangles are larger than the lumen of the collapsed' \
+  'sigmoid. Ricci flow of the ascending segment takes .4 s.'
