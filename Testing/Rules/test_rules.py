@@ -196,7 +196,7 @@ class Repository(RuleTest):
         self.check(repository.short_pages, {"CHANGELOG.md": "x " * 400, "Modules/A/B/README.md": "x " * 350, "a.cxx": "x " * 5000})
         for page, limit, kind in (("CHANGELOG.md", 400, "the changelog"), ("Modules/A/B/README.md", 350, "the page of a module"),
                                   ("Applications/Tool/README.md", 550, "the page of a tool"), ("a/b.md", 800, "another page"),
-                                  ("Documentation/figures.md", 2600, "a page of reference")):
+                                  ("Documentation/figures.md", 3700, "the page of figures")):
             self.check(repository.short_pages, {page: "x " * (limit + 1)},
                        f"{page}: has {limit + 1} words; {kind} has at most {limit}")
         pages = {f"{i}.md": "x " * 800 for i in range(75)}

@@ -16,7 +16,8 @@ LONGEST_PAGES = (  # kind, regular expression of the path, words; the first that
     ("the page of a module", r"Modules/.*", 350),
     ("the page of a tool", r"Applications/.*", 550),
     ("a page of validation", r"Documentation/validation/.*", 1700),
-    ("a page of reference", r"Documentation/(developer-guide|figures)\.md", 2600),
+    ("the developer guide", r"Documentation/developer-guide\.md", 2600),
+    ("the page of figures", r"Documentation/figures\.md", 3700),
     ("a page of Documentation", r"Documentation/.*", 1500),
     ("another page", r".*", 800),
 )
