@@ -125,7 +125,8 @@ def stated_failures(tree):
             failed = sum("FAIL" in row for row in tree.text(file).split("\n")) if file in tree.known else 0
             linked.add(file)
             if failed != int(match[2] or 0):
-                yield Fault(str(page), line_at(tree.text(page), match.start()), f"must state that {failed} rows of {file.name} failed")
+                line = line_at(tree.text(page), match.start())
+                yield Fault(str(page), line, f"must state that {failed} rows of {file.name} failed")
     for file in tree.below(TABLES):
         if file not in linked:
             yield Fault(str(file), 0, "is not linked by a page of Documentation/validation")
