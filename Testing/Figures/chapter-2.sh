@@ -65,7 +65,7 @@ done
 panels 3 250 "${bones[@]}"
 differs 'Published: p = 7, 100,000 steps (Table 2.1) or 1,000,000 (text); with 100,000, all voxels are one class. Ours, chosen' \
   'from the data: p = 29.6, 40,000 steps. **Agrees:** the proximal phalanx of each toe has a line; those of the three' \
-  'middle toes are neighbors (.182, .200, .224; big toe .209, small toe .292). **Differs:** ranges contain stray voxels;' \
+  'middle toes are neighbors (0.182, 0.200, 0.224; big toe 0.209, small toe 0.292). **Differs:** ranges contain stray voxels;' \
   'bone makes up 75, 79, 56, 85, 61 and 26 % of the six. Metatarsals are cut by the border and have no line.'
 
 figure 2.7 'scale and orientation'
@@ -78,7 +78,7 @@ run HeatTransferFunction four.nrrd four-heat.nrrd four.vp --picture four.png
 panels 2 400 "$(rendering a.png)=(a) two spheres, a cube" "$(histogram a-histogram.png)" \
   "$(rendering four.png)=(b) two cubes, two cuboids" "$(histogram four-histogram.png)"
 differs '**Agrees:** three and four lines. **Differs:** the lines of one shape in two sizes are not close. The heats of the' \
-  'spheres differ by a factor of 2, the ratio of their radii; their `normalizedHeat` differs by .1 %' \
+  'spheres differ by a factor of 2, the ratio of their radii; their `normalizedHeat` differs by 0.1 %' \
   '([values](validation/heat.md#figures-24-25-and-27-of-the-dissertation)).'
 
 figure 2.8 'p'

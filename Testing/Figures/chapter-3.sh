@@ -146,7 +146,7 @@ table numbers "${numbers[@]}"
 differs 'The cube of Figure 2.4, published walk; wall seconds of two busy threads. **Agrees:** with fewer shapetons, a step is' \
   'faster; the published steps visit 99.99 to 100 % of the cube. **Differs:** on a CPU, the time of a step grows at least' \
   'linearly with the number of shapetons, so adding shapetons saves no time. Not measured on a GPU; [65,536 shapetons' \
-  'take .011 ms per step on an H100](benchmarks.md#on-a-gpu).'
+  'take 0.011 ms per step on an H100](benchmarks.md#on-a-gpu).'
 
 figure table-3.2 'times of heat and shapetons'
 needs scivis/foot.nii.gz volumes/engine.nii.gz scivis/aneurism.nii.gz scivis/mri_ventricles.nii.gz \

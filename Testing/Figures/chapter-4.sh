@@ -10,7 +10,7 @@ walter_reed
 patient_20
 panels 2 430 "walter-reed/landmarks/report/folds-surface.png@140,40,620,815=(a) Walter Reed, prone" \
   "patient-20/landmarks/report/folds-surface.png@140,40,620,815=(b) patient 00020"
-differs 'Published: mean curvature in [-4.5, -.5]. Ours: smoothed by heat diffusion, in 1/mm, with a threshold from each' \
+differs 'Published: mean curvature in [-4.5, -0.5]. Ours: smoothed by heat diffusion, in 1/mm, with a threshold from each' \
   'surface. **Agrees:** folds are found on the whole surface, 254 and 267. **Differs:** from outside, a fold is a furrow.' \
   'The long blue band at the cecum of Walter Reed is not a fold.'
 
@@ -78,7 +78,7 @@ panels 2 470 "patient-20/landmarks/report/landmarks-anterior.png@120,40,640,464=
   "second/landmarks/report/landmarks-anterior.png@120,40,640,464=(d) prone" \
   "patient-20/flattening/report/flat-curvature.png@0,1030,945,346=(c) supine, transverse to cecum" \
   "second/flattening/report/flat-curvature.png@0,1030,945,346=(f) prone, transverse to cecum"
-differs 'From -.2/mm (blue) to .2/mm (red, folds). **Agrees:** the folds of both positions form the same pattern. (b) and (e),' \
+differs 'From -0.2/mm (blue) to 0.2/mm (red, folds). **Agrees:** the folds of both positions form the same pattern. (b) and (e),' \
   'the colors in space, are not drawn.'
 
 # as_published: registers the two positions as in the dissertation.

@@ -36,7 +36,7 @@ differs 'The cecum of the SBU colon, 458 faces, n = 1; above, a generated face w
 figure 5.4 'a pot with and without its handle'
 write '![Figure 5.4](validation/figure-5.4.png)' ''
 paragraph 'Made by `Utilities/run-validation flattening-handle`. **Agrees:** cutting the handle changes the modulus less in the' \
-  'heat diffusion metric, but at best by a factor of .35, and only for times much longer than the square of its radius' \
+  'heat diffusion metric, but at best by a factor of 0.35, and only for times much longer than the square of its radius' \
   '([values](validation/flattening.md#figure-54-a-pot-with-and-without-its-handle)).'
 
 figure 5.5 'the ascending colon with handles'
@@ -51,8 +51,8 @@ panels 1 660 "ricci.png=(a) surface Ricci flow: wall in space, and in the Poinca
 differs 'Patient 00020. (a) The ascending segment has two handles, so no flat metric has straight boundaries; the metric of' \
   'curvature -1 is laid out in the disk. **Agrees:** the Ricci flow map loses the global shape; with heat diffusion and' \
   '21 handles, the map has the course and the folds of the one without. **Differs:** at each handle, the map folds over' \
-  '(.5 % of all faces), and the wall around it is smeared (at 190 cm). The moduli from u and v differ by 15 %, without' \
-  'handles by .2 %. Ours is vertex scaling with flips; the published scheme is not stated.'
+  '(0.5 % of all faces), and the wall around it is smeared (at 190 cm). The moduli from u and v differ by 15 %, without' \
+  'handles by 0.2 %. Ours is vertex scaling with flips; the published scheme is not stated.'
 
 figure 5.6 'polyps'
 walter_reed
@@ -65,8 +65,8 @@ differs 'Walter Reed. Candidate 1 (10 mm) is a polyp on a stalk, 2 and 4 are pos
 figure 5.7 'registered ascending colon'
 both_positions
 panels 1 560 "both/report/aligned.png@840,580,539,478=(a) supine, (b) prone, as mapped"
-differs 'Published: mean error 8.14 mm in space, .0385 on the map, at 16 pairs of points. Ours: 1.8 mm and .0102 at 1,503' \
-  'points; median 1.2 mm, 95 % 5.4 mm. The published map has 23.9 mm and .175. **Agrees:** folds are aligned. **Not' \
+differs 'Published: mean error 8.14 mm in space, 0.0385 on the map, at 16 pairs of points. Ours: 1.8 mm and 0.0102 at 1,503' \
+  'points; median 1.2 mm, 95 % 5.4 mm. The published map has 23.9 mm and 0.175. **Agrees:** folds are aligned. **Not' \
   'comparable:** our second position is simulated, and handles are removed before.'
 
 figure 5.8 'handles found on the flat colon'
@@ -115,6 +115,6 @@ table times 'patient 00020=faces-20/flat' '00020 A=faces-20/ascending' '00020 T=
   'Walter Reed=faces-walter-reed/flat' 'Walter Reed A=faces-walter-reed/ascending' 'Walter Reed T=faces-walter-reed/transverse' \
   'SBU colon T=sbu' 'patient 00020, 50 eigenpairs=eigenpairs' 'patient 00020, with handles=raw'
 differs 'A, T: ascending, transverse colon. Published: one core at 1.87 GHz, without the metric (12.4 s). Ours: two busy cores.' \
-  '50 eigenpairs, as published, take longer than all, and their gap between the moduli is 8.4 instead of .8 %. The metric' \
+  '50 eigenpairs, as published, take longer than all, and their gap between the moduli is 8.4 instead of 0.8 %. The metric' \
   'of Walter Reed with 55,000 faces is Euclidean, because its triangles are larger than the lumen of the collapsed' \
-  'sigmoid. Ricci flow of the ascending segment takes .4 s.'
+  'sigmoid. Ricci flow of the ascending segment takes 0.4 s.'

@@ -69,7 +69,7 @@ figure 6.9 'a large planar graph'
 needs graphs/3elt.graph
 embed elements 3elt.graph
 panels 2 430 "elements.png@0,0,1000,500" "elements.png@0,500,1000,500"
-differs 'Published: 3,000 nodes, 6,000 edges, 28 s. Ours: 4,720 nodes and 13,722 edges, .7 s with two cores. **Agrees:** (a) to' \
+differs 'Published: 3,000 nodes, 6,000 edges, 28 s. Ours: 4,720 nodes and 13,722 edges, 0.7 s with two cores. **Agrees:** (a) to' \
   '(d): plane, graph and dual graph, circles, sphere. Circles shrink around the holes of the mesh.'
 
 figure 6.11 'genus two and three'
@@ -124,8 +124,8 @@ run DynamicGraph outages outages-out --track 49,80,100
 svg outages-out/steps.svg 1200
 panels 1 800 outages-out/steps.png
 differs 'Published: an unnamed real graph. Ours: a real grid, two made-up outages. Green: changes; blue: tracked buses.' \
-  '**Agrees** in step 1: all other nodes stay in place (mean displacement .04 rad). **Differs** in step 2: two large' \
-  'faces become one, and nodes move by .2 rad. Sparse real graphs are less stable than the examples of the dissertation.'
+  '**Agrees** in step 1: all other nodes stay in place (mean displacement 0.04 rad). **Differs** in step 2: two large' \
+  'faces become one, and nodes move by 0.2 rad. Sparse real graphs are less stable than the examples of the dissertation.'
 
 figure 6.16-temporal 'a network of your own'
 needs graphs/temporal
