@@ -65,8 +65,8 @@ done
 panels 3 250 "${bones[@]}"
 differs 'Published: p = 7, 100,000 steps (Table 2.1) or 1,000,000 (text); with 100,000, all voxels are one class. Ours, chosen' \
   'from the data: p = 29.6, 40,000 steps. **Agrees:** the proximal phalanx of each toe has a line; those of the three' \
-  'middle toes are neighbors (0.182, 0.200, 0.224; big toe 0.209, small toe 0.292). **Differs:** ranges contain stray voxels;' \
-  'bone makes up 75, 79, 56, 85, 61 and 26 % of the six. Metatarsals are cut by the border and have no line.'
+  'middle toes are neighbors (0.182, 0.200, 0.224; big toe 0.209, small toe 0.292). **Differs:** ranges contain stray' \
+  'voxels; bone makes up 75, 79, 56, 85, 61 and 26 % of the six. Metatarsals are cut by the border and have no line.'
 
 figure 2.7 'scale and orientation'
 run ShapePhantom a.nrrd --shape figure2.7a --size 96,96,96

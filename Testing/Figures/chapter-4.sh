@@ -78,8 +78,8 @@ panels 2 470 "patient-20/landmarks/report/landmarks-anterior.png@120,40,640,464=
   "second/landmarks/report/landmarks-anterior.png@120,40,640,464=(d) prone" \
   "patient-20/flattening/report/flat-curvature.png@0,1030,945,346=(c) supine, transverse to cecum" \
   "second/flattening/report/flat-curvature.png@0,1030,945,346=(f) prone, transverse to cecum"
-differs 'From -0.2/mm (blue) to 0.2/mm (red, folds). **Agrees:** the folds of both positions form the same pattern. (b) and (e),' \
-  'the colors in space, are not drawn.'
+differs 'From -0.2/mm (blue) to 0.2/mm (red, folds). **Agrees:** the folds of both positions form the same pattern. (b) and' \
+  '(e), the colors in space, are not drawn.'
 
 # as_published: registers the two positions as in the dissertation.
 as_published() {

@@ -69,8 +69,8 @@ figure 6.9 'a large planar graph'
 needs graphs/3elt.graph
 embed elements 3elt.graph
 panels 2 430 "elements.png@0,0,1000,500" "elements.png@0,500,1000,500"
-differs 'Published: 3,000 nodes, 6,000 edges, 28 s. Ours: 4,720 nodes and 13,722 edges, 0.7 s with two cores. **Agrees:** (a) to' \
-  '(d): plane, graph and dual graph, circles, sphere. Circles shrink around the holes of the mesh.'
+differs 'Published: 3,000 nodes, 6,000 edges, 28 s. Ours: 4,720 nodes and 13,722 edges, 0.7 s with two cores. **Agrees:** (a)' \
+  'to (d): plane, graph and dual graph, circles, sphere. Circles shrink around the holes of the mesh.'
 
 figure 6.11 'genus two and three'
 needs graphs/rome/grafo3309.59.graphml graphs/rome/grafo8229.70.graphml
