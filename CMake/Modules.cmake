@@ -6,8 +6,10 @@ set(Shapeton_GROUPS Core Mesh IO Filtering Phantom Graph Colon Bridge Visualizat
 set(Shapeton_MODULES
   Core/Common
   Core/Report
+  Core/Pages
   Core/SparseFactorization
   Mesh/SurfaceMesh
+  Mesh/MeshBridge
   Mesh/HeatDiffusionMetric
   Mesh/ConformalFlattening
   Mesh/SurfaceRicciFlow
@@ -31,7 +33,6 @@ set(Shapeton_MODULES
   Colon/PolypCandidates
   Colon/SupineProne
   Colon/ColonExamination
-  Bridge/MeshBridge
   Bridge/ColonFilters
   Visualization/PictureKit
   Visualization/HeatViews

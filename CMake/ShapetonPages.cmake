@@ -13,8 +13,8 @@ endfunction()
 
 # Shared page scripts; they precede a page's own scripts.
 set(SHAPETON_PAGE_KIT_SCRIPTS math bytes view page keys gl)
-list(TRANSFORM SHAPETON_PAGE_KIT_SCRIPTS REPLACE "(.+)" "${Shapeton_SOURCE_DIR}/Modules/Core/Report/scripts/\\1.mjs")
-set(SHAPETON_PAGE_KIT_STYLE "${Shapeton_SOURCE_DIR}/Modules/Core/Report/scripts/page.css")
+list(TRANSFORM SHAPETON_PAGE_KIT_SCRIPTS REPLACE "(.+)" "${Shapeton_SOURCE_DIR}/Modules/Core/Pages/scripts/\\1.mjs")
+set(SHAPETON_PAGE_KIT_STYLE "${Shapeton_SOURCE_DIR}/Modules/Core/Pages/scripts/page.css")
 
 find_program(NODE_EXECUTABLE node)
 find_program(CHROMIUM_EXECUTABLE chromium)

@@ -98,7 +98,13 @@ MakePhantom(shapeton::CommandLine & commandLine)
   source->Update();
   if (!truth.empty())
   {
-    shapeton::WriteColonTruth(commandLine, *source, truth, other.curves.empty() ? nullptr : &other);
+    commandLine.MakeFolder(truth);
+    shapeton::WriteColonTruth(
+      *source,
+      commandLine.GetProvenance(),
+      truth,
+      [&](const std::string & path) { return commandLine.Output(path); },
+      other.curves.empty() ? nullptr : &other);
   }
   shapeton::WriteDicomSeriesFolder(source->GetOutput(), folder, Describe(commandLine));
   commandLine.RecordRun(folder + ".run.json");

@@ -3,7 +3,7 @@
 from html import escape
 from pathlib import Path
 
-STYLE = (Path(__file__).parents[2] / "Modules/Core/Report/styles/page.css").read_text(encoding="utf-8")
+STYLE = (Path(__file__).parents[2] / "Modules/Core/Pages/styles/page.css").read_text(encoding="utf-8")
 CELLS = """
 td.far { background: #fff6df; font-weight: 600; }
 td:first-child { white-space: nowrap; }

@@ -6,7 +6,6 @@ itk_module(ShapetonColonFilters
   DEPENDS
     ShapetonCommon
     ShapetonHeatDiffusionMetric
-    ShapetonConformalFlattening
     ShapetonColonLumen
     ShapetonColonCenterline
     ShapetonColonModel

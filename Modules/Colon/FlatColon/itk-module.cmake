@@ -6,12 +6,12 @@ itk_module(ShapetonFlatColon
   DEPENDS
     ShapetonSurfaceMesh
     ShapetonVolumeFiles
+    ShapetonConformalFlattening
     ITKCommon
     ShapetonCommon
     ShapetonReport
     ShapetonColonCenterline
   PRIVATE_DEPENDS
-    ShapetonConformalFlattening
     ShapetonHeatDiffusionMetric
     ITKIOImageBase
     ITKIONRRD

@@ -9,6 +9,8 @@ itk_module(ShapetonPhantoms
     ITKImageSources
     ShapetonReport
     ShapetonSurfaceMesh
+  PRIVATE_DEPENDS
+    ShapetonVolumeFiles
   TEST_DEPENDS
     ITKGoogleTest
     ShapetonVolumeFiles

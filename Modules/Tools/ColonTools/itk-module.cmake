@@ -7,7 +7,6 @@ itk_module(ShapetonColonTools
     ShapetonCommon
     ShapetonReport
     ShapetonSurfaceMesh
-    ShapetonConformalFlattening
     ShapetonColonModel
     ShapetonColonLandmarks
     ShapetonPolypCandidates
@@ -15,6 +14,7 @@ itk_module(ShapetonColonTools
     ShapetonColonExamination
     ShapetonColonViews
     ShapetonDicomResults
+    ShapetonPages
   PRIVATE_DEPENDS
     ShapetonVolumeFiles
     ShapetonPhantoms

@@ -12,6 +12,7 @@ itk_module(ShapetonGraphTools
     ShapetonGraphViews
   PRIVATE_DEPENDS
     ShapetonCommandLine
+    ShapetonPages
   TEST_DEPENDS
     ITKExpat
     ITKGoogleTest

@@ -17,6 +17,7 @@ itk_module(ShapetonHeatTools
   PRIVATE_DEPENDS
     ShapetonDicomResults
     ShapetonCommandLine
+    ShapetonPages
   TEST_DEPENDS
     ITKGoogleTest
     ITKIOImageBase

@@ -8,6 +8,7 @@ itk_module(ShapetonLiveSession
     ShapetonParticles
     ShapetonVolumeFiles
   PRIVATE_DEPENDS
+    ShapetonPages
     ITKCommon
     ShapetonCommon
     ShapetonHeat

@@ -13,9 +13,9 @@ itk_module(ShapetonColonViews
     ShapetonColonLandmarks
     ShapetonPolypCandidates
     ShapetonSupineProne
-    ShapetonReport
   PRIVATE_DEPENDS
     ShapetonColonExamination
+    ShapetonPages
     ITKCommon
   TEST_DEPENDS
     ITKGoogleTest

@@ -8,6 +8,7 @@ itk_module(ShapetonHeatViews
     ShapetonHeat
     ShapetonHeatObjects
     ShapetonPictureKit
+    ShapetonPages
     ITKCommon
     ShapetonReport
   PRIVATE_DEPENDS

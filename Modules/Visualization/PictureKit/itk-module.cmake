@@ -10,6 +10,7 @@ itk_module(ShapetonPictureKit
   PRIVATE_DEPENDS
     ShapetonReport
     ShapetonMeshBridge
+    ShapetonPages
   TEST_DEPENDS
     ITKGoogleTest
     ITKIOImageBase

@@ -65,8 +65,8 @@ class Examination:
     """The results of VirtualColonoscopy for one position, each read when it is first used.
 
     The attributes are the names in `files()`: volumes are `Image`, surfaces `Mesh`, lines `Curves`, tables lists of
-    dictionaries, documents dictionaries; pictures, pages and DICOM objects are paths. Documentation/examination-format.md
-    describes the contents.
+    dictionaries, documents dictionaries; pictures, pages and DICOM objects are paths. The page
+    *Files of an examination* of the API reference describes the contents.
 
     exam = shapeton.Examination("results")
     exam.lumen.array                            # labels: 1 gas, 2 tagged fluid, 3 terminal ileum

@@ -21,8 +21,8 @@ class FlatColon;
 /** \class ExaminationFolder
  * \brief Results of VirtualColonoscopy for one position of the colon, read from their folder when they are requested.
  *
- * Documentation/examination-format.md describes the files. Each Read method throws InputError with the file that is
- * missing or malformed; positions are LPS in mm.
+ * format/files.json describes the files. Each Read method throws InputError with the file that is missing or malformed;
+ * positions are LPS in mm.
  *
  * \ingroup ShapetonColonExamination */
 class ShapetonColonExamination_EXPORT ExaminationFolder

@@ -2,8 +2,8 @@
 
 #include "shapetonBase64Text.h"
 #include "shapetonColonSegments.h"
+#include "shapetonCsvTable.h"
 #include "shapetonExceptions.h"
-#include "shapetonHtmlReport.h"
 #include "shapetonJson.h"
 #include "shapetonPrintable.h"
 

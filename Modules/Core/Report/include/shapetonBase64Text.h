@@ -15,6 +15,10 @@ ShapetonReport_EXPORT std::string
 /** The bytes of a text written by Base64(); empty if it is malformed. \ingroup ShapetonReport */
 ShapetonReport_EXPORT std::optional<std::string>
                       BytesOfBase64(const std::string & text);
+
+/** Whether these bytes begin like a PNG file. \ingroup ShapetonReport */
+ShapetonReport_EXPORT bool
+IsPng(const std::string & bytes);
 } // namespace shapeton
 
 #endif

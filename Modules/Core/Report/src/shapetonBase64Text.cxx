@@ -71,4 +71,11 @@ BytesOfBase64(const std::string & text)
   bytes.resize(bytes.size() - (text.size() - characters));
   return bytes;
 }
+
+bool
+IsPng(const std::string & bytes)
+{
+  static const std::string signature = "\x89PNG\r\n\x1A\n";
+  return bytes.compare(0, signature.size(), signature) == 0;
+}
 } // namespace shapeton

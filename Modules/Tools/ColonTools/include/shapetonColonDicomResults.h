@@ -3,7 +3,7 @@
 
 #include "ShapetonColonToolsExport.h"
 #include "shapetonColonDicomObjectOptions.h"
-#include "shapetonHtmlReport.h"
+#include "shapetonOutputPath.h"
 #include "shapetonProgress.h"
 #include "shapetonRemarks.h"
 

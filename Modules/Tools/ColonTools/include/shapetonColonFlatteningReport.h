@@ -6,7 +6,7 @@
 #include "shapetonColonFlattening.h"
 #include "shapetonFlatColonPictures.h"
 
-#include "shapetonHtmlReport.h"
+#include "shapetonOutputPath.h"
 
 namespace shapeton
 {

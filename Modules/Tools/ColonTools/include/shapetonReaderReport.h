@@ -2,7 +2,7 @@
 #define shapetonReaderReport_h
 
 #include "ShapetonColonToolsExport.h"
-#include "shapetonHtmlReport.h"
+#include "shapetonOutputPath.h"
 #include "shapetonRemarks.h"
 
 #include <string>

@@ -4,6 +4,7 @@
 #include "shapetonFlatColonRows.h"
 #include "shapetonTriangleQualityChart.h"
 #include "shapetonFlatPictureSize.h"
+#include "shapetonHtmlReport.h"
 
 #include <cmath>
 

@@ -2,6 +2,7 @@
 
 #include "shapetonCsvTable.h"
 #include "shapetonDistensionChart.h"
+#include "shapetonHtmlReport.h"
 #include "shapetonLumenBox.h"
 
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "ShapetonColonToolsExport.h"
 #include "shapetonRemarks.h"
 #include "shapetonColonPictures.h"
-#include "shapetonHtmlReport.h"
+#include "shapetonOutputPath.h"
 
 #include <string>
 #include <utility>

@@ -5,6 +5,7 @@
 #include "shapetonColonoscopyLimitations.h"
 #include "shapetonColonoscopyPictures.h"
 #include "shapetonDistensionChart.h"
+#include "shapetonHtmlReport.h"
 #include "shapetonPolypCandidateReport.h"
 #include "shapetonRegistrationReport.h"
 

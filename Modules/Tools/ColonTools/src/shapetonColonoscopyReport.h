@@ -5,7 +5,7 @@
 
 #include "shapetonRemarks.h"
 #include "shapetonColonoscopyQuality.h"
-#include "shapetonHtmlReport.h"
+#include "shapetonOutputPath.h"
 
 namespace shapeton
 {

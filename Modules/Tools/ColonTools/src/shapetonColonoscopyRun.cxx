@@ -2,6 +2,7 @@
 
 #include "shapetonColonoscopyPresentation.h"
 #include "shapetonColonoscopyStages.h"
+#include "shapetonExaminationFolder.h"
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
 #include "shapetonToolDevice.h"

@@ -3,6 +3,7 @@
 #include "shapetonColonFigures.h"
 #include "shapetonColonSegments.h"
 #include "shapetonCommandLine.h"
+#include "shapetonHtmlReport.h"
 #include "shapetonPlaceInWords.h"
 #include "shapetonPolypCandidatePictures.h"
 #include "shapetonPolypMorphology.h"

@@ -2,6 +2,7 @@
 
 #include "shapetonColonFigures.h"
 #include "shapetonCommandLine.h"
+#include "shapetonHtmlReport.h"
 #include "shapetonJson.h"
 
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "shapetonPolypCandidateReport.h"
 
 #include "shapetonFileBytes.h"
+#include "shapetonHtmlReport.h"
 #include "shapetonTestFolder.h"
 
 #include "gtest/gtest.h"

@@ -1,6 +1,7 @@
 #include "shapetonRegistrationReport.h"
 #include "shapetonTestColons.h"
 #include "shapetonExceptions.h"
+#include "shapetonHtmlReport.h"
 
 #include "itkImageRegionConstIterator.h"
 

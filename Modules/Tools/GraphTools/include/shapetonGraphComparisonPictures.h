@@ -4,7 +4,7 @@
 #include "ShapetonGraphToolsExport.h"
 #include "shapetonDynamicTables.h"
 #include "shapetonGraphComparison.h"
-#include "shapetonHtmlReport.h"
+#include "shapetonOutputPath.h"
 
 #include <string>
 #include <utility>

@@ -1,4 +1,4 @@
-import { KeyTable } from '../../../Core/Report/scripts/keys.mjs';
+import { KeyTable } from '../../../Core/Pages/scripts/keys.mjs';
 
 const STEP = 0.12; // fraction of the radius of a view
 const keys = [

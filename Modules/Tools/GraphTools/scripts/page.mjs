@@ -1,5 +1,5 @@
-import { toggle } from '../../../Core/Report/scripts/keys.mjs';
-import { View } from '../../../Core/Report/scripts/view.mjs';
+import { toggle } from '../../../Core/Pages/scripts/keys.mjs';
+import { View } from '../../../Core/Pages/scripts/view.mjs';
 import { Disk } from './disk.mjs';
 import { PageGraph } from './graph.mjs';
 import { graphKeys } from './keys-of-graphs.mjs';

@@ -1,4 +1,4 @@
-import { clamp, cross, norm, scaled, unit } from '../../../Core/Report/scripts/math.mjs';
+import { clamp, cross, norm, scaled, unit } from '../../../Core/Pages/scripts/math.mjs';
 
 // A Moebius transformation of the sphere is a Lorentz matrix: points are light-like vectors (x, y, z, 1), caps de Sitter
 // vectors (c / sin r, cos r / sin r), so circles stay circles. Matrices row by row.

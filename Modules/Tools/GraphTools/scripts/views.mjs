@@ -1,4 +1,4 @@
-import { View } from '../../../Core/Report/scripts/view.mjs';
+import { View } from '../../../Core/Pages/scripts/view.mjs';
 import { paintDomain, paintMarks, paintTile, widthsOf } from './paint.mjs';
 import { edgeUnder, nodeUnder, Tile } from './tile.mjs';
 

@@ -11,7 +11,7 @@
 #include "shapetonHeatHistogram.h"
 #include "shapetonHeatParameterChoice.h"
 #include "shapetonHeatRanges.h"
-#include "shapetonHtmlReport.h"
+#include "shapetonOutputPath.h"
 #include "shapetonObjectColors.h"
 #include "itkImage.h"
 #include "shapetonShapeQuantity.h"

@@ -1,5 +1,5 @@
-import { byId, element } from '../../../Core/Report/scripts/page.mjs';
-import { KeyTable } from '../../../Core/Report/scripts/keys.mjs';
+import { byId, element } from '../../../Core/Pages/scripts/page.mjs';
+import { KeyTable } from '../../../Core/Pages/scripts/keys.mjs';
 import { fillObjectList, listenToObjects, OBJECT_CONTROLS } from '../../../Visualization/HeatViews/scripts/objects.mjs';
 
 const LONGEST = 6; // decades of time steps on the slider

@@ -1,5 +1,5 @@
-import { clamp } from '../../../Core/Report/scripts/math.mjs';
-import { byId, element, openPage } from '../../../Core/Report/scripts/page.mjs';
+import { clamp } from '../../../Core/Pages/scripts/math.mjs';
+import { byId, element, openPage } from '../../../Core/Pages/scripts/page.mjs';
 import { counted, HeatExplorer, PAGE, shownLines } from '../../../Visualization/HeatViews/scripts/explorer.mjs';
 import { History } from '../../../Visualization/HeatViews/scripts/history.mjs';
 import { explorerKeys } from '../../../Visualization/HeatViews/scripts/keys.mjs';

@@ -1,6 +1,7 @@
 #include "shapetonSessionServer.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonHtmlReport.h"
 #include "shapetonLiveSession.h"
 #include "shapetonScriptPage.h"
 #include "shapetonSessionCommands.h"

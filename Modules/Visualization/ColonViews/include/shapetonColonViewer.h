@@ -2,7 +2,7 @@
 #define shapetonColonViewer_h
 
 #include "ShapetonColonViewsExport.h"
-#include "shapetonHtmlReport.h"
+#include "shapetonOutputPath.h"
 
 #include <string>
 #include <vector>

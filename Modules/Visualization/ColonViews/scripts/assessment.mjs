@@ -1,4 +1,4 @@
-import { element } from '../../../Core/Report/scripts/page.mjs';
+import { element } from '../../../Core/Pages/scripts/page.mjs';
 
 // C-RADS 2023 (Yee et al., Radiology 2024) with the names of its first version. The descriptions are help only.
 const CATEGORIES = {

@@ -1,4 +1,4 @@
-import { element } from '../../../Core/Report/scripts/page.mjs';
+import { element } from '../../../Core/Pages/scripts/page.mjs';
 
 const SNAPSHOT_WIDTH = 900; // pixels of a snapshot
 

@@ -1,4 +1,4 @@
-import { distance, dot, third } from '../../../Core/Report/scripts/math.mjs';
+import { distance, dot, third } from '../../../Core/Pages/scripts/math.mjs';
 
 // Translucency: the tissue 2 to 6 mm behind the wall as color. The limits are those of PolypTissue in C++.
 const DEPTHS = [2, 3, 4, 5, 6]; // mm

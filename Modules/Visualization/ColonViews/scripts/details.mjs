@@ -1,5 +1,5 @@
-import { readBlock } from '../../../Core/Report/scripts/bytes.mjs';
-import { cross, sub, third, unit } from '../../../Core/Report/scripts/math.mjs';
+import { readBlock } from '../../../Core/Pages/scripts/bytes.mjs';
+import { cross, sub, third, unit } from '../../../Core/Pages/scripts/math.mjs';
 import { Tree } from './tree.mjs';
 
 // Area-weighted normals of the vertices, as bytes. source: vertices with the same source share one.

@@ -1,5 +1,5 @@
-import { readBlock } from '../../../Core/Report/scripts/bytes.mjs';
-import { clamp, cross, distance, dot, norm, sub, third, unit } from '../../../Core/Report/scripts/math.mjs';
+import { readBlock } from '../../../Core/Pages/scripts/bytes.mjs';
+import { clamp, cross, distance, dot, norm, sub, third, unit } from '../../../Core/Pages/scripts/math.mjs';
 import { Details, vertexNormals } from './details.mjs';
 import { hitOf, normalOf, Tree } from './tree.mjs';
 import { Volume } from './volume.mjs';

@@ -1,4 +1,4 @@
-import { add, clamp, cross, distance, dot, norm, scaled, sub, third, unit } from '../../../Core/Report/scripts/math.mjs';
+import { add, clamp, cross, distance, dot, norm, scaled, sub, third, unit } from '../../../Core/Pages/scripts/math.mjs';
 
 // The camera of a candidate, by the rules of the pictures in the report (ChooseEye() in C++).
 const NEAREST = 15, FARTHEST = 60, BEST = 25; // mm from the head to an eye on the centerline

@@ -1,7 +1,7 @@
-import { clamp } from '../../../Core/Report/scripts/math.mjs';
+import { clamp } from '../../../Core/Pages/scripts/math.mjs';
 import { paintFlat, segmentColors, taeniaColors } from './layers.mjs';
 import { Shortened } from './shortened.mjs';
-import { View } from '../../../Core/Report/scripts/view.mjs';
+import { View } from '../../../Core/Pages/scripts/view.mjs';
 
 const OVERVIEW = 34; // height of the overview strip of the whole colon, pixels
 

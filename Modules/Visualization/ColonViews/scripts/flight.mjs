@@ -1,4 +1,4 @@
-import { cross, distance, norm, sub, third, unit } from '../../../Core/Report/scripts/math.mjs';
+import { cross, distance, norm, sub, third, unit } from '../../../Core/Pages/scripts/math.mjs';
 import { pictureOf } from './lens.mjs';
 
 const SIGHT = 200;    // mm; wall farther away counts as unseen

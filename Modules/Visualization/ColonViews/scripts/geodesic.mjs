@@ -1,4 +1,4 @@
-import { distance, dot, sub, third } from '../../../Core/Report/scripts/math.mjs';
+import { distance, dot, sub, third } from '../../../Core/Pages/scripts/math.mjs';
 
 const PLACES = [1 / 6, 1 / 2, 5 / 6]; // points on each edge that an initial path may pass
 const SWEEPS = 300;

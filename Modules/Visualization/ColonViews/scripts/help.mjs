@@ -1,4 +1,4 @@
-import { KeyTable } from '../../../Core/Report/scripts/keys.mjs';
+import { KeyTable } from '../../../Core/Pages/scripts/keys.mjs';
 
 // act: name of a method of the viewer, followed by its argument.
 const keyList = [

@@ -1,4 +1,4 @@
-import { axesOf, dot, norm, project, rayThrough, sub } from '../../../Core/Report/scripts/math.mjs';
+import { axesOf, dot, norm, project, rayThrough, sub } from '../../../Core/Pages/scripts/math.mjs';
 
 export const FISHEYE = (160 * Math.PI) / 180;         // across the height of the picture, equidistant
 export const FISHEYE_LIMIT = (115 * Math.PI) / 180;   // from the axis; the picture is black beyond it

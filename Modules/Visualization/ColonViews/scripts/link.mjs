@@ -1,4 +1,4 @@
-import { distance, third } from '../../../Core/Report/scripts/math.mjs';
+import { distance, third } from '../../../Core/Pages/scripts/math.mjs';
 import { hitOf, Tree } from './tree.mjs';
 
 // Faces of a position on the map of the other one. Triangles do not share vertices, because faces may cross the cut of that map.

@@ -1,4 +1,4 @@
-import { element, notice } from '../../../Core/Report/scripts/page.mjs';
+import { element, notice } from '../../../Core/Pages/scripts/page.mjs';
 
 const LIMITATIONS = [
   'For research use; not a diagnosis, and not a medical device.',

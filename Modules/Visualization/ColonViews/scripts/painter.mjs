@@ -1,5 +1,5 @@
-import { glProgram } from '../../../Core/Report/scripts/gl.mjs';
-import { cross, dot, matricesOf, norm, sub, unit } from '../../../Core/Report/scripts/math.mjs';
+import { glProgram } from '../../../Core/Pages/scripts/gl.mjs';
+import { cross, dot, matricesOf, norm, sub, unit } from '../../../Core/Pages/scripts/math.mjs';
 import { FISHEYE_LIMIT } from './lens.mjs';
 
 const VERTEX = `

@@ -1,4 +1,4 @@
-import { distance, sub } from '../../../Core/Report/scripts/math.mjs';
+import { distance, sub } from '../../../Core/Pages/scripts/math.mjs';
 import { centerlineColor, flexureColor, paintWall, taeniaColors } from './layers.mjs';
 import { EndoView, OutsideView } from './space.mjs';
 import { FlatView } from './flat.mjs';

@@ -1,5 +1,5 @@
-import { clamp, dot } from '../../../Core/Report/scripts/math.mjs';
-import { View } from '../../../Core/Report/scripts/view.mjs';
+import { clamp, dot } from '../../../Core/Pages/scripts/math.mjs';
+import { View } from '../../../Core/Pages/scripts/view.mjs';
 
 const PLANES = ['sagittal', 'coronal', 'axial'];
 const LETTERS = [['R', 'L'], ['A', 'P'], ['F', 'H']]; // for the ends of the patient's axes, LPS

@@ -1,9 +1,9 @@
-import { add, axesOf, clamp, cross, distance, dot, norm, scaled, sub, unit } from '../../../Core/Report/scripts/math.mjs';
+import { add, axesOf, clamp, cross, distance, dot, norm, scaled, sub, unit } from '../../../Core/Pages/scripts/math.mjs';
 import { tissues } from './depth.mjs';
 import { viewOfHead } from './eye.mjs';
 import { FISHEYE, pixelOf, rayOf, scaleAt } from './lens.mjs';
 import { gapOf, radiusOf } from './slice.mjs';
-import { View } from '../../../Core/Report/scripts/view.mjs';
+import { View } from '../../../Core/Pages/scripts/view.mjs';
 
 // Depth of the center of a candidate behind the surface of its head, mm.
 const hiddenDepth = ({ depth }) => (depth ? 1.2 * depth + 1 : 0);

@@ -1,4 +1,4 @@
-import { cross, dot, sub, third } from '../../../Core/Report/scripts/math.mjs';
+import { cross, dot, sub, third } from '../../../Core/Pages/scripts/math.mjs';
 
 const LEAF = 4; // triangles
 

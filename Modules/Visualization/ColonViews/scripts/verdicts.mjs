@@ -1,4 +1,4 @@
-import { element, saveFile } from '../../../Core/Report/scripts/page.mjs';
+import { element, saveFile } from '../../../Core/Pages/scripts/page.mjs';
 
 const VERDICTS = ['unread', 'polyp', 'not a polyp', 'unsure'], ACCEPTED = 'polyp';
 const MORPHOLOGIES = ['', 'flat', 'sessile', 'pedunculated'];

@@ -1,4 +1,4 @@
-import { readBlock } from '../../../Core/Report/scripts/bytes.mjs';
+import { readBlock } from '../../../Core/Pages/scripts/bytes.mjs';
 import { Assessment } from './assessment.mjs';
 import { Bookmarks, snapshotOf } from './bookmarks.mjs';
 import { Exam } from './exam.mjs';
@@ -13,9 +13,9 @@ import { Painter } from './painter.mjs';
 import { Panel } from './panel.mjs';
 import { LEAST_WIDTH } from './slice.mjs';
 import { Verdicts } from './verdicts.mjs';
-import { toggle } from '../../../Core/Report/scripts/keys.mjs';
-import { byId, letGo, notice, openPage } from '../../../Core/Report/scripts/page.mjs';
-import { scaleViews, View } from '../../../Core/Report/scripts/view.mjs';
+import { toggle } from '../../../Core/Pages/scripts/keys.mjs';
+import { byId, letGo, notice, openPage } from '../../../Core/Pages/scripts/page.mjs';
+import { scaleViews, View } from '../../../Core/Pages/scripts/view.mjs';
 
 const DOUBTFUL = 0.3; // below this confidence of the map the other position is dimmed
 const EXCLUDED = 255;   // in `trust`: not visible in one of the positions

@@ -2,6 +2,7 @@
 #define shapetonViewerPosition_h
 
 #include "shapetonColonViewer.h"
+#include "shapetonExaminationFolder.h"
 #include "shapetonPageBlocks.h"
 
 namespace shapeton

@@ -6,7 +6,7 @@ import { Exam } from '../scripts/exam.mjs';
 import { SurfacePaths } from '../scripts/geodesic.mjs';
 import { FISHEYE, pixelOf, rayOf } from '../scripts/lens.mjs';
 import { Link } from '../scripts/link.mjs';
-import { project, rayThrough } from '../../../Core/Report/scripts/math.mjs';
+import { project, rayThrough } from '../../../Core/Pages/scripts/math.mjs';
 import { Shortened } from '../scripts/shortened.mjs';
 import { nearestAxes } from '../scripts/slice.mjs';
 import { Tree } from '../scripts/tree.mjs';

@@ -5,7 +5,7 @@
 #include "shapetonHeatHistogram.h"
 #include "shapetonHeatObjects.h"
 #include "shapetonHeatRanges.h"
-#include "shapetonHtmlReport.h"
+#include "shapetonOutputPath.h"
 #include "shapetonPageBlocks.h"
 #include "shapetonShapeQuantity.h"
 #include "shapetonShapeTransferFunction.h"

@@ -1,8 +1,8 @@
-import { readBlock } from '../../../Core/Report/scripts/bytes.mjs';
-import { clamp } from '../../../Core/Report/scripts/math.mjs';
-import { toggle } from '../../../Core/Report/scripts/keys.mjs';
-import { byId, letGo, notice, openPage, saveFile } from '../../../Core/Report/scripts/page.mjs';
-import { scaleViews, View } from '../../../Core/Report/scripts/view.mjs';
+import { readBlock } from '../../../Core/Pages/scripts/bytes.mjs';
+import { clamp } from '../../../Core/Pages/scripts/math.mjs';
+import { toggle } from '../../../Core/Pages/scripts/keys.mjs';
+import { byId, letGo, notice, openPage, saveFile } from '../../../Core/Pages/scripts/page.mjs';
+import { scaleViews, View } from '../../../Core/Pages/scripts/view.mjs';
 import { equalization, HeatAxis, rangeOfCounts } from './axis.mjs';
 import { History } from './history.mjs';
 import { HistogramView } from './histogram.mjs';

@@ -1,5 +1,5 @@
-import { clamp } from '../../../Core/Report/scripts/math.mjs';
-import { View } from '../../../Core/Report/scripts/view.mjs';
+import { clamp } from '../../../Core/Pages/scripts/math.mjs';
+import { View } from '../../../Core/Pages/scripts/view.mjs';
 import { channelsOf, lowerEdge, NUMBER_OF_BINS } from './lines.mjs';
 
 const WIDEST_LINE = 6, LEFT = 62, BOTTOM = 46, TOP = 22; // pixels

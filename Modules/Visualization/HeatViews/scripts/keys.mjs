@@ -1,4 +1,4 @@
-import { KeyTable } from '../../../Core/Report/scripts/keys.mjs';
+import { KeyTable } from '../../../Core/Pages/scripts/keys.mjs';
 
 // See Keys; methods of the explorer.
 export const explorerKeys = new KeyTable([

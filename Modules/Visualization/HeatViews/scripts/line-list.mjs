@@ -1,4 +1,4 @@
-import { element, letGo } from '../../../Core/Report/scripts/page.mjs';
+import { element, letGo } from '../../../Core/Pages/scripts/page.mjs';
 
 export const shortNumber = (x) => String(Number(x.toPrecision(4)));
 

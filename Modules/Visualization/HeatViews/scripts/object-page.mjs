@@ -1,4 +1,4 @@
-import { byId, element, notice } from '../../../Core/Report/scripts/page.mjs';
+import { byId, element, notice } from '../../../Core/Pages/scripts/page.mjs';
 import { lowerEdge, NUMBER_OF_BINS } from './lines.mjs';
 import {
   binsOfObject, chainOf, classesOf, fillObjectList, listenToObjects, MOST_OBJECTS, OBJECT_CONTROLS, rowOfObject, shownObjects,

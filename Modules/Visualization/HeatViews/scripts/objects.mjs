@@ -1,5 +1,5 @@
-import { KeyTable } from '../../../Core/Report/scripts/keys.mjs';
-import { byId, element, letGo } from '../../../Core/Report/scripts/page.mjs';
+import { KeyTable } from '../../../Core/Pages/scripts/keys.mjs';
+import { byId, element, letGo } from '../../../Core/Pages/scripts/page.mjs';
 
 // Objects: {number, parent, voxels, volume, probability}, the largest first; the number counts from 1, and the parent is the smallest
 // object that contains it, or 0. The label of a voxel is the number of the smallest object there.

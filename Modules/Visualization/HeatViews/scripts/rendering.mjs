@@ -1,6 +1,6 @@
-import { glProgram } from '../../../Core/Report/scripts/gl.mjs';
-import { add, clamp, cross, dot, scaled, sub, unit } from '../../../Core/Report/scripts/math.mjs';
-import { View } from '../../../Core/Report/scripts/view.mjs';
+import { glProgram } from '../../../Core/Pages/scripts/gl.mjs';
+import { add, clamp, cross, dot, scaled, sub, unit } from '../../../Core/Pages/scripts/math.mjs';
+import { View } from '../../../Core/Pages/scripts/view.mjs';
 
 const BLOCK = 8, FILLED = 0.88; // edge length of a block, voxels; fraction of the picture filled by the volume
 const BUDGET = [200, 1500], LEAST_PART = 0.1; // ms for a coarse and for a fine picture; picture pixels per screen pixel along a side

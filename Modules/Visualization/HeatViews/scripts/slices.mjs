@@ -1,5 +1,5 @@
-import { clamp } from '../../../Core/Report/scripts/math.mjs';
-import { View } from '../../../Core/Report/scripts/view.mjs';
+import { clamp } from '../../../Core/Pages/scripts/math.mjs';
+import { View } from '../../../Core/Pages/scripts/view.mjs';
 import { channelsOf } from './lines.mjs';
 
 const OPACITY = 0.6; // opacity of line colors over the gray values, as in report pictures

@@ -2,6 +2,7 @@
 
 #include "shapetonColorMap.h"
 #include "shapetonFileBytes.h"
+#include "shapetonHtmlReport.h"
 #include "shapetonPatientOrientation.h"
 #include "shapetonScriptPage.h"
 

@@ -1,6 +1,7 @@
 #ifndef shapetonColonFlattening_h
 #define shapetonColonFlattening_h
 
+#include "ShapetonFlatColonExport.h"
 #include "shapetonColonFlatteningOptions.h"
 #include "shapetonRemarks.h"
 #include "shapetonProgress.h"
@@ -12,7 +13,7 @@
 
 namespace shapeton
 {
-/** Options of FlattenColon(), its other inputs and the receiver of progress. \ingroup ShapetonConformalFlattening */
+/** Options of FlattenColon(), its other inputs and the receiver of progress. \ingroup ShapetonFlatColon */
 struct ColonFlatteningSettings : ColonFlatteningOptions
 {
   /** Curve near which to cut the tube, as in TubeOptions. */
@@ -23,7 +24,7 @@ struct ColonFlatteningSettings : ColonFlatteningOptions
   Progress progress;
 };
 
-/** Result of FlattenColon(). \ingroup ShapetonConformalFlattening */
+/** Result of FlattenColon(). \ingroup ShapetonFlatColon */
 struct ColonFlattening
 {
   /** The flattened tube: prepared, without ears, with handles removed if requested, and with caps replacing cut-off
@@ -63,8 +64,8 @@ struct ColonFlattening
 
 /** Flattens a tube: preparation, metric, map, handle removal. Throws InputError with the prefix `what` if the surface
  * is not a tube or the time is unsuitable for the metric, and ParameterError for options out of range.
- * \ingroup ShapetonConformalFlattening */
-ShapetonConformalFlattening_EXPORT ColonFlattening
+ * \ingroup ShapetonFlatColon */
+ShapetonFlatColon_EXPORT ColonFlattening
 FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningSettings & options = {});
 
 /** Statistics as JSON. Keys: faces, genusBefore, genusAfter, metric, time (mm^2), eigenpairs (null: all), drownedEdges,
@@ -73,21 +74,21 @@ FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningSe
  * dilatationInSpace (median, p95, p99 over unflipped wall faces without caps, each counted once), triangleQuality and
  * triangleQualityInSpace (mean, shareBelowThreshold, histogram), handles (a list of genus, place, flatPlace, radius),
  * falseAlarms, rectumFrom, narrowestRadius (mm; null: not needed). Numbers are rounded to 9 significant digits.
- * \ingroup ShapetonConformalFlattening */
-ShapetonConformalFlattening_EXPORT Json
+ * \ingroup ShapetonFlatColon */
+ShapetonFlatColon_EXPORT Json
 ColonFlatteningToJson(const ColonFlattening & flattening);
 
 /** Writes a VTP file with one point per handle, the arrays genus, uv and radius (mm), and `facts` as metadata. Without
- * handles the file has no points. Throws OutputError. \ingroup ShapetonConformalFlattening */
-ShapetonConformalFlattening_EXPORT void
+ * handles the file has no points. Throws OutputError. \ingroup ShapetonFlatColon */
+ShapetonFlatColon_EXPORT void
 WriteHandles(const std::vector<SurfaceHandle> &                       handles,
              const std::vector<std::pair<std::string, std::string>> & facts,
              const std::string &                                      path);
 
 /** Returns the points of a single curve. Throws InputError with the prefix `what` if there are several curves, or the
- * curve is a single point. \ingroup ShapetonConformalFlattening */
-ShapetonConformalFlattening_EXPORT std::vector<Eigen::Vector3d>
-                                   OnlyCurve(const CurveSet & curves, const std::string & what);
+ * curve is a single point. \ingroup ShapetonFlatColon */
+ShapetonFlatColon_EXPORT std::vector<Eigen::Vector3d>
+                         OnlyCurve(const CurveSet & curves, const std::string & what);
 } // namespace shapeton
 
 #endif

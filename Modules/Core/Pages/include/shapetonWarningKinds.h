@@ -1,14 +1,14 @@
 #ifndef shapetonWarningKinds_h
 #define shapetonWarningKinds_h
 
-#include "ShapetonReportExport.h"
+#include "ShapetonPagesExport.h"
 
 #include <string>
 #include <vector>
 
 namespace shapeton
 {
-/** Warnings that differ only in their numbers and quoted names. \ingroup ShapetonReport */
+/** Warnings that differ only in their numbers and quoted names. \ingroup ShapetonPages */
 struct WarningKind
 {
   /** The common text of the warnings, with an ellipsis for each number or name that differs. */
@@ -17,9 +17,9 @@ struct WarningKind
 };
 
 /** The kinds of a list, the most severe first: failures and missing results, doubtful results, and the rest. Kinds
- * of equal severity, and the warnings of a kind, keep their order. \ingroup ShapetonReport */
-ShapetonReport_EXPORT std::vector<WarningKind>
-                      KindsOf(const std::vector<std::string> & warnings);
+ * of equal severity, and the warnings of a kind, keep their order. \ingroup ShapetonPages */
+ShapetonPages_EXPORT std::vector<WarningKind>
+                     KindsOf(const std::vector<std::string> & warnings);
 } // namespace shapeton
 
 #endif

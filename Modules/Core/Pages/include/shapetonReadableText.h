@@ -1,7 +1,7 @@
 #ifndef shapetonReadableText_h
 #define shapetonReadableText_h
 
-#include "ShapetonReportExport.h"
+#include "ShapetonPagesExport.h"
 
 #include <optional>
 #include <string>
@@ -10,12 +10,12 @@ namespace shapeton
 {
 /** A number as written by CsvTable, in plain decimal notation: "2.322e+04" becomes "23220". Beyond 15 places left or
  * 6 right of the decimal point it keeps a power of ten, in superscript. Any other text is unchanged.
- * \ingroup ShapetonReport */
-ShapetonReport_EXPORT std::string
-                      PlainNumber(const std::string & number);
+ * \ingroup ShapetonPages */
+ShapetonPages_EXPORT std::string
+                     PlainNumber(const std::string & number);
 
 /** A number, optionally followed by a blank and a unit such as mm, ml or %.
- * \ingroup ShapetonReport */
+ * \ingroup ShapetonPages */
 struct Quantity
 {
   std::string number;
@@ -23,19 +23,19 @@ struct Quantity
 };
 
 /** Parses a quantity; empty for any other text. Digits of the number may be grouped by blanks.
- * \ingroup ShapetonReport */
-ShapetonReport_EXPORT std::optional<Quantity>
-                      QuantityOf(const std::string & text);
+ * \ingroup ShapetonPages */
+ShapetonPages_EXPORT std::optional<Quantity>
+                     QuantityOf(const std::string & text);
 
 /** A quantity for display: the number in plain notation, its thousands separated by narrow no-break spaces, then the
- * unit. \ingroup ShapetonReport */
-ShapetonReport_EXPORT std::string
-                      ReadableQuantity(const Quantity & quantity);
+ * unit. \ingroup ShapetonPages */
+ShapetonPages_EXPORT std::string
+                     ReadableQuantity(const Quantity & quantity);
 
 /** Text for display: numbers in plain notation, thousands separated for those with a unit, mm^2 in superscript.
- * Names that contain digits are unchanged. \ingroup ShapetonReport */
-ShapetonReport_EXPORT std::string
-                      ReadableText(const std::string & text);
+ * Names that contain digits are unchanged. \ingroup ShapetonPages */
+ShapetonPages_EXPORT std::string
+                     ReadableText(const std::string & text);
 } // namespace shapeton
 
 #endif

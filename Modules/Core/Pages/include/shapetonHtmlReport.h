@@ -1,8 +1,9 @@
 #ifndef shapetonHtmlReport_h
 #define shapetonHtmlReport_h
 
-#include "ShapetonReportExport.h"
+#include "ShapetonPagesExport.h"
 #include "shapetonCsvTable.h"
+#include "shapetonOutputPath.h"
 
 #include <functional>
 #include <string>
@@ -11,23 +12,15 @@
 
 namespace shapeton
 {
-/** Maps the final path of a file to the path to write to, for example a temporary one.
- * \ingroup ShapetonReport */
-using OutputPath = std::function<std::string(const std::string &)>;
-
 /** Scripts or styles of a page as joined by shapeton_join_scripts() in CMake: string literals, terminated by nullptr.
- * \ingroup ShapetonReport */
-ShapetonReport_EXPORT std::string
-                      PageText(const char * const pieces[]);
-
-/** Whether these bytes begin like a PNG file. \ingroup ShapetonReport */
-ShapetonReport_EXPORT bool
-IsPng(const std::string & bytes);
+ * \ingroup ShapetonPages */
+ShapetonPages_EXPORT std::string
+                     PageText(const char * const pieces[]);
 
 /** The style sheet shared by all pages; a root element of class `dark` selects dark colors.
- * \ingroup ShapetonReport */
-ShapetonReport_EXPORT std::string
-                      PageStyle();
+ * \ingroup ShapetonPages */
+ShapetonPages_EXPORT std::string
+                     PageStyle();
 
 /** \class HtmlReport
  * \brief A self-contained HTML file with embedded styles and pictures; it opens without a network or other files.
@@ -35,8 +28,8 @@ ShapetonReport_EXPORT std::string
  * Text is UTF-8 and escaped; numbers are formatted by ReadableText(). The page is HTML 5 and well-formed XML, and is
  * deterministic.
  *
- * \ingroup ShapetonReport */
-class ShapetonReport_EXPORT HtmlReport
+ * \ingroup ShapetonPages */
+class ShapetonPages_EXPORT HtmlReport
 {
 public:
   explicit HtmlReport(const std::string & title);

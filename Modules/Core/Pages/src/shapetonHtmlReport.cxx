@@ -136,13 +136,6 @@ PageText(const char * const pieces[])
   return text;
 }
 
-bool
-IsPng(const std::string & bytes)
-{
-  static const std::string signature = "\x89PNG\r\n\x1A\n";
-  return bytes.compare(0, signature.size(), signature) == 0;
-}
-
 std::string
 PageStyle()
 {

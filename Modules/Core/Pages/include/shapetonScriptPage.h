@@ -1,7 +1,7 @@
 #ifndef shapetonScriptPage_h
 #define shapetonScriptPage_h
 
-#include "ShapetonReportExport.h"
+#include "ShapetonPagesExport.h"
 #include "shapetonPageBlocks.h"
 
 #include <string>
@@ -12,7 +12,7 @@ namespace shapeton
  *
  * It can be opened from a file; its content security policy blocks all network requests except those to `connections`.
  *
- * \ingroup ShapetonReport */
+ * \ingroup ShapetonPages */
 struct ScriptPage
 {
   std::string title;         // plain text
@@ -23,9 +23,9 @@ struct ScriptPage
 };
 
 /** The page as HTML. `blocks` returns the blocks of a single page.
- * \ingroup ShapetonReport */
-ShapetonReport_EXPORT std::string
-                      TextOf(const ScriptPage & page, const PageBlocks & blocks);
+ * \ingroup ShapetonPages */
+ShapetonPages_EXPORT std::string
+                     TextOf(const ScriptPage & page, const PageBlocks & blocks);
 } // namespace shapeton
 
 #endif

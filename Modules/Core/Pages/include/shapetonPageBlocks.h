@@ -1,8 +1,8 @@
 #ifndef shapetonPageBlocks_h
 #define shapetonPageBlocks_h
 
-#include "ShapetonReportExport.h"
-#include "shapetonHtmlReport.h"
+#include "ShapetonPagesExport.h"
+#include "shapetonOutputPath.h"
 #include "shapetonJson.h"
 
 #include <cstdint>
@@ -12,9 +12,9 @@
 namespace shapeton
 {
 /** JSON without markup characters, safe inside a script element.
- * \ingroup ShapetonReport */
-ShapetonReport_EXPORT std::string
-                      ScriptText(const Json & value);
+ * \ingroup ShapetonPages */
+ShapetonPages_EXPORT std::string
+                     ScriptText(const Json & value);
 
 /** \class PageBlocks
  * \brief Arrays as scripts that a file:// page can load: block(name, {header}, "base64 of gzip").
@@ -22,8 +22,8 @@ ShapetonReport_EXPORT std::string
  * A file:// page may load scripts from its folder, but may not fetch files. Values are stored as differences from the
  * value `delta` positions before, modulo 2^n, which compresses better. A single page embeds the scripts.
  *
- * \ingroup ShapetonReport */
-class ShapetonReport_EXPORT PageBlocks
+ * \ingroup ShapetonPages */
+class ShapetonPages_EXPORT PageBlocks
 {
 public:
   PageBlocks(std::string folder, bool isSingle, OutputPath outputPath);

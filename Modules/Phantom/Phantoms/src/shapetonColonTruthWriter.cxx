@@ -2,12 +2,12 @@
 
 #include "shapetonColonPhantomImageSource.h"
 #include "shapetonColonPointPairs.h"
-#include "shapetonCommandLine.h"
 #include "shapetonCsvTable.h"
 #include "shapetonJson.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonVolumeWriter.h"
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -288,13 +288,11 @@ StructuresToJson(const Provenance &      provenance,
 }
 
 void
-WriteTruthOfColon(CommandLine &             commandLine,
-                  ColonPhantomImageSource & source,
-                  const std::string &       folder,
-                  const CurveSet *          other)
+WriteTruthOfColon(ColonPhantomImageSource &                             source,
+                  const VolumeMetadata &                                facts,
+                  const std::function<std::string(const char * name)> & file,
+                  const CurveSet *                                      other)
 {
-  const auto           file = [&](const char * name) { return commandLine.Output(folder + '/' + name); };
-  const auto           facts = ProvenanceMetadata(commandLine.GetProvenance());
   const ColonAnatomy & anatomy = source.GetAnatomy();
   const auto           write = [&](CurveSet curves, const char * name) {
     curves.facts.insert(curves.facts.end(), facts.begin(), facts.end());
@@ -318,23 +316,22 @@ WriteTruthOfColon(CommandLine &             commandLine,
 } // namespace
 
 void
-WriteColonTruth(CommandLine &             commandLine,
-                ColonPhantomImageSource & source,
+WriteColonTruth(ColonPhantomImageSource & source,
+                const Provenance &        provenance,
                 const std::string &       folder,
+                const OutputPath &        outputPath,
                 const CurveSet *          other)
 {
-  commandLine.MakeFolder(folder);
-  const auto file = [&](const char * name) { return commandLine.Output(folder + '/' + name); };
-  const auto facts = ProvenanceMetadata(commandLine.GetProvenance());
+  const auto file = [&](const char * name) { return outputPath(folder + '/' + name); };
+  const auto facts = ProvenanceMetadata(provenance);
   WriteVolume(source.GetLumenOutput(), file("lumen.nrrd"), facts);
   WriteVolume(source.GetSegmentOutput(), file("segments.nrrd"), facts);
   WriteVolume(source.GetStructureOutput(), file("structures.nrrd"), facts);
-  WriteJson(
-    StructuresToJson(commandLine.GetProvenance(), source.GetAnatomy(), source.GetFluid(), source.GetStructures()),
-    file("structures.json"));
+  WriteJson(StructuresToJson(provenance, source.GetAnatomy(), source.GetFluid(), source.GetStructures()),
+            file("structures.json"));
   if (Contains(source.GetParameters(), "colon"))
   {
-    WriteTruthOfColon(commandLine, source, folder, other);
+    WriteTruthOfColon(source, facts, file, other);
   }
 }
 } // namespace shapeton
