@@ -17,12 +17,9 @@ main(int argc, char * argv[])
     return 2;
   }
   using ImageType = shapeton::Volume::ImageType;
-  const shapeton::Volume                    volume = shapeton::ReadVolume(argv[1]);
-  const auto                                size = volume.image->GetBufferedRegion().GetSize();
-  shapeton::CumulativeHeatDiffusionSettings settings;
-  std::copy_n(volume.image->GetSpacing().Begin(), 3, settings.spacing.begin());
-  const auto windows =
-    shapeton::ChooseObjectWindows(volume.image->GetBufferPointer(), { size[0], size[1], size[2] }, settings, {});
+  const shapeton::Volume          volume = shapeton::ReadVolume(argv[1]);
+  const shapeton::VolumeView      view(volume.image.GetPointer());
+  const auto                      windows = shapeton::ChooseObjectWindows(view);
   std::vector<ImageType::Pointer> heats;
   for (const auto & window : windows)
   {
@@ -40,7 +37,7 @@ main(int argc, char * argv[])
     const auto   mask = shapeton::MaskOfObject(list, static_cast<int>(i + 1)); // as a click
     std::cout << object.volume << " mm^3 at " << object.center << ", window " << object.time + 1 << ", in object "
               << object.parent << ", "
-              << std::count(mask->GetBufferPointer(), mask->GetBufferPointer() + size[0] * size[1] * size[2], 1)
+              << std::count(mask->GetBufferPointer(), mask->GetBufferPointer() + view.NumberOfVoxels(), 1)
               << " voxels\n";
   }
 }

@@ -1,7 +1,6 @@
 #include "CumulativeHeatDiffusionXML.h"
 
 #include "shapetonAutomaticParameters.h"
-#include "shapetonHeatParameterChoice.h"
 #include "shapetonCommandLine.h"
 #include "shapetonReadOptions.h"
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"

@@ -1,5 +1,6 @@
 #include "SeededHeatSegmentationXML.h"
 
+#include "shapetonAutomaticParameters.h"
 #include "shapetonCommandLine.h"
 #include "shapetonReadOptions.h"
 #include "shapetonCsvTable.h"
@@ -69,8 +70,13 @@ void
 Configure(CommandLine & commandLine, FilterType * filter)
 {
   shapeton::ReadOptionsOf(commandLine, filter);
-  filter->SetAutomaticP(commandLine.GetFlag("autoParameters"));
   filter->SetKeepProbabilities(commandLine.IsGiven("probabilities"));
+  if (commandLine.GetFlag("autoParameters"))
+  {
+    filter->SetP(shapeton::ChooseP(shapeton::VolumeView(filter->GetInput()), filter->GetOptions()).p);
+    commandLine.AddProvenance("option.p", "automatic");
+    commandLine.AddProvenance("chosen.p", shapeton::CsvTable::Number(filter->GetP()));
+  }
 }
 
 void
@@ -98,11 +104,6 @@ Segment(CommandLine & commandLine)
   commandLine.Watch(filter, "Diffusing heat from the seeds", 0.0, 0.95);
   filter->Update();
   commandLine.Warn(filter->GetRemarks());
-  if (filter->GetChosenP())
-  {
-    commandLine.AddProvenance("option.p", "automatic");
-    commandLine.AddProvenance("chosen.p", shapeton::CsvTable::Number(filter->GetChosenP()->p));
-  }
   const auto metadata = shapeton::ProvenanceMetadata(commandLine.GetProvenance());
   shapeton::WriteVolume(filter->GetOutput(), commandLine.OutputOf("outputLabels"), metadata);
   if (commandLine.IsGiven("uncertainty"))

@@ -31,29 +31,15 @@ CheckUsage(const CommandLine & commandLine)
 
 constexpr double shareOfChoice = 0.1; // of the time of a run
 
-shapeton::ShapetonPreset
-PresetOf(const CommandLine & commandLine)
+/** The options that are given; the others are those of the preset. */
+shapeton::ShapetonParameterChoice
+ChooseOptions(CommandLine & commandLine, const shapeton::Volume & volume)
 {
-  const auto words = shapeton::OptionInfo("preset").Words({ "objects", "published", "surface" });
-  return static_cast<shapeton::ShapetonPreset>(words.PositionOf(commandLine.GetString("preset")));
-}
-
-/** Reads the options that are given; the others are those of the preset. */
-void
-Configure(CommandLine & commandLine, const std::string & modality, FilterType * filter)
-{
-  shapeton::ParticleDiffusionOptions options = filter->GetOptions();
-  const std::vector<std::string>     given = shapeton::ReadGivenOptions(commandLine, options);
-  filter->SetOptions(options);
-  filter->ChooseParameters(PresetOf(commandLine),
-                           given,
-                           modality,
-                           commandLine.PartOfProgress(0.0, shareOfChoice).Part("Choosing parameters", 0.0, 1.0));
-  if (commandLine.IsGiven("featureSize"))
-  {
-    filter->AutomaticDistanceOn();
-    filter->SetAutomaticNumberOfShapetons(!commandLine.IsGiven("shapetons"));
-  }
+  shapeton::ShapetonPresetOptions options;
+  const auto                      given = shapeton::ReadGivenOptions(commandLine, options);
+  const auto progress = commandLine.PartOfProgress(0.0, shareOfChoice).Part("Choosing parameters", 0.0, 1.0);
+  return shapeton::ChooseShapetonParameters(
+    shapeton::VolumeView(volume.image.GetPointer()), options, given, volume.modality, progress);
 }
 
 /** Time steps of the rows of the report's histogram. */
@@ -87,7 +73,8 @@ Diffuse(CommandLine & commandLine)
   const shapeton::ParticleResultFiles files(commandLine);
   const shapeton::Volume              volume = shapeton::ReadVolume(commandLine, "inputVolume", true);
   filter->SetInput(volume.image);
-  Configure(commandLine, volume.modality, filter);
+  const auto choice = ChooseOptions(commandLine, volume);
+  filter->SetOptions(choice.options);
   if (commandLine.IsGiven("mask"))
   {
     filter->SetMaskImage(shapeton::ReadMask(commandLine, "mask", volume.image));
@@ -115,7 +102,7 @@ Diffuse(CommandLine & commandLine)
   {
     commandLine.Warn(remark);
   }
-  files.Write(filter, volume);
+  files.Write(filter, choice, volume);
   monitor.Finish();
 }
 } // namespace

@@ -15,27 +15,16 @@ namespace
 {
 using shapeton::CommandLine;
 
-shapeton::ShapetonPreset
-PresetOf(const CommandLine & commandLine)
-{
-  const auto words = shapeton::OptionInfo("preset").Words({ "objects", "published", "surface" });
-  return static_cast<shapeton::ShapetonPreset>(words.PositionOf(commandLine.GetString("preset")));
-}
-
 /** The options that are given; the others are those of the preset. */
 shapeton::ParticleDiffusionOptions
 WalkOptions(CommandLine & commandLine, const shapeton::Volume & volume)
 {
-  shapeton::ParticleDiffusionOptions options;
-  const std::vector<std::string>     given = shapeton::ReadGivenOptions(commandLine, options);
-  std::array<std::size_t, 3>         size{};
-  std::array<double, 3>              spacing{};
-  std::copy_n(volume.image->GetBufferedRegion().GetSize().begin(), size.size(), size.begin());
-  std::copy_n(volume.image->GetSpacing().Begin(), spacing.size(), spacing.begin());
-  shapeton::ChooseShapetonParameters(
-    volume.image->GetBufferPointer(), size, spacing, PresetOf(commandLine), given, volume.modality, options);
-  options.device = shapeton::ReadDevice(commandLine);
-  return options;
+  shapeton::ShapetonPresetOptions options;
+  const auto                      given = shapeton::ReadGivenOptions(commandLine, options);
+  auto                            choice = shapeton::ChooseShapetonParameters(
+    shapeton::VolumeView(volume.image.GetPointer()), options, given, volume.modality);
+  choice.options.device = shapeton::ReadDevice(commandLine);
+  return choice.options;
 }
 
 /** The options of reading, for the script that repeats the session. */

@@ -38,13 +38,3 @@ MakeBenchmarkVolume(const std::array<std::size_t, 3> & size)
   });
   return volume;
 }
-
-shapeton::VolumeGradientOperator::Parameters
-WholeWindow(const std::vector<float> & intensities)
-{
-  shapeton::VolumeGradientOperator::Parameters parameters;
-  const auto                                   ends = std::minmax_element(intensities.begin(), intensities.end());
-  parameters.lower = *ends.first;
-  parameters.upper = *ends.second;
-  return parameters;
-}

@@ -1,8 +1,6 @@
 #ifndef BenchmarkVolume_h
 #define BenchmarkVolume_h
 
-#include "shapetonVolumeGradientOperator.h"
-
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -10,9 +8,5 @@
 /** Three balls with soft edges on a nonuniform, noisy background: 0 to 255 like the classic volumes, x fastest. */
 std::vector<float>
 MakeBenchmarkVolume(const std::array<std::size_t, 3> & size);
-
-/** Default parameters, with a window from the minimum to the maximum intensity. */
-shapeton::VolumeGradientOperator::Parameters
-WholeWindow(const std::vector<float> & intensities);
 
 #endif

@@ -45,7 +45,7 @@ struct Setting
   explicit Setting(std::size_t edge)
     : side(edge)
     , intensities(MakeBenchmarkVolume({ side, side, side }))
-    , volumeGradient(intensities.data(), { side, side, side }, WholeWindow(intensities))
+    , volumeGradient(VolumeView(intensities.data(), { side, side, side }))
     , initial(volumeGradient.GetGrid())
   {
     volumeGradient.ComputeInitialHeat(initial);
@@ -151,13 +151,13 @@ MeasureHistogram(const Setting & s)
 double
 SecondsOfShapetons(const Setting & s, std::uint32_t shapetons, std::uint64_t steps)
 {
-  ParticleDiffusionSettings settings;
-  settings.volumeGradient = WholeWindow(s.intensities);
+  ParticleDiffusionOptions settings;
   settings.shapetons = shapetons;
   settings.distance = 0.01;
   settings.device = Device::Cuda;
   std::vector<std::uint32_t> visits(s.intensities.size());
-  ParticleDiffusion diffusion(s.intensities.data(), { s.side, s.side, s.side }, settings, nullptr, visits.data());
+  const VolumeView           volume(s.intensities.data(), { s.side, s.side, s.side });
+  ParticleDiffusion          diffusion(volume, settings, nullptr, visits.data());
   return SecondsOf([&] { diffusion.Run(diffusion.GetMeasures().step + steps); });
 }
 

@@ -31,7 +31,7 @@ struct Setting
 {
   Setting()
     : intensities(MakeBenchmarkVolume({ side, side, side }))
-    , volumeGradient(intensities.data(), { side, side, side }, WholeWindow(intensities))
+    , volumeGradient(VolumeView(intensities.data(), { side, side, side }))
     , initial(volumeGradient.GetGrid())
     , even(volumeGradient.GetGrid())
     , odd(volumeGradient.GetGrid())

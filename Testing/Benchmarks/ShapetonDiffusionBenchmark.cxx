@@ -43,10 +43,11 @@ MakeIntensities(std::size_t side)
   return volume;
 }
 
-ParticleDiffusionSettings
+ParticleDiffusionOptions
 Settings(DirectionSampling sampling, PathRule rule = PathRule::Endpoint)
 {
-  ParticleDiffusionSettings settings;
+  ParticleDiffusionOptions settings;
+  settings.intensityWindow = { { 0.0, 1.0 } };
   settings.shapetons = shapetons;
   settings.distance = distance;
   settings.directionSampling = sampling;
@@ -57,8 +58,9 @@ Settings(DirectionSampling sampling, PathRule rule = PathRule::Endpoint)
 /** A run of the library, including the counting of visits. */
 struct Product
 {
-  Product(const std::vector<float> & intensities, std::size_t side, const ParticleDiffusionSettings & settings)
-    : visits(intensities.size()), diffusion(intensities.data(), { side, side, side }, settings, nullptr, visits.data())
+  Product(const std::vector<float> & intensities, std::size_t side, const ParticleDiffusionOptions & settings)
+    : visits(intensities.size())
+    , diffusion(VolumeView(intensities.data(), { side, side, side }), settings, nullptr, visits.data())
   {}
 
   void
@@ -171,7 +173,10 @@ Resolution(benchmark::State & state)
 struct Bench
 {
   Bench()
-    : records(UsualIntensities().data(), { usualSide, usualSide, usualSide }, {}, nullptr, [] {})
+    : records(EdgeVolume(VolumeView(UsualIntensities().data(), { usualSide, usualSide, usualSide }),
+                         Settings(DirectionSampling::SolidAngle)),
+              nullptr,
+              [] {})
     , visits(UsualIntensities().size())
     , voxels(shapetons)
   {
@@ -364,14 +369,14 @@ MeanOf(const std::vector<Summary> & runs, unsigned int i)
 void
 CompareResults(double p)
 {
-  constexpr std::size_t     side = 96;
-  constexpr unsigned int    steps = 40;
-  const auto                intensities = MakeIntensities(side);
-  constexpr float           tolerances[2] = { 0.01F, 1e-7F };
-  std::vector<Summary>      ours, peers[2];
-  ParticleDiffusionSettings settings = Settings(DirectionSampling::SectorArea);
+  constexpr std::size_t    side = 96;
+  constexpr unsigned int   steps = 40;
+  const auto               intensities = MakeIntensities(side);
+  constexpr float          tolerances[2] = { 0.01F, 1e-7F };
+  std::vector<Summary>     ours, peers[2];
+  ParticleDiffusionOptions settings = Settings(DirectionSampling::SectorArea);
   settings.distance = 2.56 / side;
-  settings.volumeGradient.p = p;
+  settings.p = p;
   for (settings.seed = 1; settings.seed <= 5; ++settings.seed)
   {
     Product    product(intensities, side, settings);

@@ -86,7 +86,7 @@ Seconds(const Row & row, const LoadedVolume & volume, shapeton::Device device)
   const auto         clock = device == shapeton::Device::Cpu ? ProcessorSeconds : ElapsedSeconds;
   const double       start = clock();
   std::vector<float> heat(volume.values.size());
-  shapeton::DiffuseCumulativeHeat(volume.values.data(), volume.size, settings, heat.data());
+  shapeton::DiffuseCumulativeHeat(shapeton::VolumeView(volume.values.data(), volume.size), settings, heat.data());
   return clock() - start;
 }
 
@@ -126,9 +126,8 @@ PrintConventional()
   for (const std::size_t side : { 16, 24, 32 })
   {
     const LoadedVolume volume{ { { side, side, side } }, MakeBenchmarkVolume({ { side, side, side } }), false };
-    const shapeton::VolumeGradientOperator volumeGradient(
-      volume.values.data(), volume.size, WholeWindow(volume.values));
-    const double start = ProcessorSeconds();
+    const shapeton::VolumeGradientOperator volumeGradient(shapeton::VolumeView(volume.values.data(), volume.size));
+    const double                           start = ProcessorSeconds();
     ConventionalHeat(volumeGradient, steps);
     const double conventional = ProcessorSeconds() - start;
     Row          row = rows[0];

@@ -12,12 +12,12 @@ constexpr double dt = HeatDiffusionSolver::MaximumTimeStepLength;
 
 /** Largest error of all recorded fields relative to the same steps in double precision. */
 double
-LargestError(const test::Volume &                       volume,
-             const VolumeGradientOperator::Parameters & parameters,
-             HeatDiffusionSolver::Method                method,
-             const std::vector<std::uint64_t> &         steps)
+LargestError(const test::Volume &               volume,
+             double                             p,
+             HeatDiffusionSolver::Method        method,
+             const std::vector<std::uint64_t> & steps)
 {
-  const VolumeGradientOperator    volumeGradient(volume.values.data(), volume.size, parameters);
+  const VolumeGradientOperator    volumeGradient(volume, test::OptionsWith(p));
   std::vector<std::vector<float>> fields(steps.size(), std::vector<float>(volume.values.size()));
   PaddedField                     heat(volumeGradient.GetGrid());
   volumeGradient.ComputeInitialHeat(heat);
@@ -26,7 +26,7 @@ LargestError(const test::Volume &                       volume,
   solver.Run(heat, steps.back(), steps, [&](std::size_t i, std::size_t row, const float * values, unsigned int) {
     std::copy(values, values + nx, fields[i].data() + row * nx);
   });
-  test::BruteForce brute(volume, parameters, dt);
+  test::BruteForce brute(volume, p, dt);
   double           largest = 0.0;
   std::uint64_t    step = 0;
   for (std::size_t i = 0; i < steps.size(); ++i)
@@ -54,9 +54,9 @@ ValidateAccuracyOfHeat(const ValidationSettings & settings, ValidationReport & r
                        const std::array<double, 3> & spacing,
                        HeatDiffusionSolver::Method   method,
                        std::size_t                   rows) {
-    const test::Volume volume = test::MakeScene({ side, side, side }, 0.05);
+    const test::Volume volume = test::MakeScene({ side, side, side }, 0.05, spacing);
     const auto         steps = MakeSnapshotSteps(last, rows, SnapshotSpacing::Logarithmic);
-    const double       error = LargestError(volume, volume.Parameters(p, spacing), method, steps);
+    const double       error = LargestError(volume, p, method, steps);
     largest = std::max(largest, error);
     table.AddRow(
       { std::to_string(side),

@@ -64,7 +64,7 @@ RunPhantom(const std::string & preset, unsigned int side, double noise, double b
   source->Update();
   auto filter = CumulativeHeatDiffusionImageFilter<itk::Image<short, 3>>::New();
   filter->SetInput(source->GetOutput());
-  filter->ChooseParameters();
+  filter->UseParameters(ChooseHeatParameters(VolumeView(source->GetOutput()), filter->GetOptions()));
   filter->WantComponentsOn();
   filter->Update();
   const auto classification = ClassifyHeat(filter->GetOutput(), filter->GetResult());

@@ -100,8 +100,11 @@ RunPreset(const TrialVolume & volume, ShapetonPreset preset, Variant variant, st
   {
     filter->SetMaskImage(volume.labels);
   }
-  const std::clock_t start = std::clock();
-  filter->ChooseParameters(preset, given);
+  const std::clock_t    start = std::clock();
+  ShapetonPresetOptions options;
+  static_cast<ParticleDiffusionOptions &>(options) = filter->GetOptions();
+  options.preset = preset;
+  filter->SetOptions(ChooseShapetonParameters(VolumeView(volume.image.GetPointer()), options, given).options);
   filter->Update();
   Trial trial;
   trial.visits = filter->GetOutput();

@@ -33,7 +33,7 @@ Figure24(ValidationReport & report)
 {
   constexpr std::size_t            volumeSide = 64, side = 40, first = 12, last = 51, middle = 31;
   const test::Volume               volume = Cube(volumeSide, side);
-  const VolumeGradientOperator     volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const VolumeGradientOperator     volumeGradient(volume);
   const std::vector<std::uint64_t> steps{ 0, 20, 100, 750, 900, 1000, 1100, 4000, 20000 };
   const auto                       fields = HeatAt(volumeGradient, steps);
   report.AddText("## Figure 2.4: a cube\n\nHeat of a cube of side 40 in 64^3 voxels (p = 7) at a corner, in the middle "
@@ -67,7 +67,7 @@ double
 EndOfConventionalHeat()
 {
   const test::Volume           volume = Cube(6, 4);
-  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const VolumeGradientOperator volumeGradient(volume);
   return ConventionalHeat(volumeGradient, 4000)[(2 * 6 + 2) * 6 + 2];
 }
 
@@ -77,7 +77,7 @@ Figure25(const ValidationSettings & settings, ValidationReport & report)
   const std::size_t            side = settings.quick ? 12 : 32;
   const std::size_t            cube = side / 2;
   const test::Volume           volume = Cube(side, cube);
-  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const VolumeGradientOperator volumeGradient(volume);
   report.AddText("## Figure 2.5: cumulative and conventional diffusion\n\nCorrelation between the heat of the two "
                  "methods over the voxels of a cube of side " +
                  std::to_string(cube) + " in " + std::to_string(side) + "^3, after 10, 30 and 100 steps of each.");
@@ -135,7 +135,7 @@ Figure27(const std::string & preset, const ValidationSettings & settings, Valida
   const std::size_t side = image->GetLargestPossibleRegion().GetSize(0);
   test::Volume      volume({ side, side, side });
   std::copy_n(image->GetBufferPointer(), volume.values.size(), volume.values.begin());
-  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const VolumeGradientOperator volumeGradient(volume);
   PaddedField                  heat(volumeGradient.GetGrid());
   volumeGradient.ComputeInitialHeat(heat);
   report.AddText("## " + preset + "\n\nLines of the histogram at steady state, " + std::to_string(side) +

@@ -26,17 +26,12 @@ void
 AddRegions(const SceneVolume & volume, const HeatParameterChoice & choice, Samples & samples)
 {
   CumulativeHeatDiffusionSettings settings;
-  settings.intensityWindow = choice.intensityWindow;
-  settings.p = choice.p;
-  settings.smoothing = choice.smoothing;
-  settings.timeSteps = choice.timeSteps;
+  choice.ApplyTo(settings);
   const auto heat = itk::Image<float, 3>::New();
-  const auto size = volume.image->GetBufferedRegion().GetSize();
   heat->CopyInformation(volume.image);
   heat->SetRegions(volume.image->GetBufferedRegion());
   heat->Allocate(true);
-  DiffuseCumulativeHeat(
-    volume.image->GetBufferPointer(), { size[0], size[1], size[2] }, settings, heat->GetBufferPointer());
+  DiffuseCumulativeHeat(VolumeView(volume.image.GetPointer()), settings, heat->GetBufferPointer());
   HeatObjectOptions options;
   options.leastProbability = 0.0;
   const auto list = FindHeatObjects({ heat }, options);
@@ -73,10 +68,8 @@ main()
   Samples                samples;
   for (unsigned int seed = 1; seed <= seeds; ++seed)
   {
-    const SceneVolume   volume = SampleScene(seed, side);
-    const float * const values = volume.image->GetBufferPointer();
-    const auto          classes = FindIntensityClasses(
-      SampleIntensities({ values, values + volume.image->GetBufferedRegion().GetNumberOfPixels() }));
+    const SceneVolume volume = SampleScene(seed, side);
+    const auto        classes = FindIntensityClasses(SampleIntensities(VolumeView(volume.image.GetPointer())));
     for (const int threshold : { 1, 2 })
     {
       AddRegions(

@@ -26,7 +26,7 @@ Measure(std::size_t side, const Distance & distance)
   const double middle = (side - 1) / 2.0;
   volume.Fill(
     [&](double x, double y, double z) { return distance(x - middle, y - middle, z - middle) <= 0.0 ? 1.0 : 0.0; });
-  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const VolumeGradientOperator volumeGradient(volume);
   PaddedField                  heat(volumeGradient.GetGrid());
   volumeGradient.ComputeInitialHeat(heat);
   Measured measured;

@@ -145,10 +145,9 @@ RunInterpolatedShapetons(const TrialVolume &  volume,
                          ParticlePlacement    placement,
                          std::uint64_t        seed)
 {
-  ParticleDiffusionSettings start; // only to place the shapetons
-  start.volumeGradient.p = p;
-  start.volumeGradient.lower = volume.lower;
-  start.volumeGradient.upper = volume.upper;
+  ParticleDiffusionOptions start; // only to place the shapetons
+  start.p = p;
+  start.intensityWindow = { { volume.lower, volume.upper } };
   start.shapetons = settings.shapetons;
   start.placement = placement;
   start.seed = seed;
@@ -161,7 +160,7 @@ RunInterpolatedShapetons(const TrialVolume &  volume,
   trial.visits->Allocate(true);
   std::uint32_t * const   visits = trial.visits->GetBufferPointer();
   const ParticleDiffusion places(
-    volume.image->GetBufferPointer(), { { size[0], size[1], size[2] } }, start, nullptr, visits);
+    VolumeView(volume.image->GetBufferPointer(), { { size[0], size[1], size[2] } }), start, nullptr, visits);
   const Interpolator interpolator(volume, p);
   const double       step = StepInVoxels(volume, settings.distance);
   const unsigned int workers = NumberOfThreads();

@@ -42,7 +42,8 @@ FindObjects(const Image * image, double leastProbability)
   const auto filter = CumulativeHeatDiffusionImageFilter<Image>::New();
   filter->SetInput(image);
   Found found;
-  found.choice = filter->ChooseParametersBy(ChooseObjectParameters, {});
+  found.choice = ChooseObjectParameters(VolumeView(image));
+  filter->UseParameters(found.choice);
   filter->Update();
   found.heat = filter->GetOutput();
   HeatObjectOptions options;
@@ -417,11 +418,9 @@ struct Windows
 Windows
 FindInWindows(const Image * image)
 {
-  const auto choosing = CumulativeHeatDiffusionImageFilter<Image>::New();
-  choosing->SetInput(image);
   std::vector<Image::Pointer> heats;
   Windows                     windows;
-  for (const HeatParameterChoice & choice : ChooseWindowsOf(choosing.GetPointer()))
+  for (const HeatParameterChoice & choice : ChooseObjectWindows(VolumeView(image)))
   {
     const auto filter = CumulativeHeatDiffusionImageFilter<Image>::New();
     filter->SetInput(image);
@@ -514,7 +513,7 @@ ValidateOrgans(const ValidationSettings & settings, ValidationReport & report)
     filter->SetInput(ct.image);
     GivenHeatParameters given;
     given.intensityWindow = { { threshold - 10.0, threshold + 10.0 } };
-    filter->ChooseParametersBy(ChooseObjectParameters, given);
+    filter->UseParameters(ChooseObjectParameters(VolumeView(ct.image.GetPointer()), {}, given));
     filter->Update();
     for (const auto & [organ, dice] : BestNodesOfTrees(filter->GetOutput(), labels))
     {

@@ -454,12 +454,15 @@ GreatestDifference(const LabeledVolume &                   volume,
                    double                                  weight,
                    const std::vector<ImageType::Pointer> & expected)
 {
-  const auto                         size = volume.image->GetLargestPossibleRegion().GetSize();
-  VolumeGradientOperator::Parameters parameters;
-  parameters.p = 1.0 - weight;
-  parameters.leastWeight = 1e-4;
+  const auto            size = volume.image->GetLargestPossibleRegion().GetSize();
+  VolumeGradientOptions options;
+  options.p = 1.0 - weight;
+  options.intensityWindow = { { 0.0, 1.0 } };
   const VolumeGradientOperator volumeGradient(
-    volume.image->GetBufferPointer(), { { size[0], size[1], size[2] } }, parameters);
+    VolumeView(volume.image->GetBufferPointer(), { { size[0], size[1], size[2] } }),
+    options,
+    VolumeGradientOperator::Conductance::Physical,
+    1e-4);
   SeededHeatSolver   solver(volumeGradient);
   const auto &       result = solver.Solve(seeds->GetBufferPointer());
   std::vector<float> probabilities(result.labels.size());

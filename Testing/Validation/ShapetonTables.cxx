@@ -32,19 +32,15 @@ const std::array<CubeRow, 6> cubeRows = { {
 std::unique_ptr<ParticleDiffusion>
 PlaceShapetons(const TrialVolume & volume, std::uint32_t shapetons, std::vector<std::uint32_t> & visits)
 {
-  const auto                size = volume.image->GetLargestPossibleRegion().GetSize();
-  ParticleDiffusionSettings settings;
-  settings.volumeGradient.p = 7.0;
-  settings.volumeGradient.lower = volume.lower;
-  settings.volumeGradient.upper = volume.upper;
+  const auto               size = volume.image->GetLargestPossibleRegion().GetSize();
+  ParticleDiffusionOptions settings;
+  settings.p = 7.0;
+  settings.intensityWindow = { { volume.lower, volume.upper } };
   settings.shapetons = shapetons;
   settings.directionSampling = publishedWalk.sampling;
   visits.assign(volume.GetNumberOfVoxels(), 0);
-  return std::make_unique<ParticleDiffusion>(volume.image->GetBufferPointer(),
-                                             std::array<std::size_t, 3>{ size[0], size[1], size[2] },
-                                             settings,
-                                             nullptr,
-                                             visits.data());
+  return std::make_unique<ParticleDiffusion>(
+    VolumeView(volume.image->GetBufferPointer(), { size[0], size[1], size[2] }), settings, nullptr, visits.data());
 }
 
 /** Steps until the cube is covered, accurate to 2 %, and the coverage after 1,600 steps. */

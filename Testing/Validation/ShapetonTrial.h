@@ -3,6 +3,7 @@
 
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonParticleDiffusionImageFilter.h"
+#include "shapetonParticlePreset.h"
 #include "shapetonShapeScene.h"
 
 #include <ctime>

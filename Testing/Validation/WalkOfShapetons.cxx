@@ -40,11 +40,11 @@ constexpr Walk repaired = { "endpoint, by solid angle, uniform placement",
                             DirectionSampling::SolidAngle,
                             ParticlePlacement::Uniform };
 
-ParticleDiffusionSettings
+ParticleDiffusionOptions
 SettingsOf(const Walk & walk, const test::Volume & volume, double p, double stepInVoxels, std::uint32_t shapetons)
 {
-  ParticleDiffusionSettings settings;
-  settings.volumeGradient = volume.Parameters(p);
+  ParticleDiffusionOptions settings;
+  settings.p = p;
   settings.shapetons = shapetons;
   settings.distance = stepInVoxels / static_cast<double>(*std::max_element(volume.size.begin(), volume.size.end()));
   settings.pathRule = walk.path;
@@ -85,7 +85,7 @@ Relative(const std::vector<TValue> & values, const Mask & domain)
 /** Visits of the domain after each of `steps`, for several seeds; shapetons start in the domain if `masked`. */
 std::vector<std::vector<Density>>
 VisitsOf(const test::Volume &               volume,
-         ParticleDiffusionSettings          settings,
+         ParticleDiffusionOptions           settings,
          unsigned int                       seeds,
          const std::vector<std::uint64_t> & steps,
          const Mask &                       domain,
@@ -95,8 +95,7 @@ VisitsOf(const test::Volume &               volume,
   for (settings.seed = 1; settings.seed <= seeds; ++settings.seed)
   {
     std::vector<std::uint32_t> visits(volume.values.size());
-    ParticleDiffusion          diffusion(
-      volume.values.data(), volume.size, settings, masked ? domain.data() : nullptr, visits.data());
+    ParticleDiffusion          diffusion(volume, settings, masked ? domain.data() : nullptr, visits.data());
     for (std::size_t i = 0; i < steps.size(); ++i)
     {
       diffusion.Run(steps[i]);
@@ -175,8 +174,7 @@ SpreadOfTheWalk(const ValidationSettings & settings, ValidationReport & report)
   for (const double a : { 0.1, 0.5, 1.0, 1.3, 1.5, 2.0, 2.56, 4.0 })
   {
     std::vector<std::uint32_t> visits(volume.values.size());
-    ParticleDiffusion          diffusion(
-      volume.values.data(), volume.size, SettingsOf(walk, volume, 7.0, a, shapetons), start.data(), visits.data());
+    ParticleDiffusion diffusion(volume, SettingsOf(walk, volume, 7.0, a, shapetons), start.data(), visits.data());
     diffusion.Run(static_cast<std::uint64_t>(steps));
     double squares = 0.0, fourths = 0.0;
     for (unsigned int axis = 0; axis < 3; ++axis)
@@ -219,7 +217,7 @@ MeanHeat(const test::Volume & volume, double p, double stepInVoxels, std::uint64
 {
   const double     duration = 0.5 * VarianceOfStep(stepInVoxels);
   const int        parts = static_cast<int>(std::ceil(96.0 * duration));
-  test::BruteForce brute(volume, volume.Parameters(p), duration / parts);
+  test::BruteForce brute(volume, p, duration / parts);
   Density          sum(volume.values.size());
   for (std::uint64_t step = 1; step <= steps; ++step)
   {
@@ -338,7 +336,7 @@ MeansOfRegions(const Density & density)
 std::vector<Density>
 MeanHeatOfCube(const test::Volume & volume, const Mask & domain, const std::vector<std::uint64_t> & times)
 {
-  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const VolumeGradientOperator volumeGradient(volume);
   PaddedField                  heat(volumeGradient.GetGrid());
   volumeGradient.ComputeInitialHeat(heat);
   std::vector<std::uint64_t> steps;

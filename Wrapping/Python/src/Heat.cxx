@@ -3,6 +3,7 @@
 #include "Diffusion.h"
 #include "Options.h"
 
+#include "shapetonAutomaticParameters.h"
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonExceptions.h"
 #include "shapetonHeatClassification.h"
@@ -67,13 +68,13 @@ Diffuse(const ImageType::Pointer &                    image,
   HeatParameterChoice choice;
   const auto preset = OptionInfo("preset").Words({ "automatic", "objects", "published" }).PositionOf(presetName);
   const auto part = progress.Part("Choosing parameters", 0.0, 0.0);
-  if (preset == 0)
+  if (preset != 2)
   {
-    choice = filter->ChooseParameters(GivenAmong(names, settings), modality, part);
-  }
-  else if (preset == 1)
-  {
-    choice = filter->ChooseParametersBy(ChooseObjectParameters, GivenAmong(names, settings), part);
+    const VolumeView volume(image.GetPointer());
+    const auto       fixed = GivenAmong(names, settings);
+    choice = preset == 0 ? ChooseHeatParameters(volume, settings, fixed, modality, part)
+                         : ChooseObjectParameters(volume, settings, fixed, part);
+    filter->UseParameters(choice);
   }
   filter->SetSnapshotSteps(snapshotSteps, ConsumerOf(snapshot));
   filter->SetWantInitialHeat(initialHeat);

@@ -2,7 +2,6 @@
 #include "Conversions.h"
 #include "Options.h"
 
-#include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonObjectParameters.h"
 #include "shapetonWindowObjects.h"
 
@@ -59,9 +58,8 @@ FindObjects(const std::vector<ImageType::Pointer> & heats,
 std::vector<py::dict>
 WindowsOf(const ImageType::Pointer & image, const Progress & progress)
 {
-  const auto filter = CumulativeHeatDiffusionImageFilter<ImageType>::New();
-  filter->SetInput(image);
-  const auto            choices = ChooseWindowsOf(filter.GetPointer(), {}, progress.Part("Choosing windows", 0.0, 1.0));
+  const auto choices =
+    ChooseObjectWindows(VolumeView(image.GetPointer()), {}, {}, progress.Part("Choosing windows", 0.0, 1.0));
   const WithGil         gil;
   std::vector<py::dict> windows;
   for (const HeatParameterChoice & choice : choices)

@@ -3,6 +3,7 @@
 #include "Diffusion.h"
 #include "Options.h"
 
+#include "shapetonAutomaticParameters.h"
 #include "shapetonExceptions.h"
 #include "shapetonHeatSeeds.h"
 #include "shapetonSameGrid.h"
@@ -38,7 +39,10 @@ public:
   {
     m_Filter->SetInput(image);
     m_Filter->SetOptions(given.options);
-    m_Filter->SetAutomaticP(automaticP);
+    if (automaticP)
+    {
+      m_Filter->SetP(ChooseP(VolumeView(image.GetPointer()), given.options).p);
+    }
   }
 
   SeededLabels

@@ -5,6 +5,7 @@
 
 #include "shapetonExceptions.h"
 #include "shapetonParticleDiffusionImageFilter.h"
+#include "shapetonParticlePreset.h"
 #include "shapetonVisitDensity.h"
 
 namespace shapeton::python
@@ -31,12 +32,9 @@ struct Shapetons
 Shapetons
 Diffuse(const ImageType::Pointer &                                image,
         const std::optional<FilterType::MaskImageType::Pointer> & mask,
-        const Given<ParticleDiffusionOptions> &                   given,
+        const Given<ShapetonPresetOptions> &                      given,
         const std::vector<std::string> &                          names,
-        const std::string &                                       preset,
         const std::string &                                       modality,
-        bool                                                      automaticDistance,
-        bool                                                      automaticShapetons,
         const std::vector<std::uint64_t> &                        histogramSteps,
         const Progress &                                          progress)
 {
@@ -46,19 +44,13 @@ Diffuse(const ImageType::Pointer &                                image,
   {
     filter->SetMaskImage(*mask);
   }
-  filter->SetOptions(given.options);
-  const auto words = OptionInfo("preset").Words({ "objects", "published", "surface" });
-  filter->ChooseParameters(static_cast<ShapetonPreset>(words.PositionOf(preset)),
-                           names,
-                           modality,
-                           progress.Part("Choosing parameters", 0.0, 0.0));
-  filter->SetAutomaticDistance(automaticDistance);
-  filter->SetAutomaticNumberOfShapetons(automaticShapetons);
+  const auto choice = ChooseShapetonParameters(
+    VolumeView(image.GetPointer()), given.options, names, modality, progress.Part("Choosing parameters", 0.0, 0.0));
+  filter->SetOptions(choice.options);
   filter->SetHistogramSteps(histogramSteps);
   UpdateWithProgress(filter.GetPointer(), "Diffusing shapetons", progress);
-  return { filter->GetOutput(),   filter->GetMeasures(),  filter->GetHistogram(),
-           filter->GetDistance(), filter->GetShapetons(), filter->GetAutomaticShapetons().distanceReason,
-           filter->GetP(),        filter->GetSmoothing() };
+  return { filter->GetOutput(),    filter->GetMeasures(),         filter->GetHistogram(), filter->GetDistance(),
+           filter->GetShapetons(), choice.feature.distanceReason, filter->GetP(),         filter->GetSmoothing() };
 }
 
 template <typename TMember>

@@ -25,27 +25,28 @@ HeatIn(const TissueBox & box)
   CumulativeHeatDiffusionSettings settings;
   settings.p = publishedSteepness;
   settings.intensityWindow = { { 0.0, 1.0 } };
-  settings.spacing = box.Spacing();
-  const double spacing = *std::min_element(settings.spacing.begin(), settings.spacing.end());
+  const VolumeView volume(box.Intensities().data(), box.Size(), box.Spacing());
+  const double     spacing = *std::min_element(volume.spacing.begin(), volume.spacing.end());
   settings.timeSteps =
     static_cast<std::uint64_t>(std::max(1.0, std::round(time / (settings.timeStepLength * spacing * spacing))));
   std::vector<float> heat(box.NumberOfVoxels());
-  DiffuseCumulativeHeat(box.Intensities().data(), box.Size(), settings, heat.data());
+  DiffuseCumulativeHeat(volume, settings, heat.data());
   return heat;
 }
 
 std::vector<float>
-VisitsIn(const TissueBox &                 box,
-         const ParticleDiffusionSettings & settings,
-         double                            depth,
-         std::uint64_t                     steps,
-         const Progress &                  progress)
+VisitsIn(const TissueBox &        box,
+         ParticleDiffusionOptions options,
+         double                   depth,
+         std::uint64_t            steps,
+         const Progress &         progress)
 {
+  options.intensityWindow = { { 0.0, 1.0 } };
   const std::vector<unsigned char> mask = box.TissueNearLumen(depth);
   std::vector<std::uint32_t>       visits(box.NumberOfVoxels());
   OpenEndedProgress                polls(progress, 100.0);
-  ParticleDiffusion                diffusion(
-    box.Intensities().data(), box.Size(), settings, mask.data(), visits.data(), [&polls] { polls.Step(); });
+  const VolumeView                 volume(box.Intensities().data(), box.Size(), box.Spacing());
+  ParticleDiffusion                diffusion(volume, options, mask.data(), visits.data(), [&polls] { polls.Step(); });
   diffusion.Run(steps, {}, [&polls](const ParticleMeasures &) { polls.Step(); });
   return std::vector<float>(visits.begin(), visits.end());
 }
@@ -117,9 +118,8 @@ MeasureShapeDiffusion(const SurfaceMesh &           wall,
     const std::vector<Eigen::Vector3d> points = PointsBelowSurface(wall, candidate);
     const TissueBox                    box(lumen, points, margin);
     candidate.features.heat = box.MeanAt(HeatIn(box), points);
-    ParticleDiffusionSettings settings;
-    settings.volumeGradient.p = publishedSteepness;
-    settings.volumeGradient.spacing = box.Spacing();
+    ParticleDiffusionOptions settings;
+    settings.p = publishedSteepness;
     settings.shapetons = shapetons;
     settings.distance = std::min(1.0, step / box.LongestSide());
     const std::vector<float> visits = VisitsIn(box, settings, margin, steps, {});
@@ -147,9 +147,8 @@ FindPublishedPolypCandidates(const SurfaceMesh &           wall,
   {
     box.TakeIntensities(ct);
   }
-  ParticleDiffusionSettings settings;
-  settings.volumeGradient.p = options.p;
-  settings.volumeGradient.spacing = box.Spacing();
+  ParticleDiffusionOptions settings;
+  settings.p = options.p;
   settings.shapetons = options.shapetons;
   settings.distance = options.distance;
   const std::vector<float> visits = VisitsIn(box, settings, depth, options.steps, options.progress.Part("", 0.3, 0.9));

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace shapeton
 {
@@ -16,17 +15,6 @@ namespace shapeton
  * \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT void
 SmoothVoxels(const VoxelGrid & grid, const std::array<double, 3> & sigmas, float * values);
-
-/** A copy of a volume, smoothed by a Gaussian before edges are found (Catte et al. 1992); empty without smoothing.
- * \param values x fastest
- * \param spacing mm
- * \param smoothing standard deviation in mm
- * \ingroup ShapetonCommon */
-ShapetonCommon_EXPORT std::vector<float>
-                      SmoothedVolume(const float *                      values,
-                                     const std::array<std::size_t, 3> & size,
-                                     const std::array<double, 3> &      spacing,
-                                     double                             smoothing);
 } // namespace shapeton
 
 #endif

@@ -74,22 +74,4 @@ SmoothVoxels(const VoxelGrid & grid, const std::array<double, 3> & sigmas, float
     });
   }
 }
-
-std::vector<float>
-SmoothedVolume(const float *                      values,
-               const std::array<std::size_t, 3> & size,
-               const std::array<double, 3> &      spacing,
-               double                             smoothing)
-{
-  if (!(smoothing > 0.0))
-  {
-    return {};
-  }
-  std::array<double, 3> sigmas{};
-  std::transform(spacing.begin(), spacing.end(), sigmas.begin(), [smoothing](double mm) { return smoothing / mm; });
-  std::vector<float> smoothed(values, values + size[0] * size[1] * size[2]);
-  SmoothVoxels(
-    { static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) }, sigmas, smoothed.data());
-  return smoothed;
-}
 } // namespace shapeton

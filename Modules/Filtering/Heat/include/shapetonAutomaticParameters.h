@@ -1,9 +1,8 @@
 #ifndef shapetonAutomaticParameters_h
 #define shapetonAutomaticParameters_h
 
-#include "ShapetonHeatExport.h"
+#include "shapetonVolumeGradientOperator.h"
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -14,7 +13,7 @@ namespace shapeton
  * \ingroup ShapetonHeat */
 struct AutomaticP
 {
-  double p{ 7.0 };
+  double p{ VolumeGradientOptions().p };
   /** Standard deviation of the difference between neighbors due to noise, in units of the intensity window. */
   double noise{ 0.0 };
   /** Lower quartile of the half gradients across edges, in units of the intensity window. */
@@ -26,14 +25,10 @@ struct AutomaticP
  * geometric mean of edgeContrast and a noise bound. The bound is four times the standard deviation of the noise, but at
  * least a quarter of edgeContrast. p is clamped to [1, 50]. Noise is 3.138 times the lower quartile of the nonzero half
  * gradients, provided that at least one in ten pairs of neighbors differs. Edges are pairs whose half gradient exceeds
- * four times the noise and both adjacent half gradients on the same axis. `spacing` along the axes is in any unit; half
- * gradients are defined in VolumeGradientOperator. \ingroup ShapetonHeat */
+ * four times the noise and both adjacent half gradients on the same axis. Half gradients, see VolumeGradientOperator,
+ * are those of the window of the options. \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT AutomaticP
-ChooseP(const float *                      intensities,
-        const std::array<std::size_t, 3> & size,
-        const std::array<double, 3> &      spacing,
-        double                             lower,
-        double                             upper);
+ChooseP(const VolumeView & volume, const VolumeGradientOptions & options);
 
 /** Spacing of the recorded time steps on the time axis.
  * \ingroup ShapetonHeat */

@@ -17,14 +17,12 @@ namespace shapeton
 struct CumulativeHeatDiffusionSettings : CumulativeHeatDiffusionOptions
 {
   /** Rows of the heat histogram; ascending, at most timeSteps. */
-  std::vector<std::uint64_t> histogramSteps;
+  std::vector<std::uint64_t> histogramSteps{};
   /** Steps whose heat is passed to the consumer; ascending, at most timeSteps. */
-  std::vector<std::uint64_t> snapshotSteps;
+  std::vector<std::uint64_t> snapshotSteps{};
   /** Whether to find components and classes. */
-  bool wantComponents{ false };
-  /** Voxel spacing in mm along x, y, z; the components use it even if the diffusion ignores it. */
-  std::array<double, 3> spacing{ { 1.0, 1.0, 1.0 } };
-  std::uint64_t         minimumComponentVoxels{ 27 };
+  bool          wantComponents{ false };
+  std::uint64_t minimumComponentVoxels{ 27 };
 };
 
 /** Result of a run, except for the heat, and the parameters used.
@@ -50,13 +48,13 @@ struct CumulativeHeatDiffusionResult
  * \ingroup ShapetonHeat */
 using HeatSnapshotConsumer = std::function<void(std::uint64_t step, const std::vector<float> & heat)>;
 
-/** Cumulative heat diffusion of a volume: all voxels are sources at once (dissertation 2.2.1). `intensities`, `heat`
- * and `initialHeat` (may be null) have size[0] * size[1] * size[2] values, x fastest; `intensities` and `heat` may
- * be the same array. `progress` is called on this thread and may throw to abort. The filter and the tools use this
- * implementation. \ingroup ShapetonHeat */
+/** Cumulative heat diffusion of a volume: all voxels are sources at once (dissertation 2.2.1). `heat` and `initialHeat`
+ * (may be null) have one value per voxel, x fastest; `heat` may be the array of the volume. A copy of pixels that only
+ * `volume` owns is released before the diffusion. The components use the spacing even if the diffusion ignores it.
+ * `progress` is called on this thread and may throw to abort. The filter and the tools use this implementation.
+ * \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT CumulativeHeatDiffusionResult
-DiffuseCumulativeHeat(const float *                           intensities,
-                      const std::array<std::size_t, 3> &      size,
+DiffuseCumulativeHeat(VolumeView                              volume,
                       const CumulativeHeatDiffusionSettings & settings,
                       float *                                 heat,
                       float *                                 initialHeat = nullptr,

@@ -1,7 +1,6 @@
 #ifndef shapetonCumulativeHeatDiffusionImageFilter_h
 #define shapetonCumulativeHeatDiffusionImageFilter_h
 
-#include "shapetonAutomaticParameters.h"
 #include "shapetonCumulativeHeatDiffusionOptionsMethods.h"
 #include "shapetonHeatParameterChoice.h"
 #include "shapetonITKCompatibility.h"
@@ -55,27 +54,8 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(CumulativeHeatDiffusionImageFilter);
 
-  /** Sets window, p, smoothing and number of steps from the data, except for given values, by ChooseHeatParameters();
-   * updates the input. By default, the filter uses the published values. */
-  HeatParameterChoice
-  ChooseParameters(const GivenHeatParameters & given = {},
-                   const std::string &         modality = {},
-                   const Progress &            progress = {});
-
-  /** A function such as ChooseObjectParameters(). */
-  using ParameterChooser = std::function<HeatParameterChoice(const float *                           intensities,
-                                                             const std::array<std::size_t, 3> &      size,
-                                                             const CumulativeHeatDiffusionSettings & settings,
-                                                             const GivenHeatParameters &             given,
-                                                             const Progress &                        progress)>;
-
-  /** The same by another function. */
-  HeatParameterChoice
-  ChooseParametersBy(const ParameterChooser &    choose,
-                     const GivenHeatParameters & given,
-                     const Progress &            progress = {});
-
-  /** Sets window, p, smoothing and number of steps. */
+  /** Sets window, p, smoothing and number of steps, such as those of ChooseHeatParameters(); by default, the filter
+   * uses the published values. */
   void
   UseParameters(const HeatParameterChoice & choice);
 

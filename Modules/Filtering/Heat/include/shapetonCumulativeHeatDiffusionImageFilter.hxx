@@ -4,8 +4,7 @@
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonFilterProgress.h"
 
-#include <algorithm>
-#include <type_traits>
+#include <utility>
 
 namespace shapeton
 {
@@ -27,52 +26,11 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::SetSnapshotSteps(const StepsTyp
 }
 
 template <typename TInputImage>
-HeatParameterChoice
-CumulativeHeatDiffusionImageFilter<TInputImage>::ChooseParameters(const GivenHeatParameters & given,
-                                                                  const std::string &         modality,
-                                                                  const Progress &            progress)
-{
-  const auto choose = [&modality](const float *                           intensities,
-                                  const std::array<std::size_t, 3> &      size,
-                                  const CumulativeHeatDiffusionSettings & settings,
-                                  const GivenHeatParameters &             fixed,
-                                  const Progress &                        part) {
-    return ChooseHeatParameters(intensities, size, settings, fixed, modality, part);
-  };
-  return this->ChooseParametersBy(choose, given, progress);
-}
-
-template <typename TInputImage>
-HeatParameterChoice
-CumulativeHeatDiffusionImageFilter<TInputImage>::ChooseParametersBy(const ParameterChooser &    choose,
-                                                                    const GivenHeatParameters & given,
-                                                                    const Progress &            progress)
-{
-  this->VerifyPreconditions();
-  auto * const input = const_cast<TInputImage *>(this->GetInput());
-  input->UpdateOutputInformation();
-  input->SetRequestedRegionToLargestPossibleRegion();
-  input->Update();
-  std::vector<float>              converted;
-  CumulativeHeatDiffusionSettings settings = this->m_Options;
-  std::copy_n(this->GetInput()->GetSpacing().Begin(), 3, settings.spacing.begin());
-  const HeatParameterChoice choice =
-    choose(this->GetIntensities(converted), this->GetVolumeSize(), settings, given, progress);
-  this->UseParameters(choice);
-  return choice;
-}
-
-template <typename TInputImage>
 void
 CumulativeHeatDiffusionImageFilter<TInputImage>::UseParameters(const HeatParameterChoice & choice)
 {
-  if (choice.intensityWindow[0] < choice.intensityWindow[1]) // not of a constant volume
-  {
-    this->SetIntensityWindow(choice.intensityWindow);
-  }
-  this->SetP(choice.p);
-  this->SetSmoothing(choice.smoothing);
-  this->SetTimeSteps(choice.timeSteps);
+  choice.ApplyTo(this->m_Options);
+  this->Modified();
 }
 
 template <typename TInputImage>
@@ -90,8 +48,7 @@ template <typename TInputImage>
 void
 CumulativeHeatDiffusionImageFilter<TInputImage>::GenerateData()
 {
-  const TInputImage * const input = this->GetInput();
-  HeatImageType * const     heat = this->GetOutput();
+  HeatImageType * const heat = this->GetOutput();
   heat->SetBufferedRegion(heat->GetLargestPossibleRegion());
   heat->Allocate();
   HeatImageType * const initialHeat = this->GetInitialHeatOutput();
@@ -104,28 +61,12 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::GenerateData()
   {
     initialHeat->Initialize(); // clears the previous result
   }
-  // Other pixel types are converted into the output buffer, which the heat overwrites at the end.
-  const float * intensities = heat->GetBufferPointer();
-  if constexpr (std::is_same_v<typename TInputImage::PixelType, float>)
-  {
-    intensities = input->GetBufferPointer();
-  }
-  else
-  {
-    std::transform(input->GetBufferPointer(),
-                   input->GetBufferPointer() + input->GetBufferedRegion().GetNumberOfPixels(),
-                   heat->GetBufferPointer(),
-                   [](auto value) { return static_cast<float>(value); });
-  }
   try
   {
-    CumulativeHeatDiffusionSettings settings = this->m_Options;
-    const auto                      parameters = this->MakeOperatorParameters(intensities);
-    settings.intensityWindow = { { parameters.lower, parameters.upper } };
-    settings.spacing = parameters.spacing;
+    VolumeView volume(this->GetInput());
+    const auto settings = this->OptionsFor(volume);
     m_Result = DiffuseCumulativeHeat(
-      intensities,
-      this->GetVolumeSize(),
+      std::move(volume),
       settings,
       heat->GetBufferPointer(),
       m_WantInitialHeat ? initialHeat->GetBufferPointer() : nullptr,

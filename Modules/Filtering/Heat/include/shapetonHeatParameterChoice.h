@@ -22,12 +22,16 @@ struct GivenHeatParameters
 
 /** The window, and those parameters of the options whose names are among `names`. \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT GivenHeatParameters
-GivenAmong(const std::vector<std::string> & names, const CumulativeHeatDiffusionOptions & options);
+GivenAmong(const std::vector<std::string> & names, const VolumeDiffusionOptions & options);
 
 /** Parameters chosen from the data, and why.
  * \ingroup ShapetonHeat */
-struct HeatParameterChoice
+struct ShapetonHeat_EXPORT HeatParameterChoice
 {
+  /** Sets the four parameters; keeps the window if it is that of a constant volume. */
+  void
+  ApplyTo(VolumeDiffusionOptions & options) const;
+
   std::array<double, 2> intensityWindow{ { 0.0, 0.0 } };
   double                p{ 0.0 };
   double                smoothing{ 0.0 }; ///< mm
@@ -51,15 +55,15 @@ struct HeatParameterChoice
  * is one or two times the median difference of neighbors inside the window. Smoothing: 0.35 times the smallest spacing
  * of the copy if noise would insulate voxels.
  *
- * `settings` contains spacing, conductance, device and so on. Throws as DiffuseCumulativeHeat().
- * \ingroup ShapetonHeat */
+ * `options` contain conductance, device and so on. Throws as DiffuseCumulativeHeat(). For an image in a pipeline,
+ * update it first: `filter->UseParameters(ChooseHeatParameters(VolumeView(image), filter->GetOptions()))`. \ingroup
+ * ShapetonHeat */
 ShapetonHeat_EXPORT HeatParameterChoice
-ChooseHeatParameters(const float *                           intensities,
-                     const std::array<std::size_t, 3> &      size,
-                     const CumulativeHeatDiffusionSettings & settings,
-                     const GivenHeatParameters &             given,
-                     const std::string &                     modality,
-                     const Progress &                        progress = {});
+ChooseHeatParameters(const VolumeView &                     volume,
+                     const CumulativeHeatDiffusionOptions & options = {},
+                     const GivenHeatParameters &            given = {},
+                     const std::string &                    modality = {},
+                     const Progress &                       progress = {});
 } // namespace shapeton
 
 #endif

@@ -2,6 +2,7 @@
 #define shapetonIntensityClasses_h
 
 #include "ShapetonHeatExport.h"
+#include "shapetonVolumeView.h"
 
 #include <array>
 #include <vector>
@@ -10,7 +11,7 @@ namespace shapeton
 {
 /** Sorted sample of about 500,000 values. \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT std::vector<float>
-                    SampleIntensities(const std::vector<float> & values);
+                    SampleIntensities(const VolumeView & volume);
 
 /** Mean of the darkest, two thresholds, and mean of the brightest of the three classes of greatest variance between
  * them (Otsu 1979), of a sorted sample without its extremes. \ingroup ShapetonHeat */

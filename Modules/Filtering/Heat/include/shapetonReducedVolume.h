@@ -2,26 +2,22 @@
 #define shapetonReducedVolume_h
 
 #include "ShapetonHeatExport.h"
+#include "shapetonVolumeView.h"
 
 #include <array>
-#include <cstddef>
-#include <vector>
 
 namespace shapeton
 {
-/** A copy of a volume in larger voxels, on which parameters are tried. \ingroup ShapetonHeat */
-struct ReducedVolume
+/** A volume in larger voxels, on which parameters are tried. \ingroup ShapetonHeat */
+struct ReducedVolume : VolumeView
 {
-  std::array<std::size_t, 3> size{};
-  std::array<double, 3>      spacing{}; ///< mm
-  std::vector<float>         values;
-  double                     factor{ 1.0 }; ///< its smallest spacing divided by that of the volume
+  double factor{ 1.0 }; ///< its smallest spacing divided by that of the volume
 };
 
 /** Averages over blocks of at least two voxels, which also removes noise, to at most 128^3 voxels. Sides are not
  * reduced below 16 voxels. \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT ReducedVolume
-ReduceVolume(const float * values, const std::array<std::size_t, 3> & size, const std::array<double, 3> & spacing);
+ReduceVolume(const VolumeView & volume);
 
 /** The smallest of three spacings. \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT double

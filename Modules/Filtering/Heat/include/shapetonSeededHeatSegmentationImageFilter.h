@@ -1,8 +1,8 @@
 #ifndef shapetonSeededHeatSegmentationImageFilter_h
 #define shapetonSeededHeatSegmentationImageFilter_h
 
-#include "shapetonAutomaticParameters.h"
 #include "shapetonExceptions.h"
+#include "shapetonITKCompatibility.h"
 #include "shapetonSeededHeatOptionsMethods.h"
 #include "shapetonSeededHeatSegmentationOptionsMethods.h"
 #include "shapetonSeededHeatSolver.h"
@@ -44,11 +44,6 @@ public:
   itkSetInputMacro(Seeds, LabelImageType);
   itkGetInputMacro(Seeds, LabelImageType);
 
-  /** Whether ChooseP() chooses p from noise and edges; P is then ignored. */
-  itkSetMacro(AutomaticP, bool);
-  itkGetConstMacro(AutomaticP, bool);
-  itkBooleanMacro(AutomaticP);
-
   /** SeededHeatResult::uncertainty. */
   HeatImageType *
   GetUncertaintyOutput()
@@ -66,13 +61,6 @@ public:
   /** The probability of a label in each voxel, as a new image; valid after Update(). Throws ParameterError. */
   typename HeatImageType::Pointer
   GetProbabilities(unsigned short label) const;
-
-  /** p, noise and edge contrast if AutomaticP is on; valid after Update(). */
-  const std::optional<AutomaticP> &
-  GetChosenP() const
-  {
-    return m_ChosenP;
-  }
 
   /** Number of iterations of the last solution. */
   itkGetConstMacro(Iterations, unsigned int);
@@ -100,10 +88,9 @@ private:
   /** The input and parameters of the current operator. */
   struct Origin
   {
-    const void *                       pixels;
-    itk::ModifiedTimeType              time;
-    VolumeGradientOperator::Parameters parameters;
-    SeededHeatOptions                  settings;
+    const void *                  pixels;
+    itk::ModifiedTimeType         time;
+    SeededHeatSegmentationOptions options;
 
     bool
     operator==(const Origin & other) const;
@@ -112,11 +99,9 @@ private:
   void
   PrepareSolver();
 
-  bool                                          m_AutomaticP{ false };
   unsigned int                                  m_Iterations{ 0 };
   std::vector<unsigned short>                   m_LabelValues;
   Remarks                                       m_Remarks;
-  std::optional<AutomaticP>                     m_ChosenP;
   std::optional<Origin>                         m_Origin;
   std::unique_ptr<const VolumeGradientOperator> m_Operator;
   std::unique_ptr<SeededHeatSolver>             m_Solver;

@@ -32,13 +32,12 @@ SeededHeatSegmentationImageFilter<TInputImage>::Origin::operator==(const Origin 
   const auto all = [](const Origin & o) {
     return std::make_tuple(o.pixels,
                            o.time,
-                           o.parameters.p,
-                           o.parameters.lower,
-                           o.parameters.upper,
-                           o.parameters.spacing,
-                           o.parameters.leastWeight,
-                           o.settings.tolerance,
-                           o.settings.keepProbabilities);
+                           o.options.p,
+                           o.options.intensityWindow,
+                           o.options.smoothing,
+                           o.options.leastWeight,
+                           o.options.tolerance,
+                           o.options.keepProbabilities);
   };
   return all(*this) == all(other);
 }
@@ -49,26 +48,18 @@ void
 SeededHeatSegmentationImageFilter<TInputImage>::PrepareSolver()
 {
   const TInputImage * const input = this->GetInput();
-  std::vector<float>        converted;
-  const float * const       intensities = this->GetIntensities(converted);
-  Origin                    origin{ input->GetBufferPointer(), input->GetMTime(), {}, {} };
-  origin.parameters = this->MakeOperatorParameters(intensities);
-  if (m_AutomaticP)
-  {
-    m_ChosenP = ChooseP(
-      intensities, this->GetVolumeSize(), origin.parameters.spacing, origin.parameters.lower, origin.parameters.upper);
-    origin.parameters.p = m_ChosenP->p;
-  }
-  origin.parameters.leastWeight = this->GetLeastWeight();
-  origin.settings = this->m_Options;
+  const VolumeView          volume(input);
+  const Origin              origin{ input->GetBufferPointer(), input->GetMTime(), this->OptionsFor(volume) };
   if (m_Solver && m_Origin && *m_Origin == origin)
   {
     return;
   }
   m_Solver.reset();
   m_Operator = std::make_unique<const VolumeGradientOperator>(
-    intensities, this->GetVolumeSize(), origin.parameters, [this](double) { ReportProgress(*this, 0.0); });
-  m_Solver = std::make_unique<SeededHeatSolver>(*m_Operator, origin.settings);
+    volume, origin.options, VolumeGradientOperator::Conductance::Physical, origin.options.leastWeight, [this](double) {
+      ReportProgress(*this, 0.0);
+    });
+  m_Solver = std::make_unique<SeededHeatSolver>(*m_Operator, origin.options);
   m_Origin = origin;
 }
 
@@ -82,7 +73,6 @@ SeededHeatSegmentationImageFilter<TInputImage>::GenerateData()
   {
     throw InputError("the sizes of seeds and volume differ; use a label map on the grid of the volume");
   }
-  m_ChosenP.reset();
   try
   {
     this->PrepareSolver();
@@ -126,7 +116,6 @@ void
 SeededHeatSegmentationImageFilter<TInputImage>::PrintSelf(std::ostream & os, itk::Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "AutomaticP: " << m_AutomaticP << std::endl;
   os << indent << "Iterations: " << m_Iterations << std::endl;
 }
 } // namespace shapeton

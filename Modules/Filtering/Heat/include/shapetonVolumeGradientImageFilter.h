@@ -12,14 +12,13 @@
 #include "itkImageToImageFilter.h"
 
 #include <array>
-#include <vector>
 
 namespace shapeton
 {
 /** \class VolumeGradientImageFilter
  * \brief Base class of filters that use the volume gradient operator: p and the intensity window.
  *
- * The filters process the whole volume at once.
+ * The filters process the whole volume at once. Its pixels are scalars.
  *
  * \ingroup ShapetonHeat */
 template <typename TInputImage, typename TOutputImage, typename TOptions>
@@ -34,8 +33,6 @@ public:
   using Pointer = itk::SmartPointer<Self>;
   using ConstPointer = itk::SmartPointer<const Self>;
 
-  static_assert(TInputImage::ImageDimension == 3, "the volume gradient operator is defined on volumes");
-
   itkOverrideGetNameOfClassMacro(VolumeGradientImageFilter);
 
   using Superclass::MakeOutput;
@@ -48,8 +45,16 @@ public:
     this->SetIntensityWindow(std::array<double, 2>{ { lower, upper } });
   }
   /** The intensities mapped to 0 and 1 by the last Update(). */
-  itkGetConstMacro(WindowLower, double);
-  itkGetConstMacro(WindowUpper, double);
+  double
+  GetWindowLower() const
+  {
+    return m_Window[0];
+  }
+  double
+  GetWindowUpper() const
+  {
+    return m_Window[1];
+  }
 
 protected:
   VolumeGradientImageFilter() = default;
@@ -64,20 +69,12 @@ protected:
   void
   EnlargeOutputRequestedRegion(itk::DataObject * output) override;
 
-  std::array<std::size_t, 3>
-  GetVolumeSize() const;
-
-  /** The intensities of the input: its buffer for float pixels, otherwise a copy in `converted`. */
-  const float *
-  GetIntensities(std::vector<float> & converted) const;
-
-  /** p, window and spacing; computes the window from the intensities if it is not set. */
-  VolumeGradientOperator::Parameters
-  MakeOperatorParameters(const float * intensities);
+  /** The options with the window of the volume, if none is set. */
+  TOptions
+  OptionsFor(const VolumeView & volume);
 
 private:
-  double m_WindowLower{ 0.0 };
-  double m_WindowUpper{ 0.0 };
+  std::array<double, 2> m_Window{ { 0.0, 0.0 } };
 };
 } // namespace shapeton
 

@@ -3,9 +3,6 @@
 
 #include "shapetonVolumeGradientImageFilter.h"
 
-#include <algorithm>
-#include <type_traits>
-
 namespace shapeton
 {
 template <typename TInputImage, typename TOutputImage, typename TOptions>
@@ -41,43 +38,13 @@ VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::EnlargeOutputReq
 }
 
 template <typename TInputImage, typename TOutputImage, typename TOptions>
-std::array<std::size_t, 3>
-VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::GetVolumeSize() const
+TOptions
+VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::OptionsFor(const VolumeView & volume)
 {
-  std::array<std::size_t, 3> size{};
-  std::copy_n(this->GetInput()->GetBufferedRegion().GetSize().begin(), 3, size.begin());
-  return size;
-}
-
-template <typename TInputImage, typename TOutputImage, typename TOptions>
-const float *
-VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::GetIntensities(std::vector<float> & converted) const
-{
-  const auto * const pixels = this->GetInput()->GetBufferPointer();
-  if constexpr (std::is_same_v<typename TInputImage::PixelType, float>)
-  {
-    return pixels;
-  }
-  else
-  {
-    converted.assign(pixels, pixels + this->GetInput()->GetBufferedRegion().GetNumberOfPixels());
-    return converted.data();
-  }
-}
-
-template <typename TInputImage, typename TOutputImage, typename TOptions>
-VolumeGradientOperator::Parameters
-VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::MakeOperatorParameters(const float * intensities)
-{
-  const auto window = WindowOf(this->m_Options, intensities, this->GetInput()->GetBufferedRegion().GetNumberOfPixels());
-  m_WindowLower = window[0];
-  m_WindowUpper = window[1];
-  VolumeGradientOperator::Parameters parameters;
-  parameters.p = this->GetP();
-  parameters.lower = m_WindowLower;
-  parameters.upper = m_WindowUpper;
-  std::copy_n(this->GetInput()->GetSpacing().Begin(), 3, parameters.spacing.begin());
-  return parameters;
+  m_Window = WindowOf(this->m_Options, volume);
+  TOptions options = this->m_Options;
+  options.intensityWindow = m_Window;
+  return options;
 }
 
 template <typename TInputImage, typename TOutputImage, typename TOptions>
@@ -85,8 +52,8 @@ void
 VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::PrintSelf(std::ostream & os, itk::Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "WindowLower: " << m_WindowLower << std::endl;
-  os << indent << "WindowUpper: " << m_WindowUpper << std::endl;
+  os << indent << "WindowLower: " << m_Window[0] << std::endl;
+  os << indent << "WindowUpper: " << m_Window[1] << std::endl;
 }
 } // namespace shapeton
 

@@ -4,13 +4,31 @@
 #include "shapetonPaddedGrid.h"
 #include "shapetonProgress.h"
 #include "shapetonVolumeGradientOptions.h"
+#include "shapetonVolumeView.h"
 
 #include <array>
 #include <cmath>
-#include <vector>
 
 namespace shapeton
 {
+/** The intensity window of the options, or the minimum and maximum of the volume; {0, 0} for an empty one.
+ * \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT std::array<double, 2>
+                    WindowOf(const VolumeGradientOptions & options, const VolumeView & volume);
+
+/** \class EdgeVolume
+ * \brief The volume in which edges are found, and the options by which it, or a part of it, has the edges of the given
+ * volume: it is smoothed, and the window is set.
+ *
+ * \ingroup ShapetonHeat */
+struct ShapetonHeat_EXPORT EdgeVolume
+{
+  EdgeVolume(const VolumeView & given, const VolumeGradientOptions & givenOptions);
+
+  VolumeView            volume;
+  VolumeGradientOptions options;
+};
+
 /** \class VolumeGradientOperator
  * \brief Edge weights for the diffusion of heat or particles, computed from the intensities of a volume.
  *
@@ -38,28 +56,18 @@ public:
     Published
   };
 
-  struct Parameters
-  {
-    /** Steepness; non-negative. An edge insulates if the half gradient reaches 1 / p. */
-    double p{ VolumeGradientOptions().p };
-    /** Intensities that map to 0 and to 1 (lower < upper); intensities outside are clamped. */
-    double lower{ 0.0 };
-    double upper{ 1.0 };
-    /** Voxel spacing in mm along x, y, z; positive. Use {1, 1, 1} to ignore it. */
-    std::array<double, 3> spacing{ { 1.0, 1.0, 1.0 } };
-    Conductance           conductance{ Conductance::Physical };
-    /** Weight of an edge with half gradient 1 / p, in [0, 1]; beyond, it decreases with the square of the gradient.
-     * With 0, as in (2.5), such edges insulate. Default 0. */
-    double leastWeight{ 0.0 };
-  };
-
-  /** \param intensities size[0] * size[1] * size[2] values, x fastest. Throws std::invalid_argument for parameters out
-   * of range and for non-finite intensities. If lower == upper the volume is treated as constant. `progress` may
-   * throw to abort. */
-  VolumeGradientOperator(const float *                      intensities,
-                         const std::array<std::size_t, 3> & size,
-                         const Parameters &                 parameters,
-                         const Progress &                   progress = {});
+  /** The edges of a volume by options, which state p, window and smoothing. Throws ParameterError for options out of
+   * range, std::invalid_argument for a window, spacing or `leastWeight` out of range, for an empty volume and for
+   * intensities that are not finite. If both ends of the window are equal, the volume is treated as constant.
+   * \param conductance how the conductances depend on the spacing
+   * \param leastWeight weight of an edge with half gradient 1 / p, in [0, 1]; beyond, it decreases with the square of
+   * the gradient. With 0, as in (2.5), such edges insulate.
+   * \param progress may throw to abort */
+  explicit VolumeGradientOperator(const VolumeView &            volume,
+                                  const VolumeGradientOptions & options = {},
+                                  Conductance                   conductance = Conductance::Physical,
+                                  double                        leastWeight = 0.0,
+                                  const Progress &              progress = {});
 
   /** The half gradient for intensities in [0, 1]; `resolution` is res_k >= 1.
    *
@@ -92,10 +100,16 @@ public:
   {
     return m_Grid;
   }
-  const Parameters &
-  GetParameters() const
+  /** Distance between neighbors along an axis relative to the smallest spacing. */
+  double
+  GetResolution(unsigned int axis) const
   {
-    return m_Parameters;
+    return m_Resolution[axis];
+  }
+  double
+  GetLeastWeight() const
+  {
+    return m_LeastWeight;
   }
 
   /** Conductances along an axis on the padded grid: entry i belongs to the edge from voxel i to its successor. */
@@ -122,19 +136,14 @@ public:
 
 private:
   void
-  ComputeConductances(const float * intensities, const Progress & progress);
+  ComputeConductances(const EdgeVolume & edges, const Progress & progress);
 
   PaddedGrid                 m_Grid;
-  Parameters                 m_Parameters;
+  double                     m_LeastWeight;
   std::array<double, 3>      m_Resolution{};
   std::array<double, 3>      m_Factors{};
   std::array<PaddedField, 3> m_Conductances;
 };
-
-/** The intensity window of the options, or the minimum and maximum of `number` intensities; {0, 0} for none.
- * \ingroup ShapetonHeat */
-ShapetonHeat_EXPORT std::array<double, 2>
-                    WindowOf(const VolumeGradientOptions & options, const float * intensities, std::size_t number);
 } // namespace shapeton
 
 #endif

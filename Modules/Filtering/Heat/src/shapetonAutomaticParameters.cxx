@@ -1,5 +1,6 @@
 #include "shapetonAutomaticParameters.h"
 #include "shapetonParallelFor.h"
+#include "shapetonReducedVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,16 +45,18 @@ Quantile(const Histogram & histogram, double share, std::size_t first)
 /** Counts the half gradients along all lines of the volume; with `peaksOnly` only those that exceed both of their
  * neighbors. */
 Histogram
-CountHalfGradients(const float *                      intensities,
-                   const std::array<std::size_t, 3> & size,
-                   const std::array<double, 3> &      resolution,
-                   double                             lower,
-                   double                             upper,
-                   bool                               peaksOnly)
+CountHalfGradients(const VolumeView & volume, const std::array<double, 2> & window, bool peaksOnly)
 {
+  const auto &          size = volume.size;
+  const double          smallest = SmallestSpacing(volume.spacing);
+  std::array<double, 3> resolution{};
+  std::transform(
+    volume.spacing.begin(), volume.spacing.end(), resolution.begin(), [smallest](double h) { return h / smallest; });
   const std::array<std::size_t, 3> strides = { 1, size[0], size[0] * size[1] };
   std::vector<Histogram>           histograms(NumberOfThreads(), Histogram(bins, 0));
-  const auto scaled = [&](std::size_t i) { return std::clamp((intensities[i] - lower) / (upper - lower), 0.0, 1.0); };
+  const auto                       scaled = [&](std::size_t i) {
+    return std::clamp((volume.values[i] - window[0]) / (window[1] - window[0]), 0.0, 1.0);
+  };
   ParallelForWorkers(size[2], [&](std::size_t z, unsigned int worker) {
     for (std::size_t y = 0; y < size[1]; ++y)
     {
@@ -90,27 +93,21 @@ CountHalfGradients(const float *                      intensities,
 } // namespace
 
 AutomaticP
-ChooseP(const float *                      intensities,
-        const std::array<std::size_t, 3> & size,
-        const std::array<double, 3> &      spacing,
-        double                             lower,
-        double                             upper)
+ChooseP(const VolumeView & volume, const VolumeGradientOptions & options)
 {
+  const auto window = WindowOf(options, volume);
   AutomaticP choice;
-  if (!(upper > lower))
+  if (!(window[1] > window[0]))
   {
     choice.reason = "the volume is constant: the heat is 0 for any p";
     return choice;
   }
-  const double          smallest = std::min({ spacing[0], spacing[1], spacing[2] });
-  std::array<double, 3> resolution{};
-  std::transform(spacing.begin(), spacing.end(), resolution.begin(), [smallest](double h) { return h / smallest; });
-  const Histogram  all = CountHalfGradients(intensities, size, resolution, lower, upper, false);
+  const Histogram  all = CountHalfGradients(volume, window, false);
   const bool       noisy = 10 * Sum(all, 1) > Sum(all);
   constexpr double perQuartile = 3.138; // the lower quartile of |normal| is sd / 3.138
   choice.noise = noisy ? perQuartile * Quantile(all, 0.25, 1) : 0.0;
 
-  const Histogram peaks = CountHalfGradients(intensities, size, resolution, lower, upper, true);
+  const Histogram peaks = CountHalfGradients(volume, window, true);
   const auto      firstEdge = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(4.0 * choice.noise * bins)));
   if (firstEdge >= bins || Sum(peaks, firstEdge) == 0)
   {

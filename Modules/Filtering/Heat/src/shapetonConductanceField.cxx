@@ -37,11 +37,9 @@ private:
 ConductanceField::ConductanceField(const VolumeGradientOperator & volumeGradient, const unsigned short * seeds)
   : grid(volumeGradient.GetGrid()), leak(grid)
 {
-  const auto & given = volumeGradient.GetParameters().spacing;
-  const double smallest = *std::min_element(given.begin(), given.end());
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    spacing[axis] = given[axis] / smallest;
+    spacing[axis] = volumeGradient.GetResolution(axis);
     conductances[axis] = PaddedField(grid);
   }
   const SeedCutter                   cutter(volumeGradient, seeds);

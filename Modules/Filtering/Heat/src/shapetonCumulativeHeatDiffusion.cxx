@@ -1,7 +1,6 @@
 #include "shapetonCumulativeHeatDiffusion.h"
 #include "shapetonHeatClassification.h"
 #include "shapetonParallelFor.h"
-#include "shapetonSmoothVoxels.h"
 
 #include <algorithm>
 #include <atomic>
@@ -44,7 +43,7 @@ CheckSteps(const std::string & name, const std::vector<std::uint64_t> & steps, s
 }
 
 void
-CheckSettings(const std::array<std::size_t, 3> &      size,
+CheckSettings(const VolumeView &                      volume,
               const CumulativeHeatDiffusionSettings & settings,
               const HeatSnapshotConsumer &            consumer)
 {
@@ -55,28 +54,29 @@ CheckSettings(const std::array<std::size_t, 3> &      size,
     throw std::invalid_argument("snapshots are requested without a consumer");
   }
   CheckOptions(settings);
-  if (size[0] * size[1] * size[2] >= std::numeric_limits<std::uint32_t>::max())
+  if (volume.NumberOfVoxels() >= std::numeric_limits<std::uint32_t>::max())
   {
     throw std::length_error("the volume has 2^32 voxels or more; crop it");
   }
 }
 
-VolumeGradientOperator::Parameters
-OperatorParameters(const float *                           intensities,
-                   const std::array<std::size_t, 3> &      size,
-                   const CumulativeHeatDiffusionSettings & settings)
+VolumeGradientOperator
+MakeOperator(const VolumeView &                      volume,
+             const CumulativeHeatDiffusionSettings & settings,
+             const Progress &                        progress,
+             CumulativeHeatDiffusionResult &         result)
 {
-  const auto                         window = WindowOf(settings, intensities, size[0] * size[1] * size[2]);
-  VolumeGradientOperator::Parameters parameters;
-  parameters.p = settings.p;
-  parameters.lower = window[0];
-  parameters.upper = window[1];
-  parameters.conductance = settings.conductance;
-  if (!settings.ignoreSpacing)
+  EdgeVolume edges(volume, settings);
+  result.p = settings.p;
+  result.smoothing = settings.smoothing;
+  result.windowLower = (*edges.options.intensityWindow)[0];
+  result.windowUpper = (*edges.options.intensityWindow)[1];
+  result.timeStepLength = settings.timeStepLength;
+  if (settings.ignoreSpacing)
   {
-    parameters.spacing = settings.spacing;
+    edges.volume.spacing = { { 1.0, 1.0, 1.0 } };
   }
-  return parameters;
+  return VolumeGradientOperator(edges.volume, edges.options, settings.conductance, 0.0, progress);
 }
 
 /** The classes of the last row. */
@@ -252,27 +252,19 @@ private:
 } // namespace
 
 CumulativeHeatDiffusionResult
-DiffuseCumulativeHeat(const float *                           intensities,
-                      const std::array<std::size_t, 3> &      size,
+DiffuseCumulativeHeat(VolumeView                              volume,
                       const CumulativeHeatDiffusionSettings & settings,
                       float *                                 heat,
                       float *                                 initialHeat,
                       const HeatSnapshotConsumer &            consumer,
                       const Progress &                        progress)
 {
-  CheckSettings(size, settings, consumer);
-  const auto                    parameters = OperatorParameters(intensities, size, settings);
+  CheckSettings(volume, settings, consumer);
   CumulativeHeatDiffusionResult result;
-  result.p = parameters.p;
-  result.smoothing = settings.smoothing;
-  result.windowLower = parameters.lower;
-  result.windowUpper = parameters.upper;
-  result.timeStepLength = settings.timeStepLength;
   // Preparation is fast, so it does not report progress, but can be aborted.
   const Progress               preparation = progress.Part("", 0.0, 0.0);
-  const auto                   smoothed = SmoothedVolume(intensities, size, settings.spacing, settings.smoothing);
-  const VolumeGradientOperator volumeGradient(
-    smoothed.empty() ? intensities : smoothed.data(), size, parameters, preparation);
+  const VolumeGradientOperator volumeGradient = MakeOperator(volume, settings, preparation, result);
+  volume.own.reset();
   HeatDiffusionSolver solver(volumeGradient, settings.solver, settings.timeStepLength, settings.tolerance);
   if (settings.untilSteady)
   {
@@ -285,7 +277,7 @@ DiffuseCumulativeHeat(const float *                           intensities,
 
   if (settings.wantComponents)
   {
-    result.components = FindShapeComponents(volumeGradient, field, settings.spacing, settings.minimumComponentVoxels);
+    result.components = FindShapeComponents(volumeGradient, field, volume.spacing, settings.minimumComponentVoxels);
   }
   if (initialHeat)
   {

@@ -30,13 +30,6 @@ constexpr double GreatestNoise = 0.25;
 /** A window of CT that shows fewer regions, hardly more than one, is not used. */
 constexpr double LeastRegions = 1.5;
 
-Window
-Range(const std::vector<float> & values)
-{
-  const auto ends = std::minmax_element(values.begin(), values.end());
-  return { { *ends.first, *ends.second } };
-}
-
 /** Whether a sorted sample looks like HU: much air and much soft tissue. */
 bool
 LooksLikeCt(const std::vector<float> & sample)
@@ -69,11 +62,12 @@ struct Trial
  * axis, if all are strictly inside the window. */
 template <unsigned int number, typename TBody>
 void
-VisitInside(const float * values, const Size & size, const Window & window, unsigned int axis, const TBody & body)
+VisitInside(const VolumeView & volume, const Window & window, unsigned int axis, const TBody & body)
 {
+  const Size &      size = volume.size;
   const Size        strides = { 1, size[0], size[0] * size[1] };
   constexpr auto    wanted = std::size_t{ 1 } << 19;
-  const std::size_t voxels = size[0] * size[1] * size[2];
+  const std::size_t voxels = volume.NumberOfVoxels();
   const std::size_t step = std::max<std::size_t>(1, voxels / wanted) | 1; // odd: no pattern on even grids
   for (std::size_t voxel = 0; voxel < voxels; voxel += step)
   {
@@ -85,7 +79,7 @@ VisitInside(const float * values, const Size & size, const Window & window, unsi
     bool                       inside = true;
     for (unsigned int i = 0; i < number; ++i)
     {
-      scaled[i] = (values[voxel + i * strides[axis]] - window[0]) / (window[1] - window[0]);
+      scaled[i] = (volume.values[voxel + i * strides[axis]] - window[0]) / (window[1] - window[0]);
       inside &= scaled[i] > 0.0 && scaled[i] < 1.0;
     }
     if (inside)
@@ -109,13 +103,13 @@ Median(std::vector<double> values)
 
 /** Median nonzero half gradient inside the window; 0 if there is none. */
 double
-MedianDifference(const ReducedVolume & copy, const Window & window)
+MedianDifference(const VolumeView & copy, const Window & window)
 {
   std::vector<double> differences;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     const double resolution = copy.spacing[axis] / SmallestSpacing(copy.spacing);
-    VisitInside<2>(copy.values.data(), copy.size, window, axis, [&](const std::array<double, 2> & v) {
+    VisitInside<2>(copy, window, axis, [&](const std::array<double, 2> & v) {
       if (v[0] != v[1])
       {
         differences.push_back(VolumeGradientOperator::HalfGradient(v[0], v[1], resolution));
@@ -127,14 +121,14 @@ MedianDifference(const ReducedVolume & copy, const Window & window)
 
 /** Standard deviation of the noise inside the window, from second differences, which vanish in linear slopes. */
 double
-NoiseInside(const float * values, const Size & size, const Window & window)
+NoiseInside(const VolumeView & volume, const Window & window)
 {
   constexpr double    perMedian = 1.4826; // standard deviation of a normal variable over its median absolute value
   const double        perDifference = std::sqrt(6.0);
   std::vector<double> differences;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    VisitInside<3>(values, size, window, axis, [&](const std::array<double, 3> & v) {
+    VisitInside<3>(volume, window, axis, [&](const std::array<double, 3> & v) {
       differences.push_back(std::abs(v[0] - 2.0 * v[1] + v[2]));
     });
   }
@@ -146,13 +140,10 @@ NoiseInside(const float * values, const Size & size, const Window & window)
 class Trials
 {
 public:
-  Trials(ReducedVolume copy, const CumulativeHeatDiffusionSettings & settings, const GivenHeatParameters & given)
-    : m_ReducedVolume(std::move(copy)), m_Settings(settings), m_Given(given)
+  Trials(ReducedVolume copy, const CumulativeHeatDiffusionOptions & options, const GivenHeatParameters & given)
+    : m_ReducedVolume(std::move(copy)), m_Settings{ options }, m_Given(given)
   {
-    m_Settings.spacing = m_ReducedVolume.spacing;
     m_Settings.smoothing = 0.0;
-    m_Settings.histogramSteps.clear();
-    m_Settings.wantComponents = false;
     m_Settings.untilSteady = false;
     m_Settings.snapshotSteps.assign(TrialSteps.begin(), TrialSteps.end());
     if (given.timeSteps)
@@ -204,19 +195,12 @@ private:
   void
   Try(const Trial & trial, const Progress & progress)
   {
-    VolumeGradientOperator::Parameters parameters;
-    parameters.p = trial.p;
-    parameters.lower = trial.window[0];
-    parameters.upper = trial.window[1];
-    parameters.spacing = m_ReducedVolume.spacing;
-    parameters.conductance = m_Settings.conductance;
-    const VolumeGradientOperator volumeGradient(m_ReducedVolume.values.data(), m_ReducedVolume.size, parameters);
     m_Settings.p = trial.p;
     m_Settings.intensityWindow = trial.window;
-    std::vector<float> heat(m_ReducedVolume.values.size());
+    const VolumeGradientOperator volumeGradient(m_ReducedVolume, m_Settings, m_Settings.conductance);
+    std::vector<float>           heat(m_ReducedVolume.NumberOfVoxels());
     DiffuseCumulativeHeat(
-      m_ReducedVolume.values.data(),
-      m_ReducedVolume.size,
+      m_ReducedVolume,
       m_Settings,
       heat.data(),
       nullptr,
@@ -253,10 +237,12 @@ TryWindows(Trials & trials, const GivenHeatParameters & given, const std::string
 {
   if (given.intensityWindow || given.p)
   {
-    trials.TryWindow(given.intensityWindow.value_or(Range(trials.GetCopy().values)), progress);
+    VolumeGradientOptions options;
+    options.intensityWindow = given.intensityWindow;
+    trials.TryWindow(WindowOf(options, trials.GetCopy()), progress);
     return given.intensityWindow ? "" : "the range of the volume, to which the given p refers";
   }
-  const auto sample = SampleIntensities(trials.GetCopy().values);
+  const auto sample = SampleIntensities(trials.GetCopy());
   const bool isCt = modality == "CT" || (modality.empty() && LooksLikeCt(sample));
   if (isCt)
   {
@@ -284,8 +270,7 @@ TryWindows(Trials & trials, const GivenHeatParameters & given, const std::string
 }
 
 void
-ChooseSmoothing(const float *               intensities,
-                const Size &                size,
+ChooseSmoothing(const VolumeView &          volume,
                 const GivenHeatParameters & given,
                 const ReducedVolume &       copy,
                 HeatParameterChoice &       choice)
@@ -295,7 +280,7 @@ ChooseSmoothing(const float *               intensities,
     choice.smoothing = given.smoothing.value_or(0.0);
     return;
   }
-  const double noise = NoiseInside(intensities, size, choice.intensityWindow) * std::sqrt(2.0);
+  const double noise = NoiseInside(volume, choice.intensityWindow) * std::sqrt(2.0);
   const bool   insulates = noise * choice.p > GreatestNoise;
   choice.smoothing = insulates ? RoundedNumber(Smoothing * SmallestSpacing(copy.spacing), 2) : 0.0;
   choice.smoothingReason = "noise between neighbors has a standard deviation of " + Text(noise, 2) +
@@ -303,8 +288,20 @@ ChooseSmoothing(const float *               intensities,
 }
 } // namespace
 
+void
+HeatParameterChoice::ApplyTo(VolumeDiffusionOptions & options) const
+{
+  if (intensityWindow[0] < intensityWindow[1])
+  {
+    options.intensityWindow = intensityWindow;
+  }
+  options.p = p;
+  options.smoothing = smoothing;
+  options.timeSteps = timeSteps;
+}
+
 GivenHeatParameters
-GivenAmong(const std::vector<std::string> & names, const CumulativeHeatDiffusionOptions & options)
+GivenAmong(const std::vector<std::string> & names, const VolumeDiffusionOptions & options)
 {
   const auto has = [&](const char * name) { return std::find(names.begin(), names.end(), name) != names.end(); };
   GivenHeatParameters given;
@@ -325,24 +322,24 @@ GivenAmong(const std::vector<std::string> & names, const CumulativeHeatDiffusion
 }
 
 HeatParameterChoice
-ChooseHeatParameters(const float *                           intensities,
-                     const std::array<std::size_t, 3> &      size,
-                     const CumulativeHeatDiffusionSettings & settings,
-                     const GivenHeatParameters &             given,
-                     const std::string &                     modality,
-                     const Progress &                        progress)
+ChooseHeatParameters(const VolumeView &                     volume,
+                     const CumulativeHeatDiffusionOptions & options,
+                     const GivenHeatParameters &            given,
+                     const std::string &                    modality,
+                     const Progress &                       progress)
 {
+  CheckOptions(options);
   HeatParameterChoice choice;
-  choice.intensityWindow = WindowOf(settings, intensities, size[0] * size[1] * size[2]);
-  choice.p = given.p.value_or(settings.p);
+  choice.intensityWindow = WindowOf(options, volume);
+  choice.p = given.p.value_or(options.p);
   choice.smoothing = given.smoothing.value_or(0.0);
   choice.timeSteps = given.timeSteps.value_or(1);
   if (given.p && given.timeSteps)
   {
     return choice;
   }
-  const Spacing spacing = settings.ignoreSpacing ? Spacing{ { 1.0, 1.0, 1.0 } } : settings.spacing;
-  Trials        trials(ReduceVolume(intensities, size, spacing), settings, given);
+  const Spacing spacing = options.ignoreSpacing ? Spacing{ { 1.0, 1.0, 1.0 } } : volume.spacing;
+  Trials        trials(ReduceVolume({ volume.values, volume.size, spacing }), options, given);
   choice.windowReason = TryWindows(trials, given, modality, progress);
   const ReducedVolume & copy = trials.GetCopy();
   const Trial &         best = trials.GetBest();
@@ -375,7 +372,7 @@ ChooseHeatParameters(const float *                           intensities,
                         Text(TrialSteps.front() * factor * factor, 3) + " to " +
                         Text(TrialSteps.back() * factor * factor, 3) + " steps, it shows most regions bounded by edges";
   }
-  ChooseSmoothing(intensities, size, given, copy, choice);
+  ChooseSmoothing(volume, given, copy, choice);
   return choice;
 }
 } // namespace shapeton

@@ -6,14 +6,14 @@
 namespace shapeton
 {
 std::vector<float>
-SampleIntensities(const std::vector<float> & values)
+SampleIntensities(const VolumeView & volume)
 {
   constexpr std::size_t wanted = 500'000;
-  const std::size_t     step = std::max<std::size_t>(1, values.size() / wanted);
+  const std::size_t     step = std::max<std::size_t>(1, volume.NumberOfVoxels() / wanted);
   std::vector<float>    sample;
-  for (std::size_t i = 0; i < values.size(); i += step)
+  for (std::size_t i = 0; i < volume.NumberOfVoxels(); i += step)
   {
-    sample.push_back(values[i]);
+    sample.push_back(volume.values[i]);
   }
   std::sort(sample.begin(), sample.end());
   return sample;

@@ -31,39 +31,39 @@ Blocks(const Size & size, const Spacing & spacing, double side)
 }
 
 ReducedVolume
-Average(const float * values, const Size & size, const Spacing & spacing, const Size & blocks)
+Average(const VolumeView & volume, const Size & blocks)
 {
-  ReducedVolume copy;
+  Size    size{};
+  Spacing spacing{};
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    copy.size[axis] = size[axis] / blocks[axis];
-    copy.spacing[axis] = spacing[axis] * static_cast<double>(blocks[axis]);
+    size[axis] = volume.size[axis] / blocks[axis];
+    spacing[axis] = volume.spacing[axis] * static_cast<double>(blocks[axis]);
   }
-  copy.factor = SmallestSpacing(copy.spacing) / SmallestSpacing(spacing);
-  copy.values.resize(copy.size[0] * copy.size[1] * copy.size[2]);
-  const auto voxels = static_cast<double>(blocks[0] * blocks[1] * blocks[2]);
-  ParallelFor(copy.size[2], [&](std::size_t z) {
-    std::vector<double> sums(copy.size[0]);
-    for (std::size_t y = 0; y < copy.size[1]; ++y)
+  std::vector<float> values(size[0] * size[1] * size[2]);
+  const auto         voxels = static_cast<double>(blocks[0] * blocks[1] * blocks[2]);
+  ParallelFor(size[2], [&](std::size_t z) {
+    std::vector<double> sums(size[0]);
+    for (std::size_t y = 0; y < size[1]; ++y)
     {
       std::fill(sums.begin(), sums.end(), 0.0);
       for (std::size_t row = 0; row < blocks[1] * blocks[2]; ++row)
       {
         const std::size_t   inY = y * blocks[1] + row % blocks[1];
         const std::size_t   inZ = z * blocks[2] + row / blocks[1];
-        const float * const line = values + (inZ * size[1] + inY) * size[0];
-        for (std::size_t x = 0; x < copy.size[0] * blocks[0]; ++x)
+        const float * const line = volume.values + (inZ * volume.size[1] + inY) * volume.size[0];
+        for (std::size_t x = 0; x < size[0] * blocks[0]; ++x)
         {
           sums[x / blocks[0]] += line[x];
         }
       }
       std::transform(sums.begin(),
                      sums.end(),
-                     copy.values.begin() + static_cast<std::ptrdiff_t>((z * copy.size[1] + y) * copy.size[0]),
+                     values.begin() + static_cast<std::ptrdiff_t>((z * size[1] + y) * size[0]),
                      [voxels](double sum) { return static_cast<float>(sum / voxels); });
     }
   });
-  return copy;
+  return { VolumeView(std::move(values), size, spacing), SmallestSpacing(spacing) / SmallestSpacing(volume.spacing) };
 }
 } // namespace
 
@@ -74,18 +74,19 @@ SmallestSpacing(const Spacing & spacing)
 }
 
 ReducedVolume
-ReduceVolume(const float * values, const Size & size, const Spacing & spacing)
+ReduceVolume(const VolumeView & volume)
 {
-  Size blocks{};
+  const Size & size = volume.size;
+  Size         blocks{};
   for (double side = 2.0;; side += 1.0)
   {
-    const Size next = Blocks(size, spacing, side * SmallestSpacing(spacing));
+    const Size next = Blocks(size, volume.spacing, side * SmallestSpacing(volume.spacing));
     const bool same = next == blocks;
     blocks = next;
     const std::size_t voxels = (size[0] / blocks[0]) * (size[1] / blocks[1]) * (size[2] / blocks[2]);
     if (voxels <= GreatestCopy || (same && side > static_cast<double>(*std::max_element(size.begin(), size.end()))))
     {
-      return Average(values, size, spacing, blocks);
+      return Average(volume, blocks);
     }
   }
 }

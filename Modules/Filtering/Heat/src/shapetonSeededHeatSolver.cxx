@@ -48,7 +48,7 @@ SeededHeatSolver::SeededHeatSolver(const VolumeGradientOperator & volumeGradient
 {
   RequireParameter(settings.tolerance >= 1e-6 && settings.tolerance <= 0.1,
                    "the parameter \"tolerance\" must be between 1e-6 and 0.1");
-  RequireParameter(volumeGradient.GetParameters().leastWeight > 0.0,
+  RequireParameter(volumeGradient.GetLeastWeight() > 0.0,
                    "the parameter \"leastWeight\" of the volume gradient operator must be positive, because heat "
                    "must reach every voxel");
 }

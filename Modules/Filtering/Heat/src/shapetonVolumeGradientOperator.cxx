@@ -1,65 +1,77 @@
 #include "shapetonVolumeGradientOperator.h"
 #include "shapetonParallelFor.h"
+#include "shapetonSmoothVoxels.h"
 
 #include <algorithm>
 #include <atomic>
 #include <stdexcept>
-#include <string>
 
 namespace shapeton
 {
 namespace
 {
 void
-CheckParameters(const VolumeGradientOperator::Parameters & parameters)
+Check(const VolumeView & volume, const VolumeGradientOptions & options)
 {
-  if (!(parameters.p >= 0.0) || !std::isfinite(parameters.p))
-  {
-    throw std::invalid_argument("p must be a nonnegative number");
-  }
-  if (!(parameters.leastWeight >= 0.0 && parameters.leastWeight <= 1.0))
-  {
-    throw std::invalid_argument("leastWeight must be between 0 and 1");
-  }
-  if (!std::isfinite(parameters.lower) || !std::isfinite(parameters.upper))
+  CheckOptions(options);
+  const auto & [lower, upper] = *options.intensityWindow;
+  if (!std::isfinite(lower) || !std::isfinite(upper))
   {
     throw std::invalid_argument(
       "the volume or the intensity window contains values that are not finite (NaN or infinity)");
   }
-  if (parameters.upper < parameters.lower)
+  if (upper < lower)
   {
     throw std::invalid_argument("the upper end of the intensity window must not be below the lower end");
   }
-  for (const double spacing : parameters.spacing)
+  for (const double spacing : volume.spacing)
   {
     if (!(spacing > 0.0) || !std::isfinite(spacing))
     {
       throw std::invalid_argument("the voxel spacing must be positive");
     }
   }
+  if (volume.NumberOfVoxels() == 0)
+  {
+    throw std::invalid_argument("the volume is empty");
+  }
+}
+
+/** Smoothed by a Gaussian before edges are found (Catte et al. 1992). */
+VolumeView
+Smoothed(const VolumeView & volume, double smoothing)
+{
+  std::array<double, 3> sigmas{};
+  std::transform(
+    volume.spacing.begin(), volume.spacing.end(), sigmas.begin(), [smoothing](double mm) { return smoothing / mm; });
+  const auto         side = [&volume](unsigned int axis) { return static_cast<int>(volume.size[axis]); };
+  std::vector<float> values(volume.begin(), volume.end());
+  SmoothVoxels({ side(0), side(1), side(2) }, sigmas, values.data());
+  return { std::move(values), volume.size, volume.spacing };
 }
 
 // One slice of intensities, scaled to [0, 1] and padded by repeating the border.
 class ScaledSlice
 {
 public:
-  ScaledSlice(const PaddedGrid & grid, const VolumeGradientOperator::Parameters & parameters)
-    : m_Size(grid.GetSize())
-    , m_Lower(parameters.lower)
-    , m_Scale(parameters.upper > parameters.lower ? 1.0 / (parameters.upper - parameters.lower) : 0.0)
-    , m_Values((m_Size[0] + 2) * (m_Size[1] + 2))
-  {}
+  explicit ScaledSlice(const EdgeVolume & edges)
+    : m_Intensities(edges.volume.values), m_Size(edges.volume.size), m_Values((m_Size[0] + 2) * (m_Size[1] + 2))
+  {
+    const auto & [lower, upper] = *edges.options.intensityWindow;
+    m_Lower = lower;
+    m_Scale = upper > lower ? 1.0 / (upper - lower) : 0.0;
+  }
 
   /** Returns false if an intensity is not finite. */
   bool
-  Load(const float * intensities, std::ptrdiff_t z)
+  Load(std::ptrdiff_t z)
   {
     const auto slice = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(z, 0, m_Size[2] - 1));
     bool       finite = true;
     for (std::ptrdiff_t y = -1; y <= static_cast<std::ptrdiff_t>(m_Size[1]); ++y)
     {
       const auto    row = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(y, 0, m_Size[1] - 1));
-      const float * source = intensities + (slice * m_Size[1] + row) * m_Size[0];
+      const float * source = m_Intensities + (slice * m_Size[1] + row) * m_Size[0];
       double *      target = this->Row(y);
       for (std::size_t x = 0; x < m_Size[0]; ++x)
       {
@@ -79,49 +91,73 @@ public:
   }
 
 private:
+  const float *              m_Intensities;
   std::array<std::size_t, 3> m_Size;
-  double                     m_Lower;
-  double                     m_Scale;
+  double                     m_Lower{ 0.0 };
+  double                     m_Scale{ 0.0 };
   std::vector<double>        m_Values;
 };
 } // namespace
 
-VolumeGradientOperator::VolumeGradientOperator(const float *                      intensities,
-                                               const std::array<std::size_t, 3> & size,
-                                               const Parameters &                 parameters,
-                                               const Progress &                   progress)
-  : m_Grid(size), m_Parameters(parameters)
+std::array<double, 2>
+WindowOf(const VolumeGradientOptions & options, const VolumeView & volume)
 {
-  CheckParameters(parameters);
-  if (size[0] == 0 || size[1] == 0 || size[2] == 0)
+  if (options.intensityWindow || volume.NumberOfVoxels() == 0)
   {
-    throw std::invalid_argument("the volume is empty");
+    return options.intensityWindow.value_or(std::array<double, 2>{});
   }
-  const double smallest = *std::min_element(parameters.spacing.begin(), parameters.spacing.end());
+  const auto ends = std::minmax_element(volume.begin(), volume.end());
+  return { { *ends.first, *ends.second } };
+}
+
+EdgeVolume::EdgeVolume(const VolumeView & given, const VolumeGradientOptions & givenOptions)
+  : volume(given), options(givenOptions)
+{
+  options.intensityWindow = WindowOf(options, volume);
+  Check(volume, options);
+  if (options.smoothing > 0.0)
+  {
+    volume = Smoothed(volume, options.smoothing);
+    options.smoothing = 0.0;
+  }
+}
+
+VolumeGradientOperator::VolumeGradientOperator(const VolumeView &            volume,
+                                               const VolumeGradientOptions & options,
+                                               Conductance                   conductance,
+                                               double                        leastWeight,
+                                               const Progress &              progress)
+  : m_Grid(volume.size), m_LeastWeight(leastWeight)
+{
+  const EdgeVolume edges(volume, options);
+  if (!(leastWeight >= 0.0 && leastWeight <= 1.0))
+  {
+    throw std::invalid_argument("leastWeight must be between 0 and 1");
+  }
+  const double smallest = *std::min_element(volume.spacing.begin(), volume.spacing.end());
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    m_Resolution[axis] = parameters.spacing[axis] / smallest;
-    m_Factors[axis] =
-      parameters.conductance == Conductance::Physical ? 1.0 / (m_Resolution[axis] * m_Resolution[axis]) : 1.0;
+    m_Resolution[axis] = volume.spacing[axis] / smallest;
+    m_Factors[axis] = conductance == Conductance::Physical ? 1.0 / (m_Resolution[axis] * m_Resolution[axis]) : 1.0;
     m_Conductances[axis] = PaddedField(m_Grid);
     progress(0.0); // slow for a large field
   }
-  this->ComputeConductances(intensities, progress);
+  this->ComputeConductances(edges, progress);
 }
 
 /** The product of the grid factor of each axis and the intensity factor. \equation{2.4} as a product; the source
  * writes a sum. */
 void
-VolumeGradientOperator::ComputeConductances(const float * intensities, const Progress & progress)
+VolumeGradientOperator::ComputeConductances(const EdgeVolume & edges, const Progress & progress)
 {
   constexpr std::size_t slicesAtOnce = 32; // between calls the caller may abort
   const auto &          size = m_Grid.GetSize();
   std::atomic<bool>     finite{ true };
   // Slices -1 .. nz - 1: the edges below the first slice belong to slice -1.
   const auto computeSlice = [&](std::ptrdiff_t z) {
-    ScaledSlice slice(m_Grid, m_Parameters);
-    ScaledSlice above(m_Grid, m_Parameters);
-    if (!slice.Load(intensities, z) || !above.Load(intensities, z + 1))
+    ScaledSlice slice(edges);
+    ScaledSlice above(edges);
+    if (!slice.Load(z) || !above.Load(z + 1))
     {
       finite = false;
     }
@@ -135,8 +171,7 @@ VolumeGradientOperator::ComputeConductances(const float * intensities, const Pro
         for (std::ptrdiff_t x = -1; x < static_cast<std::ptrdiff_t>(size[0]); ++x)
         {
           const double halfGradient = HalfGradient(row[x], successors[axis][x], m_Resolution[axis]);
-          target[x] =
-            static_cast<float>(m_Factors[axis] * EdgeWeight(halfGradient, m_Parameters.p, m_Parameters.leastWeight));
+          target[x] = static_cast<float>(m_Factors[axis] * EdgeWeight(halfGradient, edges.options.p, m_LeastWeight));
         }
       }
     }
@@ -199,16 +234,5 @@ double
 VolumeGradientOperator::GetEigenvalueBound() const
 {
   return 4.0 * (m_Factors[0] + m_Factors[1] + m_Factors[2]);
-}
-
-std::array<double, 2>
-WindowOf(const VolumeGradientOptions & options, const float * intensities, std::size_t number)
-{
-  if (options.intensityWindow || number == 0)
-  {
-    return options.intensityWindow.value_or(std::array<double, 2>{});
-  }
-  const auto ends = std::minmax_element(intensities, intensities + number);
-  return { { *ends.first, *ends.second } };
 }
 } // namespace shapeton

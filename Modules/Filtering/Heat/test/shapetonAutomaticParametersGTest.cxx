@@ -8,7 +8,13 @@ using namespace shapeton::test;
 
 namespace
 {
-const std::array<double, 3> cubic = { { 1.0, 1.0, 1.0 } };
+VolumeGradientOptions
+Window(double lower, double upper)
+{
+  VolumeGradientOptions options;
+  options.intensityWindow = { { lower, upper } };
+  return options;
+}
 
 Volume
 TwoBoxes(double contrast, double noise)
@@ -25,7 +31,7 @@ TwoBoxes(double contrast, double noise)
 TEST(AutomaticParameters, CleanEdgesInsulateWithRoom)
 {
   const Volume volume = TwoBoxes(0.25, 0.0);
-  const auto   choice = ChooseP(volume.values.data(), volume.size, cubic, 0.0, 1.0);
+  const auto   choice = ChooseP(volume, Window(0.0, 1.0));
   EXPECT_EQ(choice.noise, 0.0);
   EXPECT_NEAR(choice.edgeContrast, 0.25, 1e-4);
   EXPECT_NEAR(choice.p, 8.0, 0.01); // 1/p half of the contrast
@@ -35,7 +41,7 @@ TEST(AutomaticParameters, CleanEdgesInsulateWithRoom)
 TEST(AutomaticParameters, NoiseIsMeasuredAndDoesNotInsulate)
 {
   const Volume volume = TwoBoxes(0.6, 0.1);
-  const auto   choice = ChooseP(volume.values.data(), volume.size, cubic, -0.1, 0.9);
+  const auto   choice = ChooseP(volume, Window(-0.1, 0.9));
   EXPECT_NEAR(choice.noise, 0.1 / std::sqrt(6.0), 0.002); // the difference of two uniform variables of width 0.1
   EXPECT_GT(choice.edgeContrast, 0.4);
   EXPECT_NEAR(choice.p, 1.0 / std::sqrt(4.0 * choice.noise * choice.edgeContrast), 1e-9);
@@ -45,7 +51,7 @@ TEST(AutomaticParameters, NoiseIsMeasuredAndDoesNotInsulate)
 TEST(AutomaticParameters, AConstantVolumeKeepsTheDefault)
 {
   const Volume volume({ 8, 8, 8 }, 3.0F);
-  EXPECT_EQ(ChooseP(volume.values.data(), volume.size, cubic, 3.0, 3.0).p, 7.0);
+  EXPECT_EQ(ChooseP(volume, {}).p, 7.0);
 }
 
 TEST(AutomaticParameters, SnapshotStepsAscendFromZeroToTheLast)

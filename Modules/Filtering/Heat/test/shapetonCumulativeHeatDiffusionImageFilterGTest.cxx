@@ -218,12 +218,10 @@ TEST(CumulativeHeatDiffusionImageFilter, ARegionThatStartsElsewhereAndAPartialRe
 
 TEST(CumulativeHeatDiffusionImageFilter, ConductancesAsPublishedMatchBruteForce)
 {
-  const test::Volume volume = test::MakeScene({ 12, 11, 10 }, 0.1);
+  const test::Volume volume = test::MakeScene({ 12, 11, 10 }, 0.1, { { 1.0, 1.5, 3.0 } });
   const auto         image = MakeImage<float>(volume);
-  image->SetSpacing(std::array<double, 3>{ { 1.0, 1.5, 3.0 } }.data());
-  auto parameters = volume.Parameters(7.0, { { 1.0, 1.5, 3.0 } });
-  parameters.conductance = VolumeGradientOperator::Conductance::Published;
-  test::BruteForce brute(volume, parameters, 1.0 / 12.0);
+  image->SetSpacing(volume.spacing.data());
+  test::BruteForce brute(volume, 7.0, 1.0 / 12.0, false);
   for (int step = 0; step < 300; ++step)
   {
     brute.Step();
@@ -264,8 +262,7 @@ TEST(CumulativeHeatDiffusionImageFilter, AVolumeOfOneSliceOrOneVoxelIsNoSpecialC
   for (const test::Size & size : { test::Size{ 1, 1, 1 }, test::Size{ 9, 8, 1 }, test::Size{ 1, 1, 30 } })
   {
     const test::Volume volume = test::MakeScene(size, 0.5);
-    const auto         parameters = volume.Parameters(7.0);
-    test::BruteForce   brute(volume, parameters, 1.0 / 12.0);
+    test::BruteForce   brute(volume, 7.0, 1.0 / 12.0);
     for (int step = 0; step < 40; ++step)
     {
       brute.Step();

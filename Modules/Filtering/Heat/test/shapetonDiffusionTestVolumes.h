@@ -18,8 +18,9 @@ using Size = std::array<std::size_t, 3>;
 /** A volume as an array, x fastest. */
 struct Volume
 {
-  Size               size;
-  std::vector<float> values;
+  Size                  size;
+  std::vector<float>    values;
+  std::array<double, 3> spacing{ { 1.0, 1.0, 1.0 } };
 
   explicit Volume(const Size & s, float value = 0.0F) : size(s), values(s[0] * s[1] * s[2], value) {}
 
@@ -45,17 +46,24 @@ struct Volume
     }
   }
 
-  VolumeGradientOperator::Parameters
-  Parameters(double p, const std::array<double, 3> & spacing = { { 1.0, 1.0, 1.0 } }) const
+  operator VolumeView() const { return { values.data(), size, spacing }; }
+
+  /** From the minimum to the maximum. */
+  std::array<double, 2>
+  Window() const
   {
-    VolumeGradientOperator::Parameters parameters;
-    parameters.p = p;
-    parameters.lower = *std::min_element(values.begin(), values.end());
-    parameters.upper = *std::max_element(values.begin(), values.end());
-    parameters.spacing = spacing;
-    return parameters;
+    const auto ends = std::minmax_element(values.begin(), values.end());
+    return { { *ends.first, *ends.second } };
   }
 };
+
+inline VolumeGradientOptions
+OptionsWith(double p)
+{
+  VolumeGradientOptions options;
+  options.p = p;
+  return options;
+}
 
 /** Uniform noise in [-0.5, 0.5) from a hash of the position: platform-independent. */
 inline double
@@ -72,9 +80,10 @@ Noise(std::size_t x, std::size_t y, std::size_t z)
 
 /** Objects with soft and hard edges of several contrasts, in noise. */
 inline Volume
-MakeScene(const Size & size, double noise)
+MakeScene(const Size & size, double noise, const std::array<double, 3> & spacing = { { 1.0, 1.0, 1.0 } })
 {
-  Volume     volume(size);
+  Volume volume(size);
+  volume.spacing = spacing;
   const auto soft = [](double distance) { return std::clamp(0.5 - distance / 2.0, 0.0, 1.0); };
   volume.Fill([&](double x, double y, double z) {
     const double u = x / size[0], v = y / size[1], w = z / size[2];
@@ -92,31 +101,31 @@ MakeScene(const Size & size, double noise)
 class BruteForce
 {
 public:
-  BruteForce(const Volume & volume, const VolumeGradientOperator::Parameters & parameters, double dt)
+  BruteForce(const Volume & volume, double p, double dt, bool isPhysical = true)
     : m_Size(volume.size)
     , m_Dt(dt)
     , heat(volume.values.size())
     , m_Next(volume.values.size())
     , m_Conductances(volume.values.size())
   {
-    const double smallest = *std::min_element(parameters.spacing.begin(), parameters.spacing.end());
+    const auto   window = volume.Window();
+    const double smallest = *std::min_element(volume.spacing.begin(), volume.spacing.end());
     const auto   scaled = [&](std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t z) {
       const auto inside = [](std::ptrdiff_t i, std::size_t n) { return std::clamp<std::ptrdiff_t>(i, 0, n - 1); };
       const auto value =
         volume.values[(inside(z, m_Size[2]) * m_Size[1] + inside(y, m_Size[1])) * m_Size[0] + inside(x, m_Size[0])];
-      return std::clamp((value - parameters.lower) / (parameters.upper - parameters.lower), 0.0, 1.0);
+      return std::clamp((value - window[0]) / (window[1] - window[0]), 0.0, 1.0);
     };
     double largest = 0.0;
     this->ForAll([&](std::size_t i, std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t z) {
       for (int k = 0; k < 6; ++k)
       {
         const auto & o = Offset(k);
-        const double resolution = parameters.spacing[k / 2] / smallest;
-        const double weight = std::clamp(
-          1.0 - parameters.p * std::abs(scaled(x, y, z) - scaled(x + o[0], y + o[1], z + o[2])) / resolution, 0.0, 1.0);
+        const double resolution = volume.spacing[k / 2] / smallest;
+        const double weight =
+          std::clamp(1.0 - p * std::abs(scaled(x, y, z) - scaled(x + o[0], y + o[1], z + o[2])) / resolution, 0.0, 1.0);
         heat[i] += weight;
-        const bool physical = parameters.conductance == VolumeGradientOperator::Conductance::Physical;
-        m_Conductances[i][k] = physical ? weight / (resolution * resolution) : weight;
+        m_Conductances[i][k] = isPhysical ? weight / (resolution * resolution) : weight;
       }
       largest = std::max(largest, heat[i]);
     });

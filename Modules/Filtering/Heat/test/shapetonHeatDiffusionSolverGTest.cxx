@@ -102,11 +102,10 @@ TEST(HeatDiffusionSolver, EverySnapshotMatchesBruteForce)
   for (const Case & c :
        { Case{ 2.0, { { 1.0, 1.0, 1.0 } } }, Case{ 7.0, { { 1.0, 1.0, 1.0 } } }, Case{ 15.0, { { 0.7, 0.9, 2.5 } } } })
   {
-    const Volume                 volume = MakeScene({ 32, 32, 32 }, 0.05);
-    const auto                   parameters = volume.Parameters(c.p, c.spacing);
-    const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, parameters);
+    const Volume                 volume = MakeScene({ 32, 32, 32 }, 0.05, c.spacing);
+    const VolumeGradientOperator volumeGradient(volume, OptionsWith(c.p));
     const auto                   trajectory = Diffuse(volumeGradient, Method::Chebyshev, 10000, steps);
-    EXPECT_LT(LargestError(trajectory, steps, BruteForce(volume, parameters, dt)), 1e-5) << "p = " << c.p;
+    EXPECT_LT(LargestError(trajectory, steps, BruteForce(volume, c.p, dt)), 1e-5) << "p = " << c.p;
   }
 }
 
@@ -114,35 +113,32 @@ TEST(HeatDiffusionSolver, LinearlySpacedSnapshotsMatchBruteForce)
 {
   const auto                   steps = MakeSnapshotSteps(2000, 512, SnapshotSpacing::Linear);
   const Volume                 volume = MakeScene({ 20, 17, 13 }, 0.05);
-  const auto                   parameters = volume.Parameters(7.0);
-  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, parameters);
+  const VolumeGradientOperator volumeGradient(volume);
   for (const Method method : { Method::Chebyshev, Method::Explicit })
   {
     const auto trajectory = Diffuse(volumeGradient, method, 2000, steps);
-    EXPECT_LT(LargestError(trajectory, steps, BruteForce(volume, parameters, dt)), 1e-5);
+    EXPECT_LT(LargestError(trajectory, steps, BruteForce(volume, 7.0, dt)), 1e-5);
   }
 }
 
 TEST(HeatDiffusionSolver, FinalStateOfALargerVolumeMatchesBruteForce)
 {
   const Volume                     volume = MakeScene({ 64, 64, 64 }, 0.05);
-  const auto                       parameters = volume.Parameters(7.0);
-  const VolumeGradientOperator     volumeGradient(volume.values.data(), volume.size, parameters);
+  const VolumeGradientOperator     volumeGradient(volume);
   const std::vector<std::uint64_t> steps{ 10, 3000 };
-  const BruteForce                 brute(volume, parameters, dt);
+  const BruteForce                 brute(volume, 7.0, dt);
   EXPECT_LT(LargestError(Diffuse(volumeGradient, Method::Chebyshev, 3000, steps), steps, brute), 1e-5);
 }
 
 TEST(HeatDiffusionSolver, AShorterTimeStepMatchesBruteForce)
 {
-  const Volume                     volume = MakeScene({ 18, 16, 15 }, 0.1);
-  const auto                       parameters = volume.Parameters(5.0, { { 1.0, 1.0, 3.0 } });
-  const VolumeGradientOperator     volumeGradient(volume.values.data(), volume.size, parameters);
+  const Volume                     volume = MakeScene({ 18, 16, 15 }, 0.1, { { 1.0, 1.0, 3.0 } });
+  const VolumeGradientOperator     volumeGradient(volume, OptionsWith(5.0));
   const std::vector<std::uint64_t> steps{ 1, 2, 17, 900 };
   for (const Method method : { Method::Chebyshev, Method::Explicit })
   {
     const auto trajectory = Diffuse(volumeGradient, method, 900, steps, 0.03);
-    EXPECT_LT(LargestError(trajectory, steps, BruteForce(volume, parameters, 0.03)), 1e-5);
+    EXPECT_LT(LargestError(trajectory, steps, BruteForce(volume, 5.0, 0.03)), 1e-5);
   }
 }
 
@@ -150,7 +146,7 @@ TEST(HeatDiffusionSolver, AnEigenfunctionOfTheFreeVolumeDecaysAsItsEigenvalueSay
 {
   // All weights 1, heat 0 in the border: sin(pi (x+1) / (n+1)) along each axis.
   const Volume                 volume({ 15, 10, 12 }, 1.0F);
-  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const VolumeGradientOperator volumeGradient(volume);
   const PaddedGrid &           grid = volumeGradient.GetGrid();
   const std::uint64_t          t = 400;
   PaddedField                  heat(grid);
@@ -185,7 +181,7 @@ TEST(HeatDiffusionSolver, AClosedObjectKeepsItsHeatAndEndsAtItsMean)
     return x >= 6 && x < 16 && y >= 5 && y < 12 && z >= 8 && z < 20;
   };
   volume.Fill([&](std::size_t x, std::size_t y, std::size_t z) { return inside(x, y, z) ? 1.0 : 0.0; });
-  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const VolumeGradientOperator volumeGradient(volume);
   const auto          trajectory = Diffuse(volumeGradient, Method::Chebyshev, 1000000, { 0, 50, 1000, 1000000 });
   std::vector<double> sums;
   for (const auto & field : trajectory.fields)
@@ -220,7 +216,7 @@ TEST(HeatDiffusionSolver, AClosedObjectKeepsItsHeatAndEndsAtItsMean)
 TEST(HeatDiffusionSolver, ThreadsDoNotChangeABit)
 {
   const Volume                 volume = MakeScene({ 70, 41, 53 }, 0.05);
-  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const VolumeGradientOperator volumeGradient(volume);
   const auto                   steps = MakeSnapshotSteps(3000, 40, SnapshotSpacing::Logarithmic);
   const auto                   fieldsOf = [](const Trajectory & run) { return std::make_pair(run.last, run.fields); };
   basetest::ExpectSameWithAnyThreads([&] { return fieldsOf(Diffuse(volumeGradient, Method::Chebyshev, 3000, steps)); },
@@ -238,7 +234,7 @@ TEST(HeatDiffusionSolver, StopsWhenSteadyAndNotBefore)
   volume.Fill([](std::size_t x, std::size_t y, std::size_t z) {
     return x >= 5 && x < 15 && y >= 5 && y < 15 && z >= 5 && z < 15 ? 1.0 : 0.0;
   });
-  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const VolumeGradientOperator volumeGradient(volume);
   for (const Method method : { Method::Chebyshev, Method::Explicit })
   {
     const auto run = Diffuse(volumeGradient, method, 100000, {}, dt, true);
@@ -258,7 +254,7 @@ TEST(HeatDiffusionSolver, ALastStretchThatIsTooShortIsNotCalledSteady)
   volume.Fill([](std::size_t x, std::size_t y, std::size_t z) {
     return std::min({ x, y, z }) >= 4 && std::max({ x, y, z }) < 36 ? 1.0 : 0.0;
   });
-  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const VolumeGradientOperator volumeGradient(volume);
   for (const Method method : { Method::Chebyshev, Method::Explicit })
   {
     // Time intervals end at 16, 40, 100, 250, 625; the cube becomes steady much later.
@@ -278,7 +274,7 @@ TEST(HeatDiffusionSolver, AHotVoxelDoesNotHideThatOthersStillMove)
     });
     volume.At(0, 0, 0) = 1.0F; // use the same window for both volumes
     volume.At(28, 1, 28) = withHotVoxel ? 1.0F : 0.0F;
-    const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+    const VolumeGradientOperator volumeGradient(volume);
     return Diffuse(volumeGradient, Method::Chebyshev, 1000000, {}, dt, true).lastStep;
   };
   EXPECT_EQ(stop(true), stop(false));
@@ -287,7 +283,7 @@ TEST(HeatDiffusionSolver, AHotVoxelDoesNotHideThatOthersStillMove)
 TEST(HeatDiffusionSolver, AFailureInAnyThreadReachesTheCaller)
 {
   const Volume                 volume = MakeScene({ 16, 16, 16 }, 0.05);
-  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const VolumeGradientOperator volumeGradient(volume);
   const basetest::ThreadNumber four(4);
   for (const std::size_t failing : { 0, 100, 255 })
   {
@@ -306,7 +302,7 @@ TEST(HeatDiffusionSolver, AFailureInAnyThreadReachesTheCaller)
 TEST(HeatDiffusionSolver, ProgressAscendsToOneAndMayAbort)
 {
   const Volume                 volume = MakeScene({ 16, 16, 16 }, 0.05);
-  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const VolumeGradientOperator volumeGradient(volume);
   HeatDiffusionSolver          solver(volumeGradient, Method::Chebyshev, dt, 1e-5);
   PaddedField                  heat(volumeGradient.GetGrid());
   volumeGradient.ComputeInitialHeat(heat);
@@ -323,7 +319,7 @@ TEST(HeatDiffusionSolver, ProgressAscendsToOneAndMayAbort)
 TEST(HeatDiffusionSolver, RefusesWhatItCannotDo)
 {
   const Volume                 volume({ 4, 4, 4 }, 1.0F);
-  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const VolumeGradientOperator volumeGradient(volume);
   EXPECT_THROW(HeatDiffusionSolver(volumeGradient, Method::Chebyshev, 0.1, 1e-5), std::invalid_argument);
   EXPECT_THROW(HeatDiffusionSolver(volumeGradient, Method::Chebyshev, 0.0, 1e-5), std::invalid_argument);
   EXPECT_THROW(HeatDiffusionSolver(volumeGradient, Method::Chebyshev, dt, 1e-9), std::invalid_argument);

@@ -28,13 +28,10 @@ Diffuse(const Volume & volume, Settings settings, Device device)
   Run run;
   settings.device = device;
   run.heat.resize(volume.values.size());
-  run.result =
-    DiffuseCumulativeHeat(volume.values.data(),
-                          volume.size,
-                          settings,
-                          run.heat.data(),
-                          nullptr,
-                          [&](std::uint64_t step, const std::vector<float> & heat) { run.snapshots[step] = heat; });
+  run.result = DiffuseCumulativeHeat(
+    volume, settings, run.heat.data(), nullptr, [&](std::uint64_t step, const std::vector<float> & heat) {
+      run.snapshots[step] = heat;
+    });
   return run;
 }
 
@@ -64,13 +61,9 @@ ExpectTheSame(const Volume & volume, const Settings & settings)
 }
 
 Settings
-MakeSettings(const Volume & volume, std::uint64_t steps, const std::array<double, 3> & spacing = { { 1.0, 1.0, 1.0 } })
+MakeSettings(std::uint64_t steps)
 {
-  Settings   settings;
-  const auto parameters = volume.Parameters(7.0, spacing);
-  settings.p = parameters.p;
-  settings.intensityWindow = { { parameters.lower, parameters.upper } };
-  settings.spacing = spacing;
+  Settings settings;
   settings.timeSteps = steps;
   settings.snapshotSteps = { 0, 5, steps / 2, steps };
   settings.histogramSteps = MakeSnapshotSteps(steps, 65, SnapshotSpacing::Logarithmic);
@@ -88,7 +81,7 @@ TEST(HeatOnDevice, ExpansionAndHistogramAreTheSameBytes)
 {
   SHAPETON_REQUIRE_DEVICE();
   const Volume   volume = MakeScene(Large(), 0.05);
-  const Settings settings = MakeSettings(volume, 20000);
+  const Settings settings = MakeSettings(20000);
   ExpectTheSame(volume, settings);
   const auto heat = Diffuse(volume, settings, Device::Cuda).heat;
   EXPECT_GT(*std::max_element(heat.begin(), heat.end()), 0.1F); // otherwise the comparison is not meaningful
@@ -100,8 +93,7 @@ TEST(HeatOnDevice, OddSizesAndAnisotropicVoxelsAreTheSameBytes)
   for (const Size & size :
        { Size{ 33, 17, 29 }, Size{ 1, 1, 1 }, Size{ 1, 40, 3 }, Size{ 65, 2, 7 }, Size{ 5, 9, 131 } })
   {
-    const Volume volume = MakeScene(size, 0.3);
-    ExpectTheSame(volume, MakeSettings(volume, 700, { { 0.7, 0.9, 2.5 } }));
+    ExpectTheSame(MakeScene(size, 0.3, { { 0.7, 0.9, 2.5 } }), MakeSettings(700));
   }
 }
 
@@ -109,7 +101,7 @@ TEST(HeatOnDevice, ExplicitStepsAreTheSameBytes)
 {
   SHAPETON_REQUIRE_DEVICE();
   const Volume volume = MakeScene({ 40, 31, 22 }, 0.05);
-  Settings     settings = MakeSettings(volume, 333);
+  Settings     settings = MakeSettings(333);
   settings.solver = HeatDiffusionSolver::Method::Explicit;
   ExpectTheSame(volume, settings);
   settings.untilSteady = true;
@@ -121,7 +113,7 @@ TEST(HeatOnDevice, TheSteadyStateIsFoundAtTheSameStep)
 {
   SHAPETON_REQUIRE_DEVICE();
   const Volume volume = MakeScene({ 40, 31, 22 }, 0.05);
-  Settings     settings = MakeSettings(volume, 1000000);
+  Settings     settings = MakeSettings(1000000);
   settings.snapshotSteps = { 64 };
   settings.untilSteady = true;
   ExpectTheSame(volume, settings);
@@ -133,7 +125,7 @@ TEST(HeatOnDevice, VanishingHeatIsTheSameBytes)
   SHAPETON_REQUIRE_DEVICE();
   Volume volume({ 24, 24, 24 });
   volume.Fill([](std::size_t x, std::size_t, std::size_t) { return x == 12 ? 1.0 : 0.97; });
-  Settings settings = MakeSettings(volume, 30000);
+  Settings settings = MakeSettings(30000);
   ExpectTheSame(volume, settings);
   settings.solver = HeatDiffusionSolver::Method::Explicit;
   ExpectTheSame(volume, settings);
@@ -146,14 +138,14 @@ TEST(HeatOnDevice, SlabsOfALargerVolumeAreTheSameBytes)
   setenv("SHAPETON_DEVICE_MEMORY", "20000000", 1);
   for (const auto method : { HeatDiffusionSolver::Method::Chebyshev, HeatDiffusionSolver::Method::Explicit })
   {
-    Settings settings = MakeSettings(volume, 900);
+    Settings settings = MakeSettings(900);
     settings.solver = method;
     EXPECT_EQ(Diffuse(volume, settings, Device::Automatic).result.device.rfind("cpu (no GPU: this volume requires", 0),
               0U);
     ExpectTheSame(volume, settings);
   }
   setenv("SHAPETON_DEVICE_MEMORY", "1000000", 1);
-  EXPECT_THROW(Diffuse(volume, MakeSettings(volume, 900), Device::Cuda), DeviceError);
+  EXPECT_THROW(Diffuse(volume, MakeSettings(900), Device::Cuda), DeviceError);
   unsetenv("SHAPETON_DEVICE_MEMORY");
 }
 
@@ -164,7 +156,7 @@ TEST(HeatOnDevice, ThreadsDoNotChangeABit)
   for (const unsigned int threads : { 1, 3, 8 })
   {
     const basetest::ThreadNumber number(threads);
-    ExpectTheSame(volume, MakeSettings(volume, 500));
+    ExpectTheSame(volume, MakeSettings(500));
   }
 }
 } // namespace

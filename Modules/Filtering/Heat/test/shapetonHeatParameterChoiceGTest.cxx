@@ -51,8 +51,8 @@ Separation(const Body & body, const CumulativeHeatDiffusionSettings & settings)
 {
   CumulativeHeatDiffusionSettings wanted = settings;
   wanted.wantComponents = true;
-  std::vector<float> heat(body.labels.size());
-  const auto         result = DiffuseCumulativeHeat(body.volume.values.data(), body.volume.size, wanted, heat.data());
+  std::vector<float>                           heat(body.labels.size());
+  const auto                                   result = DiffuseCumulativeHeat(body.volume, wanted, heat.data());
   std::map<int, std::map<std::size_t, double>> counts;
   for (std::size_t i = 0; i < heat.size(); ++i)
   {
@@ -85,17 +85,14 @@ CumulativeHeatDiffusionSettings
 With(const HeatParameterChoice & choice)
 {
   CumulativeHeatDiffusionSettings settings;
-  settings.intensityWindow = choice.intensityWindow;
-  settings.p = choice.p;
-  settings.smoothing = choice.smoothing;
-  settings.timeSteps = choice.timeSteps;
+  choice.ApplyTo(settings);
   return settings;
 }
 
 HeatParameterChoice
 Choose(const Volume & volume, const GivenHeatParameters & given = {}, const std::string & modality = "MR")
 {
-  return ChooseHeatParameters(volume.values.data(), volume.size, {}, given, modality);
+  return ChooseHeatParameters(volume, {}, given, modality);
 }
 } // namespace
 
@@ -198,7 +195,7 @@ TEST(ClassCoherence, OfACubeIsTheShareOfItsInnerFaces)
   volume.Fill([](std::size_t x, std::size_t y, std::size_t z) {
     return x >= 4 && x < 4 + side && y >= 4 && y < 4 + side && z >= 4 && z < 4 + side ? 1.0 : 0.0;
   });
-  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const VolumeGradientOperator volumeGradient(volume);
   std::vector<HeatClass>       classes(2);
   classes[1].label = 1;
   classes[1].lowerHeat = 0.5;
@@ -220,11 +217,11 @@ TEST(ClassCoherence, CountsBandsAsOneRegionAndSpeckleAsNone)
   classes[0].voxels = classes[1].voxels = heat.values.size() / 2;
   classes[1].label = 1;
   classes[1].lowerHeat = 0.5;
-  const VolumeGradientOperator free(flat.values.data(), flat.size, flat.Parameters(7.0));
+  const VolumeGradientOperator free(flat);
   EXPECT_LT(MeasureCoherence(free, heat.values.data(), classes), 1.0);
 
   Volume board({ 16, 16, 16 });
   board.Fill([](std::size_t x, std::size_t y, std::size_t z) { return (x + y + z) % 2; });
-  const VolumeGradientOperator closed(board.values.data(), board.size, board.Parameters(7.0));
+  const VolumeGradientOperator closed(board);
   EXPECT_EQ(MeasureCoherence(closed, board.values.data(), classes), 0.0);
 }

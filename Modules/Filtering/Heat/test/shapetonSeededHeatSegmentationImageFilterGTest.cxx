@@ -67,10 +67,9 @@ TEST(SeededHeatSegmentationImageFilter, RunsAgainWhatHasChanged)
   filter->SetLeastWeight(0.001);
   filter->Update();
   EXPECT_GT(filter->GetIterations(), 0u);
-  filter->AutomaticPOn();
+  filter->SetSmoothing(0.5);
   filter->Update();
-  ASSERT_TRUE(filter->GetChosenP());
-  EXPECT_GT(filter->GetChosenP()->p, 1.0);
+  EXPECT_GT(filter->GetIterations(), 0u);
   filter->KeepProbabilitiesOff();
   filter->Update();
   EXPECT_THROW(filter->GetProbabilities(1), itk::ExceptionObject);

@@ -18,6 +18,8 @@ namespace
 using shapeton::SeededHeatOptions;
 using shapeton::SeededHeatSolver;
 using shapeton::VolumeGradientOperator;
+using shapeton::VolumeGradientOptions;
+using shapeton::VolumeView;
 using Size = std::array<std::size_t, 3>;
 using Seeds = std::vector<unsigned short>;
 
@@ -44,11 +46,11 @@ MakeNoisyHalves(const Size & size)
 VolumeGradientOperator
 MakeOperator(const std::vector<float> & volume, const Size & size, double p, const std::array<double, 3> & spacing)
 {
-  VolumeGradientOperator::Parameters parameters;
-  parameters.p = p;
-  parameters.spacing = spacing;
-  parameters.leastWeight = 1e-4;
-  return VolumeGradientOperator(volume.data(), size, parameters);
+  VolumeGradientOptions options;
+  options.p = p;
+  options.intensityWindow = { { 0.0, 1.0 } };
+  return VolumeGradientOperator(
+    VolumeView(volume.data(), size, spacing), options, VolumeGradientOperator::Conductance::Physical, 1e-4);
 }
 
 Seeds
@@ -434,7 +436,7 @@ TEST(SeededHeatSolver, RefusesWhatItCannotSolve)
   SeededHeatOptions settings;
   settings.tolerance = 0.5;
   EXPECT_THROW(SeededHeatSolver(op, settings), shapeton::ParameterError);
-  const VolumeGradientOperator insulating(volume.data(), size, {});
+  const VolumeGradientOperator insulating(VolumeView(volume.data(), size));
   EXPECT_THROW(SeededHeatSolver{ insulating }, shapeton::ParameterError);
 }
 

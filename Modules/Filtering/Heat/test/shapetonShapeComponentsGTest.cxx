@@ -12,12 +12,12 @@ using namespace shapeton::test;
 namespace
 {
 std::vector<ShapeComponent>
-Find(const Volume & volume, const std::array<double, 3> & spacing = { { 1.0, 1.0, 1.0 } })
+Find(const Volume & volume)
 {
-  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0, spacing));
+  const VolumeGradientOperator volumeGradient(volume);
   PaddedField                  heat(volumeGradient.GetGrid());
   volumeGradient.ComputeInitialHeat(heat);
-  return FindShapeComponents(volumeGradient, heat, spacing, 8);
+  return FindShapeComponents(volumeGradient, heat, volume.spacing, 8);
 }
 
 /** A binary object, given by its signed distance in mm from the center of a cube of 48 voxels. */
@@ -26,10 +26,11 @@ ShapeComponent
 Measure(const TDistance & distance, const std::array<double, 3> & spacing = { { 1.0, 1.0, 1.0 } })
 {
   Volume volume({ 48, 48, 48 });
+  volume.spacing = spacing;
   volume.Fill([&](double x, double y, double z) {
     return distance((x - 23.4) * spacing[0], (y - 23.7) * spacing[1], (z - 23.1) * spacing[2]) <= 0.0 ? 1.0 : 0.0;
   });
-  for (const auto & component : Find(volume, spacing))
+  for (const auto & component : Find(volume))
   {
     if (component.closed)
     {

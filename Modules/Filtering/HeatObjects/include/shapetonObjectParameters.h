@@ -34,36 +34,17 @@ ParametersAtThreshold(double threshold, double contrast, const std::array<double
  * in words. Throws as DiffuseCumulativeHeat().
  * \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT std::vector<HeatParameterChoice>
-                           ChooseObjectWindows(const float *                           intensities,
-                                               const std::array<std::size_t, 3> &      size,
-                                               const CumulativeHeatDiffusionSettings & settings,
-                                               const GivenHeatParameters &             given,
-                                               const Progress &                        progress = {});
+                           ChooseObjectWindows(const VolumeView &                     volume,
+                                               const CumulativeHeatDiffusionOptions & options = {},
+                                               const GivenHeatParameters &            given = {},
+                                               const Progress &                       progress = {});
 
 /** The first one of ChooseObjectWindows(). \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT HeatParameterChoice
-ChooseObjectParameters(const float *                           intensities,
-                       const std::array<std::size_t, 3> &      size,
-                       const CumulativeHeatDiffusionSettings & settings,
-                       const GivenHeatParameters &             given,
-                       const Progress &                        progress = {});
-
-/** ChooseObjectWindows() for the input of a CumulativeHeatDiffusionImageFilter, which uses the first one.
- * \ingroup ShapetonHeatObjects */
-template <typename TFilter>
-std::vector<HeatParameterChoice>
-ChooseWindowsOf(TFilter * filter, const GivenHeatParameters & given = {}, const Progress & progress = {})
-{
-  std::vector<HeatParameterChoice> choices;
-  filter->ChooseParametersBy(
-    [&choices](const auto &... arguments) {
-      choices = ChooseObjectWindows(arguments...);
-      return choices.front();
-    },
-    given,
-    progress);
-  return choices;
-}
+ChooseObjectParameters(const VolumeView &                     volume,
+                       const CumulativeHeatDiffusionOptions & options = {},
+                       const GivenHeatParameters &            given = {},
+                       const Progress &                       progress = {});
 } // namespace shapeton
 
 #endif

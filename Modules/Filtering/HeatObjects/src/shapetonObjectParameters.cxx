@@ -55,24 +55,22 @@ Apply(const GivenHeatParameters & given, HeatParameterChoice choice)
 
 /** The volume itself if it is small, otherwise a reduced one. */
 ReducedVolume
-CopyOf(const float * intensities, const std::array<std::size_t, 3> & size, const std::array<double, 3> & spacing)
+CopyOf(const VolumeView & volume)
 {
   constexpr std::size_t small = 128 * 128 * 128; // as reduced volumes
-  const std::size_t     voxels = size[0] * size[1] * size[2];
-  return voxels <= small ? ReducedVolume{ size, spacing, { intensities, intensities + voxels }, 1.0 }
-                         : ReduceVolume(intensities, size, spacing);
+  return volume.NumberOfVoxels() <= small ? ReducedVolume{ volume, 1.0 } : ReduceVolume(volume);
 }
 
 /** Mean difference of the neighbors on both sides of a threshold; 0 if there are none. */
 double
-MeanStepAcross(const ReducedVolume & copy, double threshold)
+MeanStepAcross(const VolumeView & copy, double threshold)
 {
   const std::array<std::size_t, 3> strides = { { 1, copy.size[0], copy.size[0] * copy.size[1] } };
   double                           sum = 0.0;
   double                           pairs = 0.0;
   for (std::size_t axis = 0; axis < strides.size(); ++axis)
   {
-    for (std::size_t voxel = 0; voxel < copy.values.size(); ++voxel)
+    for (std::size_t voxel = 0; voxel < copy.NumberOfVoxels(); ++voxel)
     {
       if (voxel / strides[axis] % copy.size[axis] + 1 < copy.size[axis])
       {
@@ -93,7 +91,7 @@ MeanStepAcross(const ReducedVolume & copy, double threshold)
  * in CT between spongy and compact bone. Without those in the texture of a class or beside the
  * dark one, if there are others. */
 std::vector<double>
-ThresholdsOf(const ReducedVolume & copy, const std::vector<float> & sample, const std::array<double, 4> & classes)
+ThresholdsOf(const VolumeView & copy, const std::vector<float> & sample, const std::array<double, 4> & classes)
 {
   const auto bright = std::lower_bound(sample.begin(), sample.end(), static_cast<float>(classes[1]));
   const auto brightClasses = FindIntensityClasses({ bright, sample.end() });
@@ -132,7 +130,7 @@ struct Trial
 };
 
 HeatObjectList
-FindObjectsOf(const std::vector<float> & heat, const ReducedVolume & copy)
+FindObjectsOf(const std::vector<float> & heat, const VolumeView & copy)
 {
   const auto image = itk::Image<float, 3>::New();
   image->SetRegions(itk::Image<float, 3>::SizeType{ { copy.size[0], copy.size[1], copy.size[2] } });
@@ -161,33 +159,28 @@ TimesOnCopy(const ReducedVolume & copy, const std::optional<std::uint64_t> & giv
 
 /** Tries a choice on the copy; sets its time steps, unless they are given, and the number of its objects. */
 Trial
-TryTimes(const ReducedVolume &           copy,
-         CumulativeHeatDiffusionSettings settings,
-         const GivenHeatParameters &     given,
-         const HeatParameterChoice &     choice,
-         const Progress &                progress)
+TryTimes(const ReducedVolume &                  copy,
+         const CumulativeHeatDiffusionOptions & options,
+         const GivenHeatParameters &            given,
+         const HeatParameterChoice &            choice,
+         const Progress &                       progress)
 {
-  settings.spacing = copy.spacing;
+  CumulativeHeatDiffusionSettings settings{ options };
+  choice.ApplyTo(settings);
   settings.intensityWindow = choice.intensityWindow;
-  settings.p = choice.p;
-  settings.smoothing = choice.smoothing;
-  settings.histogramSteps.clear();
-  settings.wantComponents = false;
   settings.untilSteady = false;
-  settings.snapshotSteps.clear();
   const auto timeOfStep = TimesOnCopy(copy, given.timeSteps);
   for (const auto & [step, time] : timeOfStep)
   {
     settings.snapshotSteps.push_back(step);
   }
   settings.timeSteps = settings.snapshotSteps.back();
-  std::vector<float> heat(copy.values.size());
+  std::vector<float> heat(copy.NumberOfVoxels());
   Trial              best{ choice, {} };
   best.choice.regions = 0.0;
   best.choice.timeReason = given.timeSteps ? "" : "of five times, the first that shows about as many objects as any";
   DiffuseCumulativeHeat(
-    copy.values.data(),
-    copy.size,
+    copy,
     settings,
     heat.data(),
     nullptr,
@@ -212,21 +205,21 @@ TryTimes(const ReducedVolume &           copy,
 /** One trial for each threshold, that with most objects first, and among nearly equal ones that with the strongest
  * edges. */
 std::vector<Trial>
-TryThresholds(const ReducedVolume &                   copy,
-              const std::vector<double> &             thresholds,
-              double                                  contrast,
-              const CumulativeHeatDiffusionSettings & settings,
-              const GivenHeatParameters &             given,
-              const Progress &                        progress)
+TryThresholds(const ReducedVolume &                  copy,
+              const std::vector<double> &            thresholds,
+              double                                 contrast,
+              const std::array<double, 3> &          spacing,
+              const CumulativeHeatDiffusionOptions & options,
+              const GivenHeatParameters &            given,
+              const Progress &                       progress)
 {
-  const std::array<double, 3> spacing = settings.spacing;
-  std::vector<Trial>          trials;
-  std::size_t                 best = 0;
+  std::vector<Trial> trials;
+  std::size_t        best = 0;
   for (std::size_t i = 0; i < thresholds.size(); ++i)
   {
     const double share = 1.0 / thresholds.size();
     trials.push_back(TryTimes(copy,
-                              settings,
+                              options,
                               given,
                               Apply(given, ParametersAtThreshold(thresholds[i], contrast, spacing)),
                               progress.Part("Choosing parameters", i * share, (i + 1) * share)));
@@ -257,34 +250,30 @@ ParametersAtThreshold(double threshold, double contrast, const std::array<double
 }
 
 std::vector<HeatParameterChoice>
-ChooseObjectWindows(const float *                           intensities,
-                    const std::array<std::size_t, 3> &      size,
-                    const CumulativeHeatDiffusionSettings & allSettings,
-                    const GivenHeatParameters &             given,
-                    const Progress &                        progress)
+ChooseObjectWindows(const VolumeView &                     volume,
+                    const CumulativeHeatDiffusionOptions & options,
+                    const GivenHeatParameters &            given,
+                    const Progress &                       progress)
 {
-  CumulativeHeatDiffusionSettings settings = allSettings;
-  if (settings.ignoreSpacing)
-  {
-    settings.spacing = { { 1.0, 1.0, 1.0 } };
-  }
-  const ReducedVolume copy = CopyOf(intensities, size, settings.spacing);
-  const auto          sample = SampleIntensities(copy.values);
+  CheckOptions(options);
+  const auto          spacing = options.ignoreSpacing ? std::array<double, 3>{ { 1.0, 1.0, 1.0 } } : volume.spacing;
+  const ReducedVolume copy = CopyOf({ volume.values, volume.size, spacing });
+  const auto          sample = SampleIntensities(copy);
   const auto          classes = FindIntensityClasses(sample);
   const double        contrast = classes[3] - classes[0];
   if (given.intensityWindow)
   {
-    const auto choice = Apply(given, ParametersAtThreshold(0.0, contrast, settings.spacing));
-    return { given.timeSteps ? choice : TryTimes(copy, settings, given, choice, progress).choice };
+    const auto choice = Apply(given, ParametersAtThreshold(0.0, contrast, spacing));
+    return { given.timeSteps ? choice : TryTimes(copy, options, given, choice, progress).choice };
   }
   if (!(contrast > 0.0))
   {
-    auto choice = Apply(given, ParametersAtThreshold(classes[0], 1.0, settings.spacing));
+    auto choice = Apply(given, ParametersAtThreshold(classes[0], 1.0, spacing));
     choice.windowReason = "the volume is constant: it has no objects";
     return { choice };
   }
-  const auto                       thresholds = ThresholdsOf(copy, sample, classes);
-  auto                             trials = TryThresholds(copy, thresholds, contrast, settings, given, progress);
+  const auto thresholds = ThresholdsOf(copy, sample, classes);
+  auto       trials = TryThresholds(copy, thresholds, contrast, spacing, options, given, progress);
   std::vector<HeatParameterChoice> choices;
   HeatObjectList                   list = std::move(trials[0].objects);
   for (Trial & trial : trials)
@@ -304,12 +293,11 @@ ChooseObjectWindows(const float *                           intensities,
 }
 
 HeatParameterChoice
-ChooseObjectParameters(const float *                           intensities,
-                       const std::array<std::size_t, 3> &      size,
-                       const CumulativeHeatDiffusionSettings & settings,
-                       const GivenHeatParameters &             given,
-                       const Progress &                        progress)
+ChooseObjectParameters(const VolumeView &                     volume,
+                       const CumulativeHeatDiffusionOptions & options,
+                       const GivenHeatParameters &            given,
+                       const Progress &                       progress)
 {
-  return ChooseObjectWindows(intensities, size, settings, given, progress).front();
+  return ChooseObjectWindows(volume, options, given, progress).front();
 }
 } // namespace shapeton

@@ -76,7 +76,8 @@ TEST(ObjectParameters, EachShapeOfAPhantomBecomesAnObject)
   const Phantom phantom = MakePhantom();
   const auto    filter = CumulativeHeatDiffusionImageFilter<itk::Image<float, 3>>::New();
   filter->SetInput(phantom.image);
-  const auto choice = filter->ChooseParametersBy(ChooseObjectParameters, {});
+  const auto choice = ChooseObjectParameters(VolumeView(phantom.image.GetPointer()));
+  filter->UseParameters(choice);
   EXPECT_GT(choice.intensityWindow[0], 150.0); // objects 625 to 1000, background 0
   EXPECT_LT(choice.intensityWindow[1], 625.0);
   EXPECT_FALSE(choice.windowReason.empty());
@@ -97,15 +98,13 @@ TEST(ObjectParameters, EachShapeOfAPhantomBecomesAnObject)
 
 TEST(ObjectParameters, GivenValuesAreKept)
 {
-  const Phantom phantom = MakePhantom();
-  const auto    filter = CumulativeHeatDiffusionImageFilter<itk::Image<float, 3>>::New();
-  filter->SetInput(phantom.image);
+  const Phantom       phantom = MakePhantom();
   GivenHeatParameters given;
   given.intensityWindow = { { 400.0, 500.0 } };
   given.timeSteps = 50;
-  const auto choice = filter->ChooseParametersBy(ChooseObjectParameters, given);
+  const auto choice = ChooseObjectParameters(VolumeView(phantom.image.GetPointer()), {}, given);
   EXPECT_EQ(choice.intensityWindow, *given.intensityWindow);
-  EXPECT_EQ(filter->GetTimeSteps(), 50U);
+  EXPECT_EQ(choice.timeSteps, 50U);
   EXPECT_TRUE(choice.windowReason.empty());
   EXPECT_TRUE(choice.timeReason.empty());
   EXPECT_FALSE(choice.pReason.empty());
@@ -113,9 +112,8 @@ TEST(ObjectParameters, GivenValuesAreKept)
 
 TEST(ObjectParameters, AConstantVolumeHasNoObjects)
 {
-  const std::vector<float>        values(20 * 20 * 20, 5.0F);
-  CumulativeHeatDiffusionSettings settings;
-  const auto                      choice = ChooseObjectParameters(values.data(), { 20, 20, 20 }, settings, {});
+  const std::vector<float> values(20 * 20 * 20, 5.0F);
+  const auto               choice = ChooseObjectParameters(VolumeView(values.data(), { 20, 20, 20 }));
   EXPECT_NE(choice.windowReason.find("constant"), std::string::npos);
   EXPECT_LT(choice.intensityWindow[0], choice.intensityWindow[1]);
 }
@@ -137,9 +135,9 @@ TEST(ObjectParameters, ThereIsAWindowForEachScaleOfIntensity)
     const bool isBone = isIn(17, 5, 8) || isIn(31, 5, 8);
     values[voxel] = (isBone ? 1000.0F : isIn(24, 14, 13) ? 300.0F : 0.0F) + noise(random);
   }
-  CumulativeHeatDiffusionSettings settings;
-  const auto                      windows = ChooseObjectWindows(values.data(), { side, side, side }, settings, {});
-  const auto                      isThresholdIn = [&](double lower, double upper) {
+  const VolumeView volume(values.data(), { side, side, side });
+  const auto       windows = ChooseObjectWindows(volume);
+  const auto       isThresholdIn = [&](double lower, double upper) {
     return std::any_of(windows.begin(), windows.end(), [&](const HeatParameterChoice & choice) {
       return choice.intensityWindow[0] > lower && choice.intensityWindow[1] < upper;
     });
@@ -147,9 +145,9 @@ TEST(ObjectParameters, ThereIsAWindowForEachScaleOfIntensity)
   ASSERT_GE(windows.size(), 2U);
   EXPECT_TRUE(isThresholdIn(0.0, 300.0));
   EXPECT_TRUE(isThresholdIn(300.0, 1000.0));
-  const auto first = ChooseObjectParameters(values.data(), { side, side, side }, settings, {});
+  const auto first = ChooseObjectParameters(volume);
   EXPECT_EQ(first.intensityWindow, windows.front().intensityWindow);
   GivenHeatParameters given;
   given.intensityWindow = { { 400.0, 420.0 } };
-  EXPECT_EQ(ChooseObjectWindows(values.data(), { side, side, side }, settings, given).size(), 1U);
+  EXPECT_EQ(ChooseObjectWindows(volume, {}, given).size(), 1U);
 }

@@ -14,15 +14,6 @@
 
 namespace shapeton
 {
-/** Settings of ParticleDiffusion. \ingroup ShapetonParticles */
-struct ParticleDiffusionSettings : ParticleOptions
-{
-  /** Edge weights; their spacing, in mm, also scales the steps. The conductance is not used. */
-  VolumeGradientOperator::Parameters volumeGradient;
-  /** Device that moves the shapetons; results are identical on all devices. */
-  Device device{ Device::Automatic };
-};
-
 /** Steady rule of shapeton diffusion: (3.10) holds in at least 90 % of the last 50 steps.
  * \ingroup ShapetonParticles */
 struct SteadyRule
@@ -84,18 +75,17 @@ public:
    * may throw to abort. `visits` and GetPlaces() are up to date. */
   using Observer = std::function<void(const ParticleMeasures &)>;
 
-  /** Places the shapetons. `intensities` and `mask` (null: no mask; 0 is outside) have size[0] * size[1] * size[2]
-   * values, x fastest, and are not needed afterwards. `visits` has the same size, is set to 0 and must outlive the
-   * object. `poll` is called occasionally, also during long steps of Run(), and may throw to abort; the object must not
-   * be used afterwards. Throws std::invalid_argument for settings out of range, std::domain_error if no shapeton can be
-   * placed (an empty mask; no initial heat), std::length_error for 2^31 voxels or more, or 2^24 along an axis,
-   * DeviceError if the device cannot be used. */
-  ParticleDiffusion(const float *                      intensities,
-                    const std::array<std::size_t, 3> & size,
-                    const ParticleDiffusionSettings &  settings,
-                    const unsigned char *              mask,
-                    std::uint32_t *                    visits,
-                    const std::function<void()> &      poll = {});
+  /** Places the shapetons. `mask` (null: no mask; 0 is outside) has a value per voxel and is, as the volume, not needed
+   * afterwards. `visits` has the same size, is set to 0 and must outlive the object. Of the options, those for the end
+   * of the run are not used. `poll` is called occasionally, also during long steps of Run(), and may throw to abort;
+   * the object must not be used afterwards. Throws ParameterError or std::invalid_argument for options out of range,
+   * std::domain_error if no shapeton can be placed (an empty mask; no initial heat), std::length_error for 2^31 voxels
+   * or more, or 2^24 along an axis, DeviceError if the device cannot be used. */
+  ParticleDiffusion(const VolumeView &               volume,
+                    const ParticleDiffusionOptions & options,
+                    const unsigned char *            mask,
+                    std::uint32_t *                  visits,
+                    const std::function<void()> &    poll = {});
   ~ParticleDiffusion();
   ParticleDiffusion(const ParticleDiffusion &) = delete;
   ParticleDiffusion &

@@ -6,8 +6,6 @@
 #include "shapetonHeatHistogram.h"
 #include "shapetonITKCompatibility.h"
 #include "shapetonParticleDiffusion.h"
-#include "shapetonParticleParameters.h"
-#include "shapetonParticlePreset.h"
 #include "shapetonVolumeDiffusionImageFilter.h"
 
 #include "itkImage.h"
@@ -48,9 +46,8 @@ public:
  * (SetInitialState()) gives the same result, bit by bit, as an uninterrupted run.
  *
  * \par Errors
- * ShapetonInputError for an empty mask, for placement by initial heat in a volume without initial heat, for a feature
- * size below the resolution of the volume, and for an initial state of another run; ExceptionObject for settings out of
- * range.
+ * ShapetonInputError for an empty mask, for placement by initial heat in a volume without initial heat, and for an
+ * initial state of another run; ExceptionObject for settings out of range.
  *
  * Results are bitwise identical for any number of threads (ITK's global setting) and on any CPU. Memory: 20 bytes per
  * voxel in addition to the input, 24 unless its pixels are float.
@@ -88,37 +85,6 @@ public:
   GetMaskImage() const
   {
     return itkDynamicCastInDebugMode<const MaskImageType *>(this->ProcessObject::GetInput(1));
-  }
-
-  /** Sets the options that are not among the names of `given` by ChooseShapetonParameters(), which reads the input;
-   * returns the reasons. */
-  const HeatParameterChoice &
-  ChooseParameters(ShapetonPreset                   preset,
-                   const std::vector<std::string> & given = {},
-                   const std::string &              modality = {},
-                   const Progress &                 progress = {});
-
-  /** The last result of ChooseParameters(). */
-  const HeatParameterChoice &
-  GetParameterChoice() const
-  {
-    return m_ParameterChoice;
-  }
-
-  /** Whether ChooseShapetons() derives the parameter from FeatureSize when the filter runs; Distance and Shapetons then
-   * hold the chosen values. Default off. */
-  itkSetMacro(AutomaticDistance, bool);
-  itkGetConstMacro(AutomaticDistance, bool);
-  itkBooleanMacro(AutomaticDistance);
-  itkSetMacro(AutomaticNumberOfShapetons, bool);
-  itkGetConstMacro(AutomaticNumberOfShapetons, bool);
-  itkBooleanMacro(AutomaticNumberOfShapetons);
-
-  /** Result of ChooseShapetons() with the reason; valid after Update() if requested. */
-  const AutomaticShapetons &
-  GetAutomaticShapetons() const
-  {
-    return m_AutomaticShapetons;
   }
 
   /** The device used by the last Update(). */
@@ -177,21 +143,10 @@ protected:
 
 private:
   void
-  ChooseForFeature();
-  ParticleDiffusionSettings
-  MakeSettings(const float * intensities);
-  /** The intensities, or a smoothed copy of them in `smoothed`. */
-  const float *
-  Smooth(const float * intensities, std::vector<float> & smoothed) const;
-  void
   PlaceShapetons();
   void
   TakeSteps();
 
-  bool                           m_AutomaticDistance{ false };
-  bool                           m_AutomaticNumberOfShapetons{ false };
-  AutomaticShapetons             m_AutomaticShapetons;
-  HeatParameterChoice            m_ParameterChoice;
   DeviceUse                      m_DeviceUse;
   StepsType                      m_HistogramSteps;
   bool                           m_WantState{ false };

@@ -3,7 +3,6 @@
 
 #include "shapetonParticleDiffusionImageFilter.h"
 #include "shapetonFilterProgress.h"
-#include "shapetonSmoothVoxels.h"
 #include "shapetonVisitDensity.h"
 
 #include <algorithm>
@@ -62,78 +61,6 @@ ParticleDiffusionImageFilter<TInputImage>::VerifyPreconditions() const
 
 template <typename TInputImage>
 void
-ParticleDiffusionImageFilter<TInputImage>::ChooseForFeature()
-{
-  if (!m_AutomaticDistance && !m_AutomaticNumberOfShapetons)
-  {
-    return;
-  }
-  std::array<double, 3> spacing{};
-  std::copy_n(this->GetInput()->GetSpacing().Begin(), 3, spacing.begin());
-  try
-  {
-    m_AutomaticShapetons =
-      ChooseShapetons(this->GetVolumeSize(), spacing, this->GetFeatureSize(), this->GetTimeSteps());
-  }
-  catch (const std::invalid_argument & error)
-  {
-    throw ShapetonInputError(__FILE__, __LINE__, error.what(), ITK_LOCATION);
-  }
-  if (m_AutomaticDistance)
-  {
-    this->m_Options.distance = m_AutomaticShapetons.distance;
-  }
-  if (m_AutomaticNumberOfShapetons)
-  {
-    this->m_Options.shapetons = m_AutomaticShapetons.shapetons;
-  }
-}
-
-template <typename TInputImage>
-ParticleDiffusionSettings
-ParticleDiffusionImageFilter<TInputImage>::MakeSettings(const float * intensities)
-{
-  ParticleDiffusionSettings settings;
-  static_cast<ParticleOptions &>(settings) = this->m_Options;
-  settings.volumeGradient = this->MakeOperatorParameters(intensities);
-  settings.device = this->GetDevice();
-  return settings;
-}
-
-template <typename TInputImage>
-const float *
-ParticleDiffusionImageFilter<TInputImage>::Smooth(const float * intensities, std::vector<float> & smoothed) const
-{
-  std::array<double, 3> spacing{};
-  std::copy_n(this->GetInput()->GetSpacing().Begin(), 3, spacing.begin());
-  smoothed = SmoothedVolume(intensities, this->GetVolumeSize(), spacing, this->GetSmoothing());
-  return smoothed.empty() ? intensities : smoothed.data();
-}
-
-template <typename TInputImage>
-const HeatParameterChoice &
-ParticleDiffusionImageFilter<TInputImage>::ChooseParameters(ShapetonPreset                   preset,
-                                                            const std::vector<std::string> & given,
-                                                            const std::string &              modality,
-                                                            const Progress &                 progress)
-{
-  this->VerifyPreconditions();
-  auto * const input = const_cast<TInputImage *>(this->GetInput());
-  input->UpdateOutputInformation();
-  input->SetRequestedRegionToLargestPossibleRegion();
-  input->Update();
-  std::array<double, 3> spacing{};
-  std::copy_n(input->GetSpacing().Begin(), 3, spacing.begin());
-  std::vector<float>       converted;
-  ParticleDiffusionOptions options = this->GetOptions();
-  m_ParameterChoice = ChooseShapetonParameters(
-    this->GetIntensities(converted), this->GetVolumeSize(), spacing, preset, given, modality, options, progress);
-  this->SetOptions(options);
-  return m_ParameterChoice;
-}
-
-template <typename TInputImage>
-void
 ParticleDiffusionImageFilter<TInputImage>::PlaceShapetons()
 {
   const MaskImageType * const mask = this->GetMaskImage();
@@ -141,14 +68,9 @@ ParticleDiffusionImageFilter<TInputImage>::PlaceShapetons()
   {
     itkExceptionMacro("the mask differs from the input in size or first index");
   }
-  this->ChooseForFeature();
-  std::vector<float>  converted;
-  std::vector<float>  smoothed;
-  const float * const intensities = this->GetIntensities(converted);
-  const auto          settings = this->MakeSettings(intensities);
-  m_Diffusion = std::make_unique<ParticleDiffusion>(this->Smooth(intensities, smoothed),
-                                                    this->GetVolumeSize(),
-                                                    settings,
+  const VolumeView volume(this->GetInput());
+  m_Diffusion = std::make_unique<ParticleDiffusion>(volume,
+                                                    this->OptionsFor(volume),
                                                     mask ? mask->GetBufferPointer() : nullptr,
                                                     this->GetOutput()->GetBufferPointer(),
                                                     [this] { RepeatProgress(*this); });
@@ -254,8 +176,6 @@ void
 ParticleDiffusionImageFilter<TInputImage>::PrintSelf(std::ostream & os, itk::Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "AutomaticDistance: " << m_AutomaticDistance << std::endl;
-  os << indent << "AutomaticNumberOfShapetons: " << m_AutomaticNumberOfShapetons << std::endl;
   os << indent << "HistogramSteps: " << m_HistogramSteps.size() << std::endl;
   os << indent << "WantState: " << m_WantState << std::endl;
   os << indent << "HasInitialState: " << (m_InitialState != nullptr) << std::endl;

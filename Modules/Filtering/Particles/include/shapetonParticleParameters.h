@@ -14,7 +14,7 @@ namespace shapeton
  * \ingroup ShapetonParticles */
 struct AutomaticShapetons
 {
-  double        distance{ 0.0 }; ///< in (0, 1], as ParticleDiffusionSettings::distance
+  double        distance{ 0.0 }; ///< in (0, 1], as ParticleOptions::distance
   std::string   distanceReason;
   std::uint32_t shapetons{ 0 };
   std::string   shapetonsReason;
@@ -26,7 +26,7 @@ struct AutomaticShapetons
  * not cover the volume (Figure 3.6). Their number yields 20 visits per voxel on average in `timeSteps` steps, and at
  * least three start positions in the volume of a feature; it is a multiple of 1000 in [1000, 10,000,000].
  *
- * `size` in voxels, `spacing` in mm. Throws std::invalid_argument for a feature smaller than a voxel or larger than the
+ * `size` in voxels, `spacing` in mm. Throws InputError for a feature smaller than a voxel or larger than the
  * volume. \ingroup ShapetonParticles */
 ShapetonParticles_EXPORT AutomaticShapetons
 ChooseShapetons(const std::array<std::size_t, 3> & size,

@@ -32,6 +32,21 @@ enum class ParticlePlacement
   InitialHeat
 };
 
+/** Values of the options of shapeton diffusion for a purpose.
+ * \ingroup ShapetonParticles */
+enum class ShapetonPreset
+{
+  /** Separates objects: the walk that samples cumulative heat diffusion (traversal, uniform directions, started by
+   * initial heat) with steps of two voxels. Window, p, smoothing and duration are chosen by ChooseHeatParameters(). */
+  Objects,
+  /** As printed in chapter 3: sectorArea, endpoint, started anywhere, 65,000 shapetons, distance 0.01, 2,500 steps,
+   * p = 7, the whole range. */
+  Published,
+  /** Distinguishes thin from compact parts: 100 steps of one voxel of the walk of Objects, a spread of 7 voxels along
+   * each axis, so that visits show the surface area per volume of the neighborhood. Window, p, smoothing are chosen. */
+  Surface
+};
+
 /** The names of the tool's options: "solidAngle", "endpoint", "initialHeat" and so on. \ingroup ShapetonParticles */
 ///@{
 ShapetonParticles_EXPORT const char *

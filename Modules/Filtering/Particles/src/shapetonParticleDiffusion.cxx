@@ -26,7 +26,7 @@ constexpr int           AllowedFailures = 5;
 constexpr double WantedVisits = 100.0;
 
 void
-CheckSettings(const ParticleDiffusionSettings & settings, const std::array<std::size_t, 3> & size)
+CheckSettings(const ParticleOptions & settings, const std::array<std::size_t, 3> & size)
 {
   if (settings.shapetons < 1)
   {
@@ -80,13 +80,12 @@ NameOf(ParticlePlacement placement)
 /** The walk and its measures. */
 struct ParticleDiffusion::Impl : ParticleWalk
 {
-  Impl(const float *                      intensities,
-       const std::array<std::size_t, 3> & volumeSize,
-       const ParticleDiffusionSettings &  given,
-       const unsigned char *              mask,
-       std::uint32_t *                    visitsOfVoxels,
-       const std::function<void()> &      pollNowAndThen)
-    : ParticleWalk(intensities, volumeSize, given, mask, visitsOfVoxels, pollNowAndThen), poll(pollNowAndThen)
+  Impl(const EdgeVolume &               edges,
+       const ParticleDiffusionOptions & given,
+       const unsigned char *            mask,
+       std::uint32_t *                  visitsOfVoxels,
+       const std::function<void()> &    pollNowAndThen)
+    : ParticleWalk(edges, given, mask, visitsOfVoxels, pollNowAndThen), poll(pollNowAndThen)
   {
     measures.objectVoxels = records.GetNumberOfObjectVoxels();
     CountTrapped();
@@ -198,12 +197,11 @@ struct ParticleDiffusion::Impl : ParticleWalk
   std::vector<std::pair<std::string, std::string>>
   Identity() const
   {
-    const auto & parameters = settings.volumeGradient;
+    const auto & [lower, upper] = window;
     return { { "size", std::to_string(size[0]) + " " + std::to_string(size[1]) + " " + std::to_string(size[2]) },
-             { "spacing",
-               Text(parameters.spacing[0]) + " " + Text(parameters.spacing[1]) + " " + Text(parameters.spacing[2]) },
-             { "p", Text(parameters.p) },
-             { "intensity window", Text(parameters.lower) + " " + Text(parameters.upper) },
+             { "spacing", Text(spacing[0]) + " " + Text(spacing[1]) + " " + Text(spacing[2]) },
+             { "p", Text(settings.p) },
+             { "intensity window", Text(lower) + " " + Text(upper) },
              { "number of shapetons", std::to_string(settings.shapetons) },
              { "distance", Text(settings.distance) },
              { "direction sampling", NameOf(settings.directionSampling) },
@@ -242,16 +240,15 @@ struct ParticleDiffusion::Impl : ParticleWalk
   std::uint64_t               tested{ 0 };
 };
 
-ParticleDiffusion::ParticleDiffusion(const float *                      intensities,
-                                     const std::array<std::size_t, 3> & size,
-                                     const ParticleDiffusionSettings &  settings,
-                                     const unsigned char *              mask,
-                                     std::uint32_t *                    visits,
-                                     const std::function<void()> &      poll)
+ParticleDiffusion::ParticleDiffusion(const VolumeView &               volume,
+                                     const ParticleDiffusionOptions & options,
+                                     const unsigned char *            mask,
+                                     std::uint32_t *                  visits,
+                                     const std::function<void()> &    poll)
 {
-  CheckSettings(settings, size);
+  CheckSettings(options, volume.size);
   m_Impl = std::make_unique<Impl>(
-    intensities, size, settings, mask, visits, poll ? poll : [] {});
+    EdgeVolume(volume, options), options, mask, visits, poll ? poll : [] {});
 }
 
 ParticleDiffusion::~ParticleDiffusion() = default;

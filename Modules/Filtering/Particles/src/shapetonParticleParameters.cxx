@@ -1,9 +1,10 @@
 #include "shapetonParticleParameters.h"
 
+#include "shapetonExceptions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
 
 namespace shapeton
 {
@@ -43,9 +44,9 @@ ChooseShapetons(const std::array<std::size_t, 3> & size,
   const double smallest = *std::min_element(spacing.begin(), spacing.end());
   if (!(featureSize >= smallest && featureSize <= side))
   {
-    throw std::invalid_argument("a feature of " + Rounded(featureSize) +
-                                " mm cannot be resolved in this volume: choose " + Rounded(smallest) +
-                                " mm (a voxel) to " + Rounded(side) + " mm (the longest side)");
+    throw InputError("the parameter \"featureSize\": a feature of " + Rounded(featureSize) +
+                     " mm cannot be resolved in this volume; choose " + Rounded(smallest) + " mm (a voxel) to " +
+                     Rounded(side) + " mm (the longest side)");
   }
   AutomaticShapetons chosen;
   chosen.distance = 0.5 * featureSize / side;

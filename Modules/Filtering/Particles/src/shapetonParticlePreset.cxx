@@ -1,6 +1,7 @@
 #include "shapetonParticlePreset.h"
 
 #include "shapetonParticleDiffusion.h"
+#include "shapetonReducedVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,16 +46,16 @@ LongestSide(const std::array<std::size_t, 3> & size, const std::array<double, 3>
 }
 
 double
-VoxelsOf(const std::array<std::size_t, 3> & size)
+VoxelsOf(const VolumeView & volume)
 {
-  return static_cast<double>(size[0]) * static_cast<double>(size[1]) * static_cast<double>(size[2]);
+  return static_cast<double>(volume.NumberOfVoxels());
 }
 
 /** Total number of visits. */
 double
-VisitsOf(const std::array<std::size_t, 3> & size)
+VisitsOf(const VolumeView & volume)
 {
-  return std::min(wantedVisits * VoxelsOf(size), mostVisits);
+  return std::min(wantedVisits * VoxelsOf(volume), mostVisits);
 }
 
 /** Copies the options that are not given. */
@@ -76,25 +77,50 @@ TakeOthers(const ParticleDiffusionOptions & values, const Names & given, Particl
   options = merged;
 }
 
+/** The given parameters of a heat diffusion that lasts as long as the walk. */
 GivenHeatParameters
 GivenOfHeat(const Names & given, const ParticleDiffusionOptions & options, double heatStepsPerStep)
 {
-  GivenHeatParameters parameters;
-  parameters.intensityWindow = options.intensityWindow;
-  if (IsAmong(given, "p"))
-  {
-    parameters.p = options.p;
-  }
-  if (IsAmong(given, "smoothing"))
-  {
-    parameters.smoothing = options.smoothing;
-  }
-  if (IsAmong(given, "timeSteps"))
+  GivenHeatParameters parameters = GivenAmong(given, options);
+  if (parameters.timeSteps)
   {
     const double steps = static_cast<double>(options.timeSteps) * heatStepsPerStep / durationPerTime;
     parameters.timeSteps = static_cast<std::uint64_t>(std::clamp(std::round(steps), 1.0, mostHeatSteps));
   }
   return parameters;
+}
+
+/** Window, p, smoothing, time steps and number of shapetons from the intensities; returns the reasons. */
+HeatParameterChoice
+ChooseByHeat(const VolumeView &         volume,
+             ShapetonPreset             preset,
+             const Names &              given,
+             const std::string &        modality,
+             ParticleDiffusionOptions & options,
+             const Progress &           progress)
+{
+  CumulativeHeatDiffusionOptions heat;
+  static_cast<VolumeDiffusionOptions &>(heat) = options;
+  const double smallest = SmallestSpacing(volume.spacing);
+  const double perStep = EquivalentHeatTimeSteps(
+    1.0, options.distance * LongestSide(volume.size, volume.spacing) / smallest, heat.timeStepLength);
+  const auto choice = ChooseHeatParameters(volume, heat, GivenOfHeat(given, options, perStep), modality, progress);
+  ParticleDiffusionOptions chosen = options;
+  choice.ApplyTo(chosen);
+  chosen.timeSteps = options.timeSteps;
+  const double visits = VisitsOf(volume);
+  if (preset == ShapetonPreset::Objects)
+  {
+    const double most = visits / std::clamp(VoxelsOf(volume) / voxelsPerShapeton, leastShapetons, usualShapetons);
+    const double wanted = durationPerTime * static_cast<double>(choice.timeSteps) / perStep;
+    chosen.timeSteps = static_cast<std::uint64_t>(std::max(leastSteps, std::round(std::min(wanted, most))));
+  }
+  TakeOthers(chosen, given, options);
+  chosen = options;
+  chosen.shapetons = static_cast<std::uint32_t>(
+    std::clamp(std::ceil(visits / static_cast<double>(options.timeSteps)), leastShapetons, mostShapetons));
+  TakeOthers(chosen, given, options);
+  return choice;
 }
 } // namespace
 
@@ -117,49 +143,34 @@ OptionsOfPreset(ShapetonPreset preset, const std::array<std::size_t, 3> & size, 
   return options;
 }
 
-HeatParameterChoice
-ChooseShapetonParameters(const float *                      intensities,
-                         const std::array<std::size_t, 3> & size,
-                         const std::array<double, 3> &      spacing,
-                         ShapetonPreset                     preset,
-                         const std::vector<std::string> &   given,
-                         const std::string &                modality,
-                         ParticleDiffusionOptions &         options,
-                         const Progress &                   progress)
+ShapetonParameterChoice
+ChooseShapetonParameters(const VolumeView &               volume,
+                         const ShapetonPresetOptions &    options,
+                         const std::vector<std::string> & given,
+                         const std::string &              modality,
+                         const Progress &                 progress)
 {
   CheckOptions(options);
-  TakeOthers(OptionsOfPreset(preset, size, spacing), given, options);
-  HeatParameterChoice choice;
-  if (preset == ShapetonPreset::Published)
+  ShapetonParameterChoice choice;
+  choice.options = options;
+  TakeOthers(OptionsOfPreset(options.preset, volume.size, volume.spacing), given, choice.options);
+  if (options.preset != ShapetonPreset::Published)
   {
-    return choice;
+    choice.heat = ChooseByHeat(volume, options.preset, given, modality, choice.options, progress);
   }
-  CumulativeHeatDiffusionSettings settings;
-  static_cast<VolumeDiffusionOptions &>(settings) = options;
-  settings.spacing = spacing;
-  const double smallest = *std::min_element(spacing.begin(), spacing.end());
-  const double perStep =
-    EquivalentHeatTimeSteps(1.0, options.distance * LongestSide(size, spacing) / smallest, settings.timeStepLength);
-  choice = ChooseHeatParameters(intensities, size, settings, GivenOfHeat(given, options, perStep), modality, progress);
-  ParticleDiffusionOptions chosen = options;
-  if (choice.intensityWindow[0] < choice.intensityWindow[1]) // not a constant volume
+  if (options.featureSize > 0.0)
   {
-    chosen.intensityWindow = choice.intensityWindow;
+    choice.feature = ChooseShapetons(volume.size, volume.spacing, options.featureSize, choice.options.timeSteps);
+    choice.options.distance = choice.feature.distance;
+    if (IsAmong(given, "shapetons"))
+    {
+      choice.feature.shapetonsReason.clear();
+    }
+    else
+    {
+      choice.options.shapetons = choice.feature.shapetons;
+    }
   }
-  chosen.p = choice.p;
-  chosen.smoothing = choice.smoothing;
-  const double visits = VisitsOf(size);
-  if (preset == ShapetonPreset::Objects)
-  {
-    const double most = visits / std::clamp(VoxelsOf(size) / voxelsPerShapeton, leastShapetons, usualShapetons);
-    const double wanted = durationPerTime * static_cast<double>(choice.timeSteps) / perStep;
-    chosen.timeSteps = static_cast<std::uint64_t>(std::max(leastSteps, std::round(std::min(wanted, most))));
-  }
-  TakeOthers(chosen, given, options);
-  chosen = options;
-  chosen.shapetons = static_cast<std::uint32_t>(
-    std::clamp(std::ceil(visits / static_cast<double>(options.timeSteps)), leastShapetons, mostShapetons));
-  TakeOthers(chosen, given, options);
   return choice;
 }
 } // namespace shapeton

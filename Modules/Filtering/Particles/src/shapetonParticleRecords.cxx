@@ -77,17 +77,16 @@ struct RecordSlab
 constexpr std::size_t SlabVoxels = std::size_t{ 1 } << 20;
 } // namespace
 
-ParticleRecords::ParticleRecords(const float *                              intensities,
-                                 const std::array<std::size_t, 3> &         size,
-                                 const VolumeGradientOperator::Parameters & parameters,
-                                 const unsigned char *                      mask,
-                                 const std::function<void()> &              poll)
+ParticleRecords::ParticleRecords(const EdgeVolume &            edges,
+                                 const unsigned char *         mask,
+                                 const std::function<void()> & poll)
 {
-  const std::size_t sliceLength = size[0] * size[1];
-  const std::size_t voxels = sliceLength * size[2];
-  const auto        isObject = [&](std::size_t voxel) {
-    return mask ? mask[voxel] != 0 : intensities[voxel] > parameters.lower;
-  };
+  const float * const intensities = edges.volume.values;
+  const auto &        size = edges.volume.size;
+  const std::size_t   sliceLength = size[0] * size[1];
+  const std::size_t   voxels = sliceLength * size[2];
+  const double        lower = (*edges.options.intensityWindow)[0];
+  const auto isObject = [&](std::size_t voxel) { return mask ? mask[voxel] != 0 : intensities[voxel] > lower; };
   m_Data.reset(static_cast<std::uint16_t *>(AllocateHuge(voxels * RecordLength * sizeof(std::uint16_t))));
 
   std::vector<SliceSums> sums(size[2]);
@@ -95,8 +94,11 @@ ParticleRecords::ParticleRecords(const float *                              inte
   for (std::size_t first = 0; first < size[2]; first += depth)
   {
     const RecordSlab             slab(first, depth, size[2]);
+    const VolumeView             part(intensities + slab.outerFirst * sliceLength,
+                          { size[0], size[1], slab.outerEnd - slab.outerFirst },
+                          edges.volume.spacing);
     const VolumeGradientOperator volumeGradient(
-      intensities + slab.outerFirst * sliceLength, { size[0], size[1], slab.outerEnd - slab.outerFirst }, parameters);
+      part, edges.options, VolumeGradientOperator::Conductance::Published); // the weights alone
     ParallelFor(slab.end - slab.first, [&](std::size_t slice) {
       const std::size_t z = slab.first + slice;
       SliceSums &       sum = sums[z];

@@ -14,11 +14,7 @@ class ParticleRecords
 {
 public:
   /** `mask` may be null; object voxels are defined in ParticleMeasures. `poll` is called occasionally and may throw. */
-  ParticleRecords(const float *                              intensities,
-                  const std::array<std::size_t, 3> &         size,
-                  const VolumeGradientOperator::Parameters & parameters,
-                  const unsigned char *                      mask,
-                  const std::function<void()> &              poll);
+  ParticleRecords(const EdgeVolume & edges, const unsigned char * mask, const std::function<void()> & poll);
 
   const std::uint16_t *
   GetData() const

@@ -25,13 +25,6 @@ SharedThetaTable()
   return table;
 }
 
-VolumeGradientOperator::Parameters
-WeightsAlone(VolumeGradientOperator::Parameters parameters)
-{
-  parameters.conductance = VolumeGradientOperator::Conductance::Published;
-  return parameters;
-}
-
 /** For small groups a second thread does not pay off. */
 unsigned int
 WorkersFor(std::uint64_t shapetonSteps)
@@ -40,18 +33,19 @@ WorkersFor(std::uint64_t shapetonSteps)
 }
 } // namespace
 
-ParticleWalk::ParticleWalk(const float *                      intensities,
-                           const std::array<std::size_t, 3> & volumeSize,
-                           const ParticleDiffusionSettings &  given,
-                           const unsigned char *              mask,
-                           std::uint32_t *                    visitsOfVoxels,
-                           const std::function<void()> &      poll)
+ParticleWalk::ParticleWalk(const EdgeVolume &               edges,
+                           const ParticleDiffusionOptions & given,
+                           const unsigned char *            mask,
+                           std::uint32_t *                  visitsOfVoxels,
+                           const std::function<void()> &    poll)
   : settings(given)
-  , size(volumeSize)
+  , window(*edges.options.intensityWindow)
+  , size(edges.volume.size)
+  , spacing(edges.volume.spacing)
   , visits(visitsOfVoxels)
   , kernels(BestKernels<Set>())
   , table(SharedThetaTable())
-  , records(intensities, size, WeightsAlone(settings.volumeGradient), mask, poll)
+  , records(edges, mask, poll)
 {
   DescribeSurroundings();
   const std::size_t length = (settings.shapetons + Granularity - 1) / Granularity * Granularity;
@@ -69,7 +63,6 @@ ParticleWalk::ParticleWalk(const float *                      intensities,
 void
 ParticleWalk::DescribeSurroundings()
 {
-  const auto & spacing = settings.volumeGradient.spacing;
   const double side = std::max({ size[0] * spacing[0], size[1] * spacing[1], size[2] * spacing[2] });
   surroundings.records = records.GetData();
   surroundings.visits = visits;

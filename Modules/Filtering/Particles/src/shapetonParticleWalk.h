@@ -18,12 +18,11 @@ namespace shapeton
 struct ParticleWalk
 {
   /** Places the shapetons; see ParticleDiffusion. */
-  ParticleWalk(const float *                      intensities,
-               const std::array<std::size_t, 3> & volumeSize,
-               const ParticleDiffusionSettings &  given,
-               const unsigned char *              mask,
-               std::uint32_t *                    visitsOfVoxels,
-               const std::function<void()> &      poll);
+  ParticleWalk(const EdgeVolume &               edges,
+               const ParticleDiffusionOptions & given,
+               const unsigned char *            mask,
+               std::uint32_t *                  visitsOfVoxels,
+               const std::function<void()> &    poll);
 
   std::size_t
   NumberOfVoxels() const
@@ -44,8 +43,10 @@ struct ParticleWalk
   void
   SendToDevice();
 
-  const ParticleDiffusionSettings     settings;
+  const ParticleDiffusionOptions      settings;
+  const std::array<double, 2>         window;
   const std::array<std::size_t, 3>    size;
+  const std::array<double, 3>         spacing;
   std::uint32_t * const               visits;
   const ParticleKernels::Set &        kernels;
   const ParticleKernels::ThetaTable & table;

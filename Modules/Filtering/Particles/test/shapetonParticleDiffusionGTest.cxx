@@ -1,5 +1,6 @@
 #include "shapetonParticleDiffusion.h"
 #include "itkMultiThreaderBase.h"
+#include "shapetonExceptions.h"
 #include "shapetonParticleTestRuns.h"
 #include "shapetonParticleTestTools.h"
 
@@ -22,8 +23,7 @@ constexpr DirectionSampling allSamplings[] = { DirectionSampling::SolidAngle,
 std::vector<bool>
 FindTraps(const Volume & volume, double p)
 {
-  const auto               parameters = volume.Parameters(p);
-  const double             range = parameters.upper - parameters.lower;
+  const double             range = volume.Window()[1] - volume.Window()[0];
   const std::size_t        strides[3] = { 1, volume.size[0], volume.size[0] * volume.size[1] };
   std::vector<bool>        traps(volume.values.size(), false);
   const std::vector<float> values = volume.values;
@@ -46,13 +46,13 @@ FindTraps(const Volume & volume, double p)
 
 /** The measures computed from visits and positions. */
 void
-ExpectMeasuresOfTheVisits(const ParticleRun & run, const Volume & volume, const ParticleDiffusionSettings & settings)
+ExpectMeasuresOfTheVisits(const ParticleRun & run, const Volume & volume, const ParticleDiffusionOptions & settings)
 {
   const ParticleMeasures & measures = run.diffusion.GetMeasures();
   std::uint64_t            reached = 0;
   std::uint64_t            objects = 0;
   std::uint64_t            objectsReached = 0;
-  const float              lower = static_cast<float>(settings.volumeGradient.lower);
+  const float              lower = static_cast<float>((*settings.intensityWindow)[0]);
   const bool               constant = *std::max_element(volume.values.begin(), volume.values.end()) <= lower;
   for (std::size_t i = 0; i < run.visits.size(); ++i)
   {
@@ -67,7 +67,7 @@ ExpectMeasuresOfTheVisits(const ParticleRun & run, const Volume & volume, const 
   EXPECT_EQ(measures.objectVoxels, objects);
   EXPECT_EQ(measures.objectVoxelsReached, objectsReached);
   EXPECT_EQ(measures.GetCoverage(), static_cast<double>(objectsReached) / static_cast<double>(objects));
-  const auto    traps = FindTraps(volume, settings.volumeGradient.p);
+  const auto    traps = FindTraps(volume, settings.p);
   std::uint32_t trapped = 0;
   for (std::size_t i = 0; i < settings.shapetons; ++i)
   {
@@ -304,7 +304,7 @@ TEST(ParticleDiffusion, ALongStepCanBeAbortedByThePoll)
   std::vector<std::uint32_t> visits(volume.values.size());
   bool                       enough = false;
   settings.pathRule = PathRule::Traversal;
-  ParticleDiffusion diffusion(volume.values.data(), volume.size, settings, nullptr, visits.data(), [&] {
+  ParticleDiffusion diffusion(volume, settings, nullptr, visits.data(), [&] {
     if (enough)
     {
       throw std::runtime_error("enough");
@@ -367,9 +367,9 @@ TEST(ParticleDiffusion, TraversalStopsAtAWallAndAnEndpointMayLieBehindIt)
 
 TEST(ParticleDiffusion, AStepHasOneLengthInMillimeters)
 {
-  const Volume volume({ 60, 50, 20 }, 1.0F);
-  auto         settings = MakeSettings(volume, 60000, 0.1);
-  settings.volumeGradient.spacing = { 0.7, 0.9, 2.5 };
+  Volume volume({ 60, 50, 20 }, 1.0F);
+  volume.spacing = { 0.7, 0.9, 2.5 };
+  const auto            settings = MakeSettings(volume, 60000, 0.1);
   const double          length = 0.1 * 50.0; // the longest side has 20 x 2.5 mm
   ParticleRun           run(volume, settings);
   const auto            before = run.Places();
@@ -383,7 +383,7 @@ TEST(ParticleDiffusion, AStepHasOneLengthInMillimeters)
     bool                  central = true;
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      const double spacing = settings.volumeGradient.spacing[axis];
+      const double spacing = volume.spacing[axis];
       const double start = before[axis][i] * spacing;
       central = central && start > length && start + length < static_cast<double>(volume.size[axis]) * spacing;
       way[axis] = (place[axis] - before[axis][i]) * spacing;
@@ -408,8 +408,8 @@ TEST(ParticleDiffusion, AStepHasOneLengthInMillimeters)
 
 TEST(ParticleDiffusion, RefusesSettingsOutOfRange)
 {
-  const Volume volume = MakeScene({ 8, 8, 8 }, 0.1);
-  const auto   construct = [&](const auto & spoil) {
+  Volume     volume = MakeScene({ 8, 8, 8 }, 0.1);
+  const auto construct = [&](const auto & spoil) {
     auto settings = MakeSettings(volume, 100, 0.1);
     spoil(settings);
     ParticleRun run(volume, settings);
@@ -420,9 +420,10 @@ TEST(ParticleDiffusion, RefusesSettingsOutOfRange)
   {
     EXPECT_THROW(construct([&](auto & settings) { settings.distance = distance; }), std::invalid_argument);
   }
-  EXPECT_THROW(construct([](auto & settings) { settings.volumeGradient.p = -1.0; }), std::invalid_argument);
-  EXPECT_THROW(construct([](auto & settings) { settings.volumeGradient.spacing[1] = 0.0; }), std::invalid_argument);
-  EXPECT_THROW(construct([](auto & settings) { settings.volumeGradient.lower = 9.0; }), std::invalid_argument);
+  EXPECT_THROW(construct([](auto & settings) { settings.p = -1.0; }), ParameterError);
+  EXPECT_THROW(construct([](auto & settings) { settings.intensityWindow = { { 9.0, 1.0 } }; }), std::invalid_argument);
+  volume.spacing[1] = 0.0;
+  EXPECT_THROW(construct([](auto &) {}), std::invalid_argument);
 }
 
 TEST(ParticleDiffusion, RefusesVolumesThatItCannotIndex)
@@ -431,7 +432,7 @@ TEST(ParticleDiffusion, RefusesVolumesThatItCannotIndex)
   const auto construct = [&](const test::Size & size) {
     const float       intensity = 0.0F;
     std::uint32_t     visits = 0;
-    ParticleDiffusion diffusion(&intensity, size, settings, nullptr, &visits);
+    ParticleDiffusion diffusion(VolumeView(&intensity, size), settings, nullptr, &visits);
   };
   EXPECT_THROW(construct({ 0, 5, 5 }), std::invalid_argument);
   EXPECT_THROW(construct({ std::size_t{ 1 } << 31, 1, 1 }), std::length_error);

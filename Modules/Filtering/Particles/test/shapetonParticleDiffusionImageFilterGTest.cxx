@@ -88,9 +88,9 @@ Refusal(TFilter * filter)
 
 TEST(ParticleDiffusionImageFilter, EqualsTheDiffusionOnArrays)
 {
-  const test::Volume volume = test::MakeScene({ 18, 16, 14 }, 0.1);
+  const test::Volume volume = test::MakeScene({ 18, 16, 14 }, 0.1, { { 0.7, 0.8, 2.5 } });
   const auto         image = MakeImage<float>(volume);
-  image->SetSpacing(std::array<double, 3>{ { 0.7, 0.8, 2.5 } }.data());
+  image->SetSpacing(volume.spacing.data());
   const auto mask = MakeMask(volume);
   mask->SetSpacing(image->GetSpacing());
   const auto filter = MakeFilter(image.GetPointer(), 30);
@@ -104,9 +104,7 @@ TEST(ParticleDiffusionImageFilter, EqualsTheDiffusionOnArrays)
   filter->Update();
 
   auto settings = test::MakeSettings(volume, 3000, 0.1, 5.0);
-  settings.volumeGradient.lower = 0.2;
-  settings.volumeGradient.upper = 0.9;
-  settings.volumeGradient.spacing = { 0.7, 0.8, 2.5 };
+  settings.intensityWindow = { { 0.2, 0.9 } };
   settings.directionSampling = DirectionSampling::SectorArea;
   settings.pathRule = PathRule::Traversal;
   settings.placement = ParticlePlacement::InitialHeat;
@@ -395,7 +393,7 @@ TEST(ParticleParameters, AFeatureThatCannotBeSeenIsRefused)
   EXPECT_NO_THROW(choose(100.0));
   for (const double feature : { 0.49, 100.1, 0.0, -1.0, std::numeric_limits<double>::quiet_NaN() })
   {
-    EXPECT_THROW(choose(feature), std::invalid_argument);
+    EXPECT_THROW(choose(feature), InputError);
   }
 }
 

@@ -24,8 +24,7 @@ public:
   ExactWalk(const Volume & volume, double p)
     : m_Size(volume.size), m_Strides{ 1, m_Size[0], m_Size[0] * m_Size[1] }, m_Weights(volume.values.size())
   {
-    const auto   parameters = volume.Parameters(p);
-    const double range = parameters.upper - parameters.lower;
+    const double range = volume.Window()[1] - volume.Window()[0];
     for (std::size_t voxel = 0; voxel < m_Weights.size(); ++voxel)
     {
       for (unsigned int edge = 0; edge < 6; ++edge)

@@ -28,9 +28,9 @@ ExpectEvenPlacesInVoxels(const ParticleRun & run, std::size_t shapetons)
 
 /** (2.3) in double precision. */
 std::vector<double>
-InitialHeat(const Volume & volume, const VolumeGradientOperator::Parameters & parameters)
+InitialHeat(const Volume & volume, double p)
 {
-  return BruteForce(volume, parameters, 1.0 / 12.0).heat;
+  return BruteForce(volume, p, 1.0 / 12.0).heat;
 }
 
 std::vector<unsigned char>
@@ -69,12 +69,11 @@ TEST(ParticlePlacement, UniformPlacesStayInTheMask)
 
 TEST(ParticlePlacement, InitialHeatDrawsThePlaces)
 {
-  const Volume volume = MakeScene({ 15, 11, 12 }, 0.3);
+  const Volume volume = MakeScene({ 15, 11, 12 }, 0.3, { { 1.0, 1.5, 2.0 } });
   auto         settings = MakeSettings(volume, 500000, 0.1, 3.0);
   settings.placement = ParticlePlacement::InitialHeat;
-  settings.volumeGradient.spacing = { 1.0, 1.5, 2.0 };
   ParticleRun run(volume, settings);
-  EXPECT_LT(std::abs(ChiSquareDeviation(InitialHeat(volume, settings.volumeGradient), run.CountByVoxel())), 4.5);
+  EXPECT_LT(std::abs(ChiSquareDeviation(InitialHeat(volume, settings.p), run.CountByVoxel())), 4.5);
   ExpectEvenPlacesInVoxels(run, settings.shapetons);
 }
 
@@ -85,7 +84,7 @@ TEST(ParticlePlacement, InitialHeatDrawsThePlacesInTheMask)
   settings.placement = ParticlePlacement::InitialHeat;
   const auto  mask = EveryThird(volume);
   ParticleRun run(volume, settings, mask);
-  auto        expected = InitialHeat(volume, settings.volumeGradient);
+  auto        expected = InitialHeat(volume, settings.p);
   for (std::size_t i = 0; i < mask.size(); ++i)
   {
     expected[i] = mask[i] ? expected[i] : 0.0;
@@ -119,6 +118,6 @@ TEST(ParticlePlacement, RefusesWhatHoldsNoShapeton)
   settings.placement = ParticlePlacement::InitialHeat;
   EXPECT_THROW(ParticleRun(scene, settings, empty), std::domain_error);
   const Volume constant({ 6, 6, 6 }, 1.0F);
-  settings.volumeGradient = constant.Parameters(7.0);
+  settings.intensityWindow.reset();
   EXPECT_THROW(ParticleRun(constant, settings), std::domain_error);
 }

@@ -1,5 +1,6 @@
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonParticleDiffusionImageFilter.h"
+#include "shapetonParticlePreset.h"
 
 #include "itkImageRegionIteratorWithIndex.h"
 
@@ -56,9 +57,12 @@ Contrast(const TImage * image)
 FilterType::Pointer
 FilterOf(ShapetonPreset preset)
 {
-  auto filter = FilterType::New();
-  filter->SetInput(TwoCubes());
-  filter->ChooseParameters(preset);
+  const auto            image = TwoCubes();
+  auto                  filter = FilterType::New();
+  ShapetonPresetOptions options;
+  options.preset = preset;
+  filter->SetInput(image);
+  filter->SetOptions(ChooseShapetonParameters(VolumeView(image.GetPointer()), options).options);
   return filter;
 }
 
@@ -115,32 +119,51 @@ TEST(ParticlePreset, GivenValuesWin)
 {
   for (const auto preset : { ShapetonPreset::Objects, ShapetonPreset::Published, ShapetonPreset::Surface })
   {
-    auto filter = FilterType::New();
-    filter->SetInput(TwoCubes());
-    filter->SetP(3.5);
-    filter->SetSmoothing(0.25);
-    filter->SetShapetons(1234);
-    filter->SetDistance(0.125);
-    filter->SetTimeSteps(77);
-    filter->SetIntensityWindow(10.0, 900.0);
-    filter->SetDirectionSampling(DirectionSampling::SolidAngle);
-    filter->SetPathRule(PathRule::Endpoint);
-    filter->SetPlacement(ParticlePlacement::Uniform);
+    ShapetonPresetOptions given;
+    given.preset = preset;
+    given.p = 3.5;
+    given.smoothing = 0.25;
+    given.shapetons = 1234;
+    given.distance = 0.125;
+    given.timeSteps = 77;
+    given.intensityWindow = { { 10.0, 900.0 } };
+    given.directionSampling = DirectionSampling::SolidAngle;
+    given.pathRule = PathRule::Endpoint;
+    given.placement = ParticlePlacement::Uniform;
     std::vector<std::string> names;
-    const auto               given = filter->GetOptions();
-    ParticleDiffusionOptions::VisitOptions(
+    ShapetonPresetOptions::VisitOptions(
       given, [&names](const OptionInfo & info, const auto &) { names.emplace_back(info.GetName()); });
-    filter->ChooseParameters(preset, names);
-    EXPECT_EQ(filter->GetP(), 3.5);
-    EXPECT_EQ(filter->GetSmoothing(), 0.25);
-    EXPECT_EQ(filter->GetShapetons(), 1234u);
-    EXPECT_EQ(filter->GetDistance(), 0.125);
-    EXPECT_EQ(filter->GetTimeSteps(), 77u);
-    EXPECT_EQ(filter->GetIntensityWindow(), given.intensityWindow);
-    EXPECT_EQ(filter->GetDirectionSampling(), DirectionSampling::SolidAngle);
-    EXPECT_EQ(filter->GetPathRule(), PathRule::Endpoint);
-    EXPECT_EQ(filter->GetPlacement(), ParticlePlacement::Uniform);
+    const auto image = TwoCubes();
+    const auto options = ChooseShapetonParameters(VolumeView(image.GetPointer()), given, names).options;
+    EXPECT_EQ(options.p, 3.5);
+    EXPECT_EQ(options.smoothing, 0.25);
+    EXPECT_EQ(options.shapetons, 1234u);
+    EXPECT_EQ(options.distance, 0.125);
+    EXPECT_EQ(options.timeSteps, 77u);
+    EXPECT_EQ(options.intensityWindow, given.intensityWindow);
+    EXPECT_EQ(options.directionSampling, DirectionSampling::SolidAngle);
+    EXPECT_EQ(options.pathRule, PathRule::Endpoint);
+    EXPECT_EQ(options.placement, ParticlePlacement::Uniform);
   }
+}
+
+TEST(ParticlePreset, AFeatureSizeSetsTheDistanceAndTheNumberThatIsNotGiven)
+{
+  const auto            image = TwoCubes();
+  const VolumeView      volume(image.GetPointer());
+  ShapetonPresetOptions options;
+  options.preset = ShapetonPreset::Published;
+  options.featureSize = 4.0;
+  options.shapetons = 1234;
+  const auto both = ChooseShapetonParameters(volume, options);
+  const auto feature = ChooseShapetons(volume.size, volume.spacing, 4.0, both.options.timeSteps);
+  EXPECT_EQ(both.options.distance, feature.distance);
+  EXPECT_EQ(both.options.shapetons, feature.shapetons);
+  EXPECT_EQ(both.feature.shapetonsReason, feature.shapetonsReason);
+  const auto one = ChooseShapetonParameters(volume, options, { "featureSize", "shapetons" });
+  EXPECT_EQ(one.options.distance, feature.distance);
+  EXPECT_EQ(one.options.shapetons, 1234u);
+  EXPECT_TRUE(one.feature.shapetonsReason.empty());
 }
 
 TEST(ParticlePreset, SmoothingReleasesShapetonsTrappedByNoise)

@@ -48,7 +48,7 @@ ExpectSame(const ParticleRun & a, const ParticleRun & b)
 
 /** Performs `first` steps, saves, continues in another object; compares with an uninterrupted run. */
 void
-ExpectToGoOn(const ParticleDiffusionSettings & settings,
+ExpectToGoOn(const ParticleDiffusionOptions &  settings,
              const Volume &                    volume,
              std::uint64_t                     first,
              std::uint64_t                     last,
@@ -200,7 +200,7 @@ TEST(ParticleState, AnAbsurdLengthIsRefused)
 TEST(ParticleState, AStateOfAnotherRunIsRefusedByName)
 {
   using Mask = std::vector<unsigned char>;
-  using Settings = ParticleDiffusionSettings;
+  using Settings = ParticleDiffusionOptions;
   const auto settingsAlone = [](const auto & spoil) {
     return Refusal([&](Volume &, Settings & settings, Mask &) { spoil(settings); });
   };
@@ -209,9 +209,9 @@ TEST(ParticleState, AStateOfAnotherRunIsRefusedByName)
   };
   EXPECT_EQ(settingsAlone([](Settings &) {}), "");
   EXPECT_TRUE(contains(settingsAlone([](Settings & s) { s.seed = 2; }), "seed"));
-  EXPECT_TRUE(contains(settingsAlone([](Settings & s) { s.volumeGradient.p = 7.5; }), "p"));
-  EXPECT_TRUE(contains(settingsAlone([](Settings & s) { s.volumeGradient.upper += 1.0; }), "intensity window"));
-  EXPECT_TRUE(contains(settingsAlone([](Settings & s) { s.volumeGradient.spacing[2] = 1.1; }), "spacing"));
+  EXPECT_TRUE(contains(settingsAlone([](Settings & s) { s.p = 7.5; }), "p"));
+  EXPECT_TRUE(contains(settingsAlone([](Settings & s) { (*s.intensityWindow)[1] += 1.0; }), "intensity window"));
+  EXPECT_TRUE(contains(Refusal([](Volume & volume, Settings &, Mask &) { volume.spacing[2] = 1.1; }), "spacing"));
   EXPECT_TRUE(contains(settingsAlone([](Settings & s) { s.shapetons = 51; }), "number of shapetons"));
   EXPECT_TRUE(contains(settingsAlone([](Settings & s) { s.distance = 0.21; }), "distance"));
   EXPECT_TRUE(contains(settingsAlone([](Settings & s) { s.pathRule = PathRule::Traversal; }), "path rule"));

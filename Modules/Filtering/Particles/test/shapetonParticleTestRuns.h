@@ -13,11 +13,12 @@ namespace shapeton
 {
 namespace test
 {
-inline ParticleDiffusionSettings
+inline ParticleDiffusionOptions
 MakeSettings(const Volume & volume, std::uint32_t shapetons, double distance, double p = 7.0)
 {
-  ParticleDiffusionSettings settings;
-  settings.volumeGradient = volume.Parameters(p);
+  ParticleDiffusionOptions settings;
+  settings.p = p;
+  settings.intensityWindow = volume.Window();
   settings.shapetons = shapetons;
   settings.distance = distance;
   return settings;
@@ -28,10 +29,10 @@ class ParticleRun
 {
 public:
   ParticleRun(const Volume &                     volume,
-              const ParticleDiffusionSettings &  settings,
+              const ParticleDiffusionOptions &   settings,
               const std::vector<unsigned char> & mask = {})
     : visits(volume.values.size(), 99)
-    , diffusion(volume.values.data(), volume.size, settings, mask.empty() ? nullptr : mask.data(), visits.data())
+    , diffusion(volume, settings, mask.empty() ? nullptr : mask.data(), visits.data())
     , m_Size(volume.size)
     , m_Number(settings.shapetons)
   {}

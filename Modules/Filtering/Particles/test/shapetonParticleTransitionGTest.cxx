@@ -39,7 +39,7 @@ MakeStart()
   return mask;
 }
 
-ParticleDiffusionSettings
+ParticleDiffusionOptions
 TraversalSettings(const Volume & volume, DirectionSampling sampling, double stepInVoxels, double shapetons)
 {
   auto settings = MakeSettings(volume, static_cast<std::uint32_t>(shapetons), stepInVoxels / side, p);

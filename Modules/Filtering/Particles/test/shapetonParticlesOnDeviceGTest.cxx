@@ -44,7 +44,7 @@ ExpectSameState(const ParticleDiffusion & gpu, const ParticleDiffusion & cpu)
 
 void
 ExpectTheSame(const Volume &                     volume,
-              ParticleDiffusionSettings          settings,
+              ParticleDiffusionOptions           settings,
               std::uint64_t                      steps,
               const std::optional<SteadyRule> &  rule = {},
               const std::vector<unsigned char> & mask = {})
@@ -84,7 +84,7 @@ TEST(ShapetonsOnDevice, OddAnisotropicVolumesWithMasksAreTheSameBytes)
   SHAPETON_REQUIRE_DEVICE();
   for (const Size & size : { Size{ 33, 17, 29 }, Size{ 1, 1, 1 }, Size{ 2, 40, 3 } })
   {
-    const Volume               volume = MakeVolume(size);
+    const Volume               volume = MakeScene(size, 0.05, { { 0.7, 0.9, 2.5 } });
     std::vector<unsigned char> mask(volume.values.size(), 1);
     for (std::size_t i = 0; i + 1 < mask.size(); i += 2)
     {
@@ -93,7 +93,6 @@ TEST(ShapetonsOnDevice, OddAnisotropicVolumesWithMasksAreTheSameBytes)
     for (const Case & each : cases)
     {
       auto settings = MakeSettings(volume, 517, 0.21);
-      settings.volumeGradient.spacing = { { 0.7, 0.9, 2.5 } };
       settings.directionSampling = each.sampling;
       settings.pathRule = each.rule;
       settings.seed = 7;

@@ -4,6 +4,7 @@
 #include "ShapetonHeatToolsExport.h"
 #include "shapetonHeatReport.h"
 #include "shapetonParticleDiffusionImageFilter.h"
+#include "shapetonParticlePreset.h"
 
 #include <memory>
 #include <string>
@@ -20,10 +21,10 @@ struct Volume;
 ShapetonHeatTools_EXPORT std::vector<std::string>
                          ParticleRemarks(const ParticleDiffusionImageFilter<itk::Image<float, 3>> * filter);
 
-/** Parameters and measures of a run as text, with reasons for a distance and a number of shapetons chosen from the
- * data. \ingroup ShapetonHeatTools */
+/** Parameters and measures of a run as text, with the reasons of the choice. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT HeatReportContent::Facts
-                         ParticleFacts(const ParticleDiffusionImageFilter<itk::Image<float, 3>> * filter);
+                         ParticleFacts(const ParticleDiffusionImageFilter<itk::Image<float, 3>> * filter,
+                                       const ShapetonParameterChoice &                            choice);
 
 /** The options that depend on the preset, by their names, as the last run used them. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT HeatReportContent::Facts
@@ -57,7 +58,7 @@ public:
   }
 
   void
-  Write(const FilterType * filter, const Volume & volume) const;
+  Write(const FilterType * filter, const ShapetonParameterChoice & choice, const Volume & volume) const;
 
   /** Writes only the density, or the labels if they were requested; Write() does both. */
   ///@{

@@ -1,6 +1,5 @@
 #include "shapetonHeatWindows.h"
 
-#include "shapetonAutomaticParameters.h"
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
 #include "shapetonObjectParameters.h"
@@ -18,13 +17,16 @@ ChooseWindows(CommandLine &                                              command
   {
     return {};
   }
-  auto       options = filter->GetOptions();
-  const auto names = ReadGivenOptions(commandLine, options);
-  const auto given = GivenAmong(names, options);
-  const auto progress = commandLine.PartOfProgress(0.0, end).Part("Choosing parameters", 0.0, 1.0);
-  const auto choices = commandLine.GetString("preset") == "objects"
-                         ? ChooseWindowsOf(filter, given, progress)
-                         : std::vector<HeatParameterChoice>{ filter->ChooseParameters(given, modality, progress) };
+  auto             options = filter->GetOptions();
+  const auto       names = ReadGivenOptions(commandLine, options);
+  const auto       given = GivenAmong(names, options);
+  const auto       progress = commandLine.PartOfProgress(0.0, end).Part("Choosing parameters", 0.0, 1.0);
+  const VolumeView volume(filter->GetInput());
+  const auto       choices =
+    commandLine.GetString("preset") == "objects"
+            ? ChooseObjectWindows(volume, options, given, progress)
+            : std::vector<HeatParameterChoice>{ ChooseHeatParameters(volume, options, given, modality, progress) };
+  filter->UseParameters(choices.front());
   for (const auto & [name, value] : ChosenValues(choices.front()))
   {
     commandLine.AddProvenance("chosen." + name, value);

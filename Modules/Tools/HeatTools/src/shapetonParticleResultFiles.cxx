@@ -82,7 +82,7 @@ ParticleRemarks(const FilterType * filter)
 }
 
 HeatReportContent::Facts
-ParticleFacts(const FilterType * filter)
+ParticleFacts(const FilterType * filter, const ShapetonParameterChoice & choice)
 {
   const ParticleMeasures & measures = filter->GetMeasures();
   const double             millimeters = filter->GetDistance() * LongestSide(filter->GetInput());
@@ -108,15 +108,15 @@ ParticleFacts(const FilterType * filter)
                                        CsvTable::Rounded(filter->GetEpsilon().value_or(measures.automaticEpsilon), 4) +
                                          (!filter->GetEpsilon() ? ": the voxels reached then have 100 visits on average" : "") },
                                      { "Shapetons trapped", Percent(ShareTrapped(filter)) } };
-  const Facts              reasons = ChoiceFacts(filter->GetParameterChoice());
+  const Facts              reasons = ChoiceFacts(choice.heat);
   facts.insert(facts.end(), reasons.begin(), reasons.end());
-  if (filter->GetAutomaticDistance())
+  if (!choice.feature.distanceReason.empty())
   {
-    facts.emplace_back("Reason for the distance", filter->GetAutomaticShapetons().distanceReason);
+    facts.emplace_back("Reason for the distance", choice.feature.distanceReason);
   }
-  if (filter->GetAutomaticNumberOfShapetons())
+  if (!choice.feature.shapetonsReason.empty())
   {
-    facts.emplace_back("Reason for the number of shapetons", filter->GetAutomaticShapetons().shapetonsReason);
+    facts.emplace_back("Reason for the number of shapetons", choice.feature.shapetonsReason);
   }
   return facts;
 }
@@ -172,7 +172,9 @@ ParticleResultFiles::WriteLabels(const itk::Image<unsigned char, 3> * labels) co
 }
 
 void
-ParticleResultFiles::Write(const FilterType * filter, const Volume & volume) const
+ParticleResultFiles::Write(const FilterType *              filter,
+                           const ShapetonParameterChoice & choice,
+                           const Volume &                  volume) const
 {
   this->WriteDensity(filter->GetOutput(), filter->GetMeasures().step);
   m_DicomMap->Write(filter->GetOutput(), "VISITS", "Visits of shapetons");
@@ -189,7 +191,7 @@ ParticleResultFiles::Write(const FilterType * filter, const Volume & volume) con
   content.title = "Shapeton diffusion";
   content.quantity = shape.quantity;
   content.input = { { "Modality", volume.modality }, { "Identity", volume.identity } };
-  content.parameters = ParticleFacts(filter);
+  content.parameters = ParticleFacts(filter, choice);
   content.provenance = m_CommandLine.GetProvenance();
   content.warnings = m_CommandLine.GetWarnings();
   content.histogram = filter->GetHistogram().GetNumberOfRows() > 0 ? &filter->GetHistogram() : &shape.histogram;

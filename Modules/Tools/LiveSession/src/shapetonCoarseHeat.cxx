@@ -1,8 +1,6 @@
 #include "shapetonCoarseHeat.h"
 
 #include "shapetonParallelFor.h"
-#include "shapetonSessionWalk.h"
-#include "shapetonSmoothVoxels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,50 +60,43 @@ Halved(const BlockValues & fine)
     return fine.values[(k * fine.size[1] + j) * fine.size[0] + i];
   });
 }
-
-VolumeGradientOperator::Parameters
-ParametersOf(const CumulativeHeatDiffusionSettings & settings, std::size_t factor)
-{
-  VolumeGradientOperator::Parameters parameters;
-  parameters.p = settings.p;
-  parameters.lower = (*settings.intensityWindow)[0];
-  parameters.upper = (*settings.intensityWindow)[1];
-  parameters.conductance = settings.conductance;
-  parameters.spacing = settings.spacing;
-  for (double & spacing : parameters.spacing)
-  {
-    spacing *= static_cast<double>(factor);
-  }
-  return parameters;
-}
 } // namespace
 
-BlockValues
-Halved(const std::array<std::size_t, 3> & size, const float * values)
+VolumeView
+BlockValues::View(std::array<double, 3> spacing) const
 {
-  return Halved(
-    size, 2, [&](std::size_t i, std::size_t j, std::size_t k) { return values[(k * size[1] + j) * size[0] + i]; });
+  for (double & side : spacing)
+  {
+    side *= static_cast<double>(factor);
+  }
+  return { values.data(), size, spacing };
 }
 
-CoarseHeat::CoarseHeat(const itk::Image<float, 3> * image, const CumulativeHeatDiffusionSettings & settings)
-  : m_Settings(settings)
+BlockValues
+Halved(const VolumeView & volume)
 {
-  const auto size = SizeOf(image);
-  m_Settings.intensityWindow =
-    WindowOf(settings, image->GetBufferPointer(), image->GetBufferedRegion().GetNumberOfPixels());
-  const auto          smoothed = SmoothedVolume(image->GetBufferPointer(), size, SpacingOf(image), settings.smoothing);
-  const float * const intensities = smoothed.empty() ? image->GetBufferPointer() : smoothed.data();
-  Level               level;
+  const auto & size = volume.size;
+  return Halved(size, 2, [&](std::size_t i, std::size_t j, std::size_t k) {
+    return volume.values[(k * size[1] + j) * size[0] + i];
+  });
+}
+
+CoarseHeat::CoarseHeat(const VolumeView & volume, const CumulativeHeatDiffusionOptions & options)
+  : m_Spacing(volume.spacing), m_Options(options)
+{
+  const EdgeVolume edges(volume, options);
+  static_cast<VolumeGradientOptions &>(m_Options) = edges.options;
+  Level level;
   {
-    const VolumeGradientOperator volumeGradient(intensities, size, ParametersOf(m_Settings, 1));
+    const VolumeGradientOperator volumeGradient(edges.volume, edges.options, options.conductance);
     const PaddedGrid &           grid = volumeGradient.GetGrid();
     PaddedField                  heat(grid);
     volumeGradient.ComputeInitialHeat(heat);
-    level.heat = Halved(size, 2, [&](std::size_t i, std::size_t j, std::size_t k) {
+    level.heat = Halved(volume.size, 2, [&](std::size_t i, std::size_t j, std::size_t k) {
       return heat.GetData()[grid.GetRow(static_cast<std::ptrdiff_t>(j), static_cast<std::ptrdiff_t>(k)) + i];
     });
   }
-  level.intensities = Halved(size, intensities);
+  level.intensities = Halved(edges.volume);
   m_Levels.push_back(std::move(level));
   while (m_Levels.back().heat.factor < largestFactor)
   {
@@ -134,7 +125,7 @@ CoarseHeat::After(std::uint64_t timeSteps, const Progress & progress) const
   const Level &                level = this->ChooseLevel(timeSteps);
   const std::size_t            factor = level.heat.factor;
   const auto &                 size = level.heat.size;
-  const VolumeGradientOperator volumeGradient(level.intensities.values.data(), size, ParametersOf(m_Settings, factor));
+  const VolumeGradientOperator volumeGradient(level.intensities.View(m_Spacing), m_Options, m_Options.conductance);
   const PaddedGrid &           grid = volumeGradient.GetGrid();
   PaddedField                  field(grid);
   const auto                   rowOf = [&](std::size_t y, std::size_t z) {
@@ -151,9 +142,9 @@ CoarseHeat::After(std::uint64_t timeSteps, const Progress & progress) const
     }
   };
   forRows([&](const float * values, float * row) { std::copy_n(values, size[0], row); });
-  HeatDiffusionSolver solver(volumeGradient, m_Settings.solver, m_Settings.timeStepLength, m_Settings.tolerance);
+  HeatDiffusionSolver solver(volumeGradient, m_Options.solver, m_Options.timeStepLength, m_Options.tolerance);
   solver.SetProgress(progress);
-  solver.SetDevice(m_Settings.device);
+  solver.SetDevice(m_Options.device);
   solver.Run(field, std::max<std::uint64_t>(1, timeSteps / (factor * factor)));
   forRows([&](float * values, const float * row) { std::copy_n(row, size[0], values); });
   return blocks;

@@ -4,8 +4,6 @@
 #include "ShapetonLiveSessionExport.h"
 #include "shapetonCumulativeHeatDiffusion.h"
 
-#include "itkImage.h"
-
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -18,11 +16,15 @@ struct BlockValues
   std::size_t                factor{ 1 };
   std::array<std::size_t, 3> size{};
   std::vector<float>         values;
+
+  /** The blocks as a volume; `spacing` is that of the voxels. */
+  VolumeView
+  View(std::array<double, 3> spacing) const;
 };
 
 /** The means of the values of a volume over blocks of 2^3 voxels. */
 BlockValues
-Halved(const std::array<std::size_t, 3> & size, const float * values);
+Halved(const VolumeView & volume);
 
 /** \class CoarseHeat
  * \brief A fast approximation of cumulative heat diffusion on averages over blocks.
@@ -33,7 +35,7 @@ class ShapetonLiveSession_EXPORT CoarseHeat
 {
 public:
   /** Averages the intensities and the initial heat of the volume. Throws as VolumeGradientOperator. */
-  CoarseHeat(const itk::Image<float, 3> * image, const CumulativeHeatDiffusionSettings & settings);
+  CoarseHeat(const VolumeView & volume, const CumulativeHeatDiffusionOptions & options);
 
   /** The heat after `timeSteps` on the finest grid that takes about a second on two CPU cores. */
   BlockValues
@@ -49,8 +51,9 @@ private:
   const Level &
   ChooseLevel(std::uint64_t timeSteps) const;
 
-  CumulativeHeatDiffusionSettings m_Settings;
-  std::vector<Level>              m_Levels; ///< blocks of 2^3, 4^3, ... voxels
+  std::array<double, 3>          m_Spacing;
+  CumulativeHeatDiffusionOptions m_Options; ///< with the window, without smoothing
+  std::vector<Level>             m_Levels;  ///< blocks of 2^3, 4^3, ... voxels
 };
 } // namespace shapeton
 

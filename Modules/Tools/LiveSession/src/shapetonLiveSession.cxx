@@ -109,14 +109,15 @@ struct LiveSession::Impl
     : volume(std::move(given))
     , options(settings.walk)
     , files(volume, settings)
-    , walk(volume.image, settings.walk.device)
-    , size(SizeOf(volume.image))
+    , walk(volume.image)
+    , view(volume.image.GetPointer())
+    , size(view.size)
     , stride(StrideFor(size))
     , gray(WindowOf(volume.image, IntensityWindow()))
     , goal(settings.walk.timeSteps)
     , heatSteps(settings.walk.timeSteps)
   {
-    const auto window = WindowOf(options, volume.image->GetBufferPointer(), size[0] * size[1] * size[2]);
+    const auto window = WindowOf(options, view);
     if (window[0] < window[1])
     {
       options.intensityWindow = window; // the saved script names all values
@@ -201,7 +202,7 @@ struct LiveSession::Impl
   {
     if (!coarseWalk)
     {
-      coarseWalk.emplace(volume.image);
+      coarseWalk.emplace(view);
     }
     preview = coarseWalk->Start(options, mask);
     isHistogramOld = true;
@@ -255,8 +256,6 @@ struct LiveSession::Impl
   {
     CumulativeHeatDiffusionSettings settings;
     static_cast<VolumeDiffusionOptions &>(settings) = options;
-    settings.smoothing = options.smoothing;
-    settings.spacing = SpacingOf(volume.image);
     settings.timeSteps = heatSteps;
     return settings;
   }
@@ -283,7 +282,7 @@ struct LiveSession::Impl
       Tell("coarse heat", 0.0);
       if (!coarse)
       {
-        coarse.emplace(volume.image, HeatSettings());
+        coarse.emplace(view, HeatSettings());
       }
       blocks = coarse->After(heatSteps);
       heatState = HeatState::Coarse;
@@ -298,13 +297,8 @@ struct LiveSession::Impl
       Tell("heat", 0.0);
       isComputingHeat = true;
       const Reset reset{ isComputingHeat };
-      DiffuseCumulativeHeat(volume.image->GetBufferPointer(),
-                            size,
-                            HeatSettings(),
-                            exact->GetBufferPointer(),
-                            nullptr,
-                            {},
-                            [this](double part) { Tell("heat", part); });
+      DiffuseCumulativeHeat(
+        view, HeatSettings(), exact->GetBufferPointer(), nullptr, {}, [this](double part) { Tell("heat", part); });
       heat = exact;
       heatState = HeatState::Exact;
     }
@@ -322,8 +316,8 @@ struct LiveSession::Impl
     const Reset reset{ isComputingHeat };
     auto        settings = HeatSettings();
     settings.intensityWindow.reset();
-    const auto choice = ChooseObjectParameters(
-      volume.image->GetBufferPointer(), size, settings, {}, [this](double part) { Tell("choosing parameters", part); });
+    const auto choice =
+      ChooseObjectParameters(view, settings, {}, [this](double part) { Tell("choosing parameters", part); });
     isChoiceWanted = false;
     options.intensityWindow = choice.intensityWindow;
     options.p = choice.p;
@@ -938,6 +932,7 @@ struct LiveSession::Impl
   ParticleDiffusionOptions         options;
   SessionFiles                     files;
   SessionWalk                      walk;
+  const VolumeView                 view;
   const std::array<std::size_t, 3> size;
   const std::size_t                stride;
   const IntensityWindow            gray;

@@ -1,50 +1,18 @@
 #include "shapetonSessionWalk.h"
 
-#include "shapetonSmoothVoxels.h"
-
 #include <algorithm>
 #include <chrono>
 
 namespace shapeton
 {
-std::array<std::size_t, 3>
-SizeOf(const itk::ImageBase<3> * image)
-{
-  std::array<std::size_t, 3> size{};
-  std::copy_n(image->GetBufferedRegion().GetSize().begin(), size.size(), size.begin());
-  return size;
-}
-
-std::array<double, 3>
-SpacingOf(const itk::ImageBase<3> * image)
-{
-  std::array<double, 3> spacing{};
-  std::copy_n(image->GetSpacing().Begin(), spacing.size(), spacing.begin());
-  return spacing;
-}
-
 namespace
 {
-ParticleDiffusionSettings
-SettingsOf(const itk::Image<float, 3> * image, const ParticleDiffusionOptions & options, Device device)
-{
-  const auto window = WindowOf(options, image->GetBufferPointer(), image->GetBufferedRegion().GetNumberOfPixels());
-  ParticleDiffusionSettings settings;
-  static_cast<ParticleOptions &>(settings) = options;
-  settings.device = device;
-  settings.volumeGradient.p = options.p;
-  settings.volumeGradient.lower = window[0];
-  settings.volumeGradient.upper = window[1];
-  settings.volumeGradient.spacing = SpacingOf(image);
-  return settings;
-}
-
 /** The blocks with a voxel of the mask. */
 std::vector<unsigned char>
 MaskOfBlocks(const StartMask * mask, const std::array<std::size_t, 3> & blocks)
 {
   std::vector<unsigned char>  coarse(blocks[0] * blocks[1] * blocks[2], 0);
-  const auto                  size = SizeOf(mask);
+  const auto                  size = mask->GetBufferedRegion().GetSize();
   const unsigned char * const begin = mask->GetBufferPointer();
   for (std::size_t z = 0; z < size[2]; ++z)
   {
@@ -60,9 +28,7 @@ MaskOfBlocks(const StartMask * mask, const std::array<std::size_t, 3> & blocks)
 }
 } // namespace
 
-CoarseWalk::CoarseWalk(const itk::Image<float, 3> * image)
-  : m_Image(image), m_Intensities(Halved(SizeOf(image), image->GetBufferPointer()))
-{}
+CoarseWalk::CoarseWalk(const VolumeView & volume) : m_Volume(volume), m_Intensities(Halved(volume)) {}
 
 BlockValues
 CoarseWalk::Start(const ParticleDiffusionOptions & options, const StartMask * mask) const
@@ -71,13 +37,12 @@ CoarseWalk::Start(const ParticleDiffusionOptions & options, const StartMask * ma
   BlockValues                         density = m_Intensities;
   std::vector<std::uint32_t>          visits(density.values.size());
   const auto maskOfBlocks = mask ? MaskOfBlocks(mask, density.size) : std::vector<unsigned char>();
-  auto       settings = SettingsOf(m_Image, options, Device::Cpu);
-  for (double & spacing : settings.volumeGradient.spacing)
-  {
-    spacing *= static_cast<double>(density.factor);
-  }
+  auto       coarse = options;
+  coarse.device = Device::Cpu;
+  coarse.smoothing = 0.0;
+  coarse.intensityWindow = WindowOf(options, m_Volume);
   ParticleDiffusion walk(
-    m_Intensities.values.data(), density.size, settings, mask ? maskOfBlocks.data() : nullptr, visits.data(), [] {
+    m_Intensities.View(m_Volume.spacing), coarse, mask ? maskOfBlocks.data() : nullptr, visits.data(), [] {
       Interruption::Check();
     });
   const auto end = std::chrono::steady_clock::now() + duration;
@@ -92,7 +57,7 @@ CoarseWalk::Start(const ParticleDiffusionOptions & options, const StartMask * ma
   return density;
 }
 
-SessionWalk::SessionWalk(const ImageType * image, Device device) : m_Image(image), m_Device(device) {}
+SessionWalk::SessionWalk(const ImageType * image) : m_Image(image) {}
 
 void
 SessionWalk::Place(const ParticleDiffusionOptions & options, const StartMask * mask, const std::function<void()> & poll)
@@ -115,12 +80,8 @@ SessionWalk::Build(const std::function<void()> & poll)
     m_Visits->SetRegions(m_Image->GetBufferedRegion());
     m_Visits->Allocate();
   }
-  const auto settings = SettingsOf(m_Image, m_Options, m_Device);
-  const auto smoothed =
-    SmoothedVolume(m_Image->GetBufferPointer(), SizeOf(m_Image), SpacingOf(m_Image), m_Options.smoothing);
-  m_Diffusion = std::make_unique<ParticleDiffusion>(smoothed.empty() ? m_Image->GetBufferPointer() : smoothed.data(),
-                                                    SizeOf(m_Image),
-                                                    settings,
+  m_Diffusion = std::make_unique<ParticleDiffusion>(VolumeView(m_Image.GetPointer()),
+                                                    m_Options,
                                                     m_Mask ? m_Mask->GetBufferPointer() : nullptr,
                                                     m_Visits->GetBufferPointer(),
                                                     poll);

@@ -20,7 +20,7 @@ public:
   using VisitsType = itk::Image<std::uint32_t, 3>;
 
   /** The image must outlive the walk. */
-  SessionWalk(const ImageType * image, Device device);
+  explicit SessionWalk(const ImageType * image);
 
   /** Places the shapetons at step 0. The options require an intensityWindow, unless the volume is constant. `poll` may
    * throw; the walk is then not placed. */
@@ -66,7 +66,6 @@ private:
   Build(const std::function<void()> & poll);
 
   ImageType::ConstPointer            m_Image;
-  Device                             m_Device;
   ParticleDiffusionOptions           m_Options;
   StartMask::ConstPointer            m_Mask;
   VisitsType::Pointer                m_Visits;
@@ -81,22 +80,16 @@ private:
 class CoarseWalk
 {
 public:
-  explicit CoarseWalk(const itk::Image<float, 3> * image);
+  explicit CoarseWalk(const VolumeView & volume);
 
   /** The density of the walk after a few hundredths of a second. */
   BlockValues
   Start(const ParticleDiffusionOptions & options, const StartMask * mask) const;
 
 private:
-  itk::Image<float, 3>::ConstPointer m_Image;
-  BlockValues                        m_Intensities;
+  VolumeView  m_Volume;
+  BlockValues m_Intensities;
 };
-
-/** Size in voxels, and spacing in mm. */
-std::array<std::size_t, 3>
-SizeOf(const itk::ImageBase<3> * image);
-std::array<double, 3>
-SpacingOf(const itk::ImageBase<3> * image);
 } // namespace shapeton
 
 #endif

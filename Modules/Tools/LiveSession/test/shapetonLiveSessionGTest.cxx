@@ -242,10 +242,10 @@ TEST(LiveSession, CoarseHeatOfAClosedObjectIsItsHeat)
   });
   shapeton::CumulativeHeatDiffusionSettings settings;
   settings.timeSteps = 100000;
-  const auto         size = std::array<std::size_t, 3>{ { 32, 32, 32 } };
-  std::vector<float> heat(32 * 32 * 32);
-  shapeton::DiffuseCumulativeHeat(image->GetBufferPointer(), size, settings, heat.data());
-  const auto   coarse = shapeton::CoarseHeat(image, settings).After(settings.timeSteps);
+  const shapeton::VolumeView volume(image.GetPointer());
+  std::vector<float>         heat(volume.NumberOfVoxels());
+  shapeton::DiffuseCumulativeHeat(volume, settings, heat.data());
+  const auto   coarse = shapeton::CoarseHeat(volume, settings).After(settings.timeSteps);
   const double exact = heat[(16 * 32 + 16) * 32 + 16];
   const auto   middle = 16 / coarse.factor;
   EXPECT_GT(coarse.factor, 1U);
