@@ -37,7 +37,8 @@ struct VolumeView
   template <typename TImage>
   explicit VolumeView(const TImage * image)
   {
-    static_assert(TImage::ImageDimension == 3, "the image must be a volume");
+    static_assert(TImage::ImageDimension == 3 && std::is_arithmetic_v<typename TImage::PixelType>,
+                  "the image must be a volume with scalar pixels");
     std::copy_n(image->GetBufferedRegion().GetSize().begin(), size.size(), size.begin());
     std::copy_n(image->GetSpacing().Begin(), spacing.size(), spacing.begin());
     const auto * const pixels = image->GetBufferPointer();
