@@ -30,7 +30,7 @@ public:
   using ResultType = TResult;
   using ResultPointer = std::shared_ptr<const TResult>;
 
-  itkNewMacro(Self);
+  shapetonNewMacro(Self);
   itkOverrideGetNameOfClassMacro(ResultObject);
 
   void

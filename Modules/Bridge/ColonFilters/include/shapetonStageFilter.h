@@ -33,7 +33,7 @@
   using Pointer = itk::SmartPointer<Self>;                                                                             \
   using ConstPointer = itk::SmartPointer<const Self>;                                                                  \
   using OptionsType = typename Superclass::OptionsType;                                                                \
-  itkNewMacro(Self);                                                                                                   \
+  shapetonNewMacro(Self);                                                                                              \
   itkOverrideGetNameOfClassMacro(name);                                                                                \
                                                                                                                        \
 protected:                                                                                                             \
@@ -41,7 +41,7 @@ protected:                                                                      
   ~name() override = default;                                                                                          \
                                                                                                                        \
 public:                                                                                                                \
-  ITK_MACROEND_NOOP_STATEMENT
+  static_assert(true, "")
 
 /** Set and Get methods of an optional input. */
 #define shapetonInputMacro(name, type)                                                                                 \
@@ -56,7 +56,7 @@ protected:                                                                      
   const bool m_Requires##name{ this->RequireInput(#name) };                                                            \
                                                                                                                        \
 public:                                                                                                                \
-  ITK_MACROEND_NOOP_STATEMENT
+  static_assert(true, "")
 
 /** Get method of an output. */
 #define shapetonOutputMacro(name, index)                                                                               \

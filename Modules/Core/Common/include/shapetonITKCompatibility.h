@@ -12,6 +12,12 @@
     ITK_MACROEND_NOOP_STATEMENT
 #endif
 
+// As itkNewMacro, without the second semicolon that 5.2 leaves after the class member (-Wpedantic).
+#define shapetonNewMacro(thisClass)                                                                                    \
+  itkSimpleNewMacro(thisClass);                                                                                        \
+  itkCreateAnotherMacro(thisClass);                                                                                    \
+  itkCloneMacro(thisClass)
+
 // ITK's input macros use this unqualified name, which 6.0 declares in the namespace itk.
 #if ITK_VERSION_MAJOR >= 6
 namespace shapeton

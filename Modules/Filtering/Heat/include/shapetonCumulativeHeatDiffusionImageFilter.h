@@ -51,7 +51,7 @@ public:
   using Conductance = VolumeGradientOperator::Conductance;
   using StepsType = std::vector<std::uint64_t>;
 
-  itkNewMacro(Self);
+  shapetonNewMacro(Self);
   itkOverrideGetNameOfClassMacro(CumulativeHeatDiffusionImageFilter);
 
   /** Sets window, p, smoothing and number of steps, such as those of ChooseHeatParameters(); by default, the filter

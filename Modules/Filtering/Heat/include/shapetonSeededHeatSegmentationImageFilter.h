@@ -37,7 +37,7 @@ public:
   using Pointer = itk::SmartPointer<Self>;
   using ConstPointer = itk::SmartPointer<const Self>;
 
-  itkNewMacro(Self);
+  shapetonNewMacro(Self);
   itkOverrideGetNameOfClassMacro(SeededHeatSegmentationImageFilter);
 
   /** Seed label of each voxel, 0 for none. */

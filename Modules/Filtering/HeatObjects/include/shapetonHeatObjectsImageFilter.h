@@ -29,7 +29,7 @@ public:
   using Pointer = itk::SmartPointer<Self>;
   using ConstPointer = itk::SmartPointer<const Self>;
 
-  itkNewMacro(Self);
+  shapetonNewMacro(Self);
   itkOverrideGetNameOfClassMacro(HeatObjectsImageFilter);
 
   /** The objects, by descending volume; valid after Update(). */

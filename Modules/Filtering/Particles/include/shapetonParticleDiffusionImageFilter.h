@@ -72,7 +72,7 @@ public:
   using MaskImageType = itk::Image<unsigned char, 3>;
   using StepsType = std::vector<std::uint64_t>;
 
-  itkNewMacro(Self);
+  shapetonNewMacro(Self);
   itkOverrideGetNameOfClassMacro(ParticleDiffusionImageFilter);
 
   /** Mask of the start voxels (not 0). Its grid must be that of the input. */

@@ -45,7 +45,7 @@ public:
   using Pointer = itk::SmartPointer<Self>;
   using ConstPointer = itk::SmartPointer<const Self>;
 
-  itkNewMacro(Self);
+  shapetonNewMacro(Self);
   itkOverrideGetNameOfClassMacro(ColonPhantomImageSource);
 
   /** The patient and the position; default: the preset standard. Throws ParameterError if a parameter is out of

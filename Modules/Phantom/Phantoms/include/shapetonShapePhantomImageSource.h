@@ -48,7 +48,7 @@ public:
   using Pointer = itk::SmartPointer<Self>;
   using ConstPointer = itk::SmartPointer<const Self>;
 
-  itkNewMacro(Self);
+  shapetonNewMacro(Self);
   itkOverrideGetNameOfClassMacro(ShapePhantomImageSource);
 
   /** The scene to sample. A relative scene is scaled to the shortest extent (size * spacing) of the output. */
