@@ -6,7 +6,7 @@
 #include "shapetonHeatObjectTable.h"
 #include "shapetonHeatSnapshot.h"
 #include "shapetonReadOptions.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 #include "shapetonToolVolumes.h"
 #include "shapetonVolumeWriter.h"
 #include "shapetonWindowObjects.h"

@@ -5,7 +5,7 @@
 #include "shapetonHeatSnapshot.h"
 #include "shapetonShapeAnalysis.h"
 #include "shapetonExceptions.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 #include "shapetonTransferFunctionChoice.h"
 #include "shapetonTransferFunctionPicture.h"
 #include "shapetonToolDevice.h"

@@ -3,7 +3,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
 #include "shapetonReadOptions.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 #include "shapetonShapeTable.h"
 #include "shapetonToolVolumes.h"
 

@@ -1,18 +1,15 @@
 // Builds the max-tree and the min-tree of a heat-like volume of float numbers by BuildComponentTrees(), with 1 and 2
 // threads, and both by a sequential peer, alternately in one run; then selects an object as a click does. Arguments:
 // side of the volume in voxels, default 256; number of rounds, default 3.
+#include "Times.h"
+
 #include "shapetonComponentTree.h"
 #include "shapetonHeatObjects.h"
 #include "shapetonParallelFor.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <numeric>
 #include <random>
 #include <stdexcept>
@@ -28,18 +25,6 @@ constexpr double mostSeconds = 6.0; // for both trees, 2 threads
 constexpr double leastSpeedup = 1.6;
 constexpr double mostClickSeconds = 0.05;
 
-double
-ProcessorSeconds()
-{
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval & t) {
-    constexpr double perMicrosecond = 1e-6;
-    return static_cast<double>(t.tv_sec) + perMicrosecond * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
 /** Elapsed and processor time of the calls of a function. */
 struct Times
 {
@@ -49,11 +34,10 @@ struct Times
   void
   Measure(const TFunction & function)
   {
-    const auto   start = std::chrono::steady_clock::now();
-    const double before = ProcessorSeconds();
+    const Stopwatch watch;
     function();
-    processor.push_back(ProcessorSeconds() - before);
-    elapsed.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    processor.push_back(watch.ProcessorSeconds());
+    elapsed.push_back(watch.Seconds());
   }
 };
 
@@ -219,13 +203,6 @@ RequireSameRegions(const ComponentTree & tree, const std::vector<Index> & parent
   std::printf("  %zu regions compared with the peer: equal\n", compared);
 }
 
-bool
-PrintBound(const char * text, double value, double asked, bool isMet)
-{
-  std::printf("  %-42s %8.3f   asked %g   %s\n", text, value, asked, isMet ? "met" : "NOT MET");
-  return isMet;
-}
-
 void
 Run(int side, int rounds)
 {
@@ -268,19 +245,16 @@ Run(int side, int rounds)
   PrintTimes("both trees, 1 thread", one);
   PrintTimes("both trees, 2 threads", two);
   PrintTimes("peer, both trees, sequential", peer);
-  PrintBound("seconds of both trees, 2 threads", Median(two.elapsed), mostSeconds, Median(two.elapsed) <= mostSeconds);
+  PrintBound("seconds of both trees, 2 threads", Median(two.elapsed), mostSeconds);
   const double speedup = Median(one.elapsed) / Median(two.elapsed);
-  PrintBound("times faster with 2 threads", speedup, leastSpeedup, speedup >= leastSpeedup);
+  PrintBound("times faster with 2 threads", speedup, leastSpeedup, true);
   std::printf("  %-42s %8.3f\n", "times faster than the peer, 1 thread", Median(peer.elapsed) / Median(one.elapsed));
   if (!click.elapsed.empty())
   {
     const double slowest = *std::max_element(click.elapsed.begin(), click.elapsed.end());
-    PrintBound("seconds of a click, the largest objects", slowest, mostClickSeconds, slowest <= mostClickSeconds);
+    PrintBound("seconds of a click, the largest objects", slowest, mostClickSeconds);
   }
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  constexpr double kilobytesPerGigabyte = 1e6;
-  std::printf("  peak memory, with the peer: %.2f GB\n", static_cast<double>(usage.ru_maxrss) / kilobytesPerGigabyte);
+  std::printf("  peak memory, with the peer: %.2f GB\n", PeakMegabytes() / 1024.0);
 }
 } // namespace
 

@@ -1,6 +1,7 @@
 // GPU timings compared with their bounds: wall time in seconds, the best of three runs after a warm-up. Run by
 // Utilities/run-benchmarks --device cuda.
 #include "BenchmarkVolume.h"
+#include "Times.h"
 
 #include "shapetonAutomaticParameters.h"
 #include "shapetonDeviceHeatEngine.h"
@@ -10,26 +11,18 @@
 #include "shapetonVolumeRendering.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
 #include <memory>
 
 namespace
 {
 using namespace shapeton;
 
+/** The least of three calls after a first one, which loads kernels and touches memory. */
 double
-SecondsOf(const std::function<void()> & work)
+WarmSecondsOf(const std::function<void()> & work)
 {
-  double best = HUGE_VAL;
-  work(); // warm-up: loads kernels, touches memory
-  for (int run = 0; run < 3; ++run)
-  {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-  return best;
+  work();
+  return SecondsOf(work, 3);
 }
 
 void
@@ -98,7 +91,7 @@ MeasureTriad()
   constexpr std::size_t  number = std::size_t{ 1 } << 26;
   constexpr unsigned int triads = 50;
   const auto             run = reinterpret_cast<RunTriadsFunction *>(FindDeviceFunction("ShapetonRunTriads"));
-  return 12.0 * number * triads / SecondsOf([&] { run(number, triads); });
+  return 12.0 * number * triads / WarmSecondsOf([&] { run(number, triads); });
 }
 
 void
@@ -111,7 +104,7 @@ MeasureSteps(const Setting & s, double bandwidth)
   const std::unique_ptr<DeviceHeatEngine> engine(make(volume, nullptr, nullptr));
   engine->Upload(HeatEngine::Heat, s.initial.GetData());
   constexpr unsigned int steps = 640;
-  const double           seconds = SecondsOf([&] { engine->StepExplicitly(steps, 1.0F / 12.0F, false); });
+  const double           seconds = WarmSecondsOf([&] { engine->StepExplicitly(steps, 1.0F / 12.0F, false); });
   const double           asked = std::max(0.004, 1e9 * 20.0 / (0.6 * bandwidth));
   Print("256^3, an explicit step (0.004, or 60 % of the triad at 20 bytes)",
         1e9 * seconds / steps / s.Voxels(),
@@ -122,7 +115,7 @@ MeasureSteps(const Setting & s, double bandwidth)
 void
 MeasureFinalState(const char * what, const Setting & s, double asked)
 {
-  const double seconds = SecondsOf([&] {
+  const double seconds = WarmSecondsOf([&] {
     PaddedField heat(s.volumeGradient.GetGrid());
     std::copy_n(s.initial.GetData(), s.volumeGradient.GetGrid().GetLength(), heat.GetData());
     HeatDiffusionSolver solver(s.volumeGradient, HeatDiffusionSolver::Method::Chebyshev, 1.0 / 12.0, 1e-5);
@@ -136,7 +129,7 @@ void
 MeasureHistogram(const Setting & s)
 {
   const auto   steps = MakeSnapshotSteps(100000, 512, SnapshotSpacing::Linear);
-  const double seconds = SecondsOf([&] {
+  const double seconds = WarmSecondsOf([&] {
     PaddedField heat(s.volumeGradient.GetGrid());
     std::copy_n(s.initial.GetData(), s.volumeGradient.GetGrid().GetLength(), heat.GetData());
     Counter             counter(steps.size());
@@ -158,7 +151,7 @@ SecondsOfShapetons(const Setting & s, std::uint32_t shapetons, std::uint64_t ste
   std::vector<std::uint32_t> visits(s.intensities.size());
   const VolumeView           volume(s.intensities.data(), { s.side, s.side, s.side });
   ParticleDiffusion          diffusion(volume, settings, nullptr, visits.data());
-  return SecondsOf([&] { diffusion.Run(diffusion.GetMeasures().step + steps); });
+  return WarmSecondsOf([&] { diffusion.Run(diffusion.GetMeasures().step + steps); });
 }
 
 void
@@ -179,8 +172,8 @@ MeasureFrame(Setting & s)
   options.annotations = false;
   std::unique_ptr<VolumeRenderer> renderer;
   const double                    classification =
-    SecondsOf([&] { renderer = std::make_unique<VolumeRenderer>(heat, lines, Device::Cuda); });
-  const double frame = SecondsOf([&] { renderer->Render(options); });
+    WarmSecondsOf([&] { renderer = std::make_unique<VolumeRenderer>(heat, lines, Device::Cuda); });
+  const double frame = WarmSecondsOf([&] { renderer->Render(options); });
   Print("256^3, a frame of 1000 x 1000 pixels", 1e3 * frame, "ms", 20.0);
   std::printf("\nOne-time classification on the CPU, and upload: %.0f ms.\n", 1e3 * classification);
 }

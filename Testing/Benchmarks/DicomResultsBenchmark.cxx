@@ -1,13 +1,12 @@
 // Time of each DICOM object of an examination, and of all objects. Usage: DicomResultsBenchmark [EXAM SOURCE]; without
 // arguments, a phantom of 512 x 512 x 400 voxels is generated and analyzed first with the tools next to this program,
 // which takes many minutes. Times are CPU seconds of one thread.
+#include "Times.h"
+
 #include "shapetonTestFolder.h"
 
 #include "shapetonColonDicomResults.h"
 
-#include <cstdio>
-#include <cstdlib>
-#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <stdexcept>
@@ -20,21 +19,9 @@ namespace
 namespace fs = std::filesystem;
 
 double
-ProcessorSeconds()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-double
 Megabytes(const std::string & path)
 {
   return static_cast<double>(fs::file_size(path)) / 1e6;
-}
-
-void
-PrintBound(const std::string & text, double value, double asked)
-{
-  std::printf("%-66s %10.2f   asked <= %g   %s\n", text.c_str(), value, asked, value <= asked ? "met" : "NOT MET");
 }
 
 struct Stage
@@ -52,7 +39,8 @@ WriteAll(const std::string & exam, const std::string & source, const std::string
   fs::create_directories(folder);
   std::vector<Stage>          stages;
   shapeton::ColonDicomOptions options{ objects, {}, {} };
-  options.progress = [&](const std::string & name, double) { stages.push_back({ name, ProcessorSeconds() }); };
+  const Stopwatch             watch;
+  options.progress = [&](const std::string & name, double) { stages.push_back({ name, watch.ProcessorSeconds() }); };
   shapeton::WriteColonDicomResults(exam, source, folder, options, [](const std::string & path) { return path; });
   return stages;
 }
@@ -75,8 +63,8 @@ Measure(const std::string & exam,
     std::printf("  %-20s %6.2f s, %4.1f %% of the whole\n", stages[i].name.c_str(), seconds, 100.0 * seconds / whole);
     if (stages[i].name.rfind("seg", 0) == 0)
     {
-      PrintBound(stages[i].name + ": finding, packing and writing its segments, s", seconds, 5.0);
-      PrintBound(stages[i].name + ", MB", Megabytes(folder + '/' + stages[i].name), megabytes);
+      PrintBound((stages[i].name + ": finding, packing and writing its segments, s").c_str(), seconds, 5.0);
+      PrintBound((stages[i].name + ", MB").c_str(), Megabytes(folder + '/' + stages[i].name), megabytes);
     }
   }
 }

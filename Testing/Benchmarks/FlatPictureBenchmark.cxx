@@ -1,15 +1,14 @@
 // Wall and CPU time of each step of flat pictures of a generated colon of 55,000 faces, at 3000 x 200 and 12000 x 800
 // pixels.
+#include "Times.h"
+
 #include "shapetonFlatColonPage.h"
 #include "shapetonFlatColonStrip.h"
 #include "shapetonFlatCoordinateMap.h"
 #include "shapetonFlatTestTubes.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <ctime>
 #include <functional>
 
 namespace
@@ -79,11 +78,10 @@ Time(const char * what, const std::function<void()> & run)
   double processor[repetitions];
   for (int i = 0; i < repetitions; ++i)
   {
-    const auto         start = std::chrono::steady_clock::now();
-    const std::clock_t startOfProcessor = std::clock();
+    const Stopwatch watch;
     run();
-    seconds[i] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    processor[i] = static_cast<double>(std::clock() - startOfProcessor) / CLOCKS_PER_SEC;
+    seconds[i] = watch.Seconds();
+    processor[i] = watch.ProcessorSeconds();
   }
   std::sort(seconds, seconds + repetitions);
   std::sort(processor, processor + repetitions);

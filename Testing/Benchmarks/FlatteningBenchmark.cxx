@@ -3,6 +3,7 @@
 // 55000. For the accuracy of the maps, see Utilities/run-validation flattening-accuracy.
 #include "FlatteningTrial.h"
 #include "NewtonFlattening.h"
+#include "Times.h"
 
 #include "shapetonColonFlattening.h"
 #include "shapetonHarmonicSolver.h"
@@ -14,14 +15,6 @@
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
-#include <sys/resource.h>
-
-#include <algorithm>
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <ctime>
-
 namespace
 {
 using namespace shapeton;
@@ -29,36 +22,6 @@ namespace smp = CGAL::Surface_mesh_parameterization;
 using CgalMesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 constexpr int facesOfPeers = 60000; // ARAP is slow
-
-template <typename TBody>
-double
-BestSeconds(int times, const TBody & body)
-{
-  double best = 1e300;
-  for (int i = 0; i < times; ++i)
-  {
-    const auto start = std::chrono::steady_clock::now();
-    body();
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-  return best;
-}
-
-void
-PrintBound(const char * text, double value, double asked)
-{
-  std::printf("  %-66s %10.4g   asked <= %g   %s\n", text, value, asked, value <= asked ? "met" : "NOT MET");
-}
-
-/** CPU seconds of all processors. */
-template <typename TBody>
-double
-ProcessorSeconds(const TBody & body)
-{
-  const std::clock_t start = std::clock();
-  body();
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
 
 CgalMesh
 ToCgal(const SurfaceMesh & mesh)
@@ -83,12 +46,14 @@ SecondsOfCgal(const SurfaceMesh & mesh, int times)
   CgalMesh surface = ToCgal(mesh);
   auto     uv = surface.add_property_map<CgalMesh::Vertex_index, CGAL::Simple_cartesian<double>::Point_2>("v:uv").first;
   const auto border = CGAL::Polygon_mesh_processing::longest_border(surface).first;
-  return BestSeconds(times, [&] {
-    if (smp::parameterize(surface, TParameterizer(), border, uv) != smp::OK)
-    {
-      std::printf("  (failed)\n");
-    }
-  });
+  return SecondsOf(
+    [&] {
+      if (smp::parameterize(surface, TParameterizer(), border, uv) != smp::OK)
+      {
+        std::printf("  (failed)\n");
+      }
+    },
+    times);
 }
 
 void
@@ -96,13 +61,13 @@ CompareTimes(int faces)
 {
   const TubeCase   plain(GenerateTube(faces, 0, 1));
   TubeMap          map;
-  const double     ours = BestSeconds(7, [&] { map = plain.Flatten(plain.lengths); });
+  const double     ours = SecondsOf([&] { map = plain.Flatten(plain.lengths); }, 7);
   NewtonFlattening newton;
   const auto       flattenByNewton = [&] {
     const CutSurface cut = CutAlongPaths(plain.tube.mesh, plain.connectivity, { map.cutPath });
     newton = FlattenByNewton(plain.connectivity, plain.tube.mesh.F, plain.lengths, plain.ends, cut);
   };
-  const double byNewton = BestSeconds(7, flattenByNewton);
+  const double byNewton = SecondsOf(flattenByNewton, 7);
   std::printf("times, %d faces: u, cut, v %.3f s; Newton-CETM %.3f s (%d iterations%s)\n",
               plain.tube.mesh.NumberOfFaces(),
               ours,
@@ -111,8 +76,8 @@ CompareTimes(int faces)
               newton.hasConverged ? "" : ", STALLED");
   PrintBound("time relative to Newton-CETM", ours / byNewton, 0.55);
   std::printf("  CPU seconds: %.3f compared with %.3f\n",
-              ProcessorSeconds([&] { plain.Flatten(plain.lengths); }),
-              ProcessorSeconds(flattenByNewton));
+              ProcessorSecondsOf([&] { plain.Flatten(plain.lengths); }),
+              ProcessorSecondsOf(flattenByNewton));
   if (faces > facesOfPeers)
   {
     return;
@@ -142,8 +107,8 @@ CompareWithHolomorphicForms(int faces, int handles)
       }
     }
   };
-  const double pair = BestSeconds(3, [&] { solve(2, 2); });
-  const double forms = BestSeconds(2, [&] { solve(1, 2 * handles); });
+  const double pair = SecondsOf([&] { solve(2, 2); }, 3);
+  const double forms = SecondsOf([&] { solve(1, 2 * handles); }, 2);
   std::printf("  %3d handles: 2 solves vs. %3d; %.3f s with 2 factorizations vs. %.3f s with one: %.2f\n",
               handles,
               2 * handles,
@@ -158,7 +123,7 @@ MeasureHandles(int faces, int handles)
 {
   const TubeCase with(GenerateTube(faces, handles, 1));
   const TubeMap  map = with.Flatten(with.lengths);
-  const double   seconds = ProcessorSeconds([&] {
+  const double   seconds = ProcessorSecondsOf([&] {
     const HandleDetection detection = DetectHandles(with.connectivity, map.flat);
     RemoveHandles(with.tube.mesh, with.connectivity, detection.handles);
   });
@@ -170,31 +135,19 @@ MeasureWholeJob(int faces)
 {
   const SurfaceMesh mesh = GenerateTube(faces, 0, 1).mesh;
   ColonFlattening   result;
-  const double seconds = BestSeconds(faces > facesOfPeers ? 1 : 3, [&] { result = FlattenColon(mesh, "the tube"); });
-  rusage       usage;
-  getrusage(RUSAGE_SELF, &usage);
+  const double      seconds = SecondsOf([&] { result = FlattenColon(mesh, "the tube"); }, faces > facesOfPeers ? 1 : 3);
   std::printf("complete run, %d faces, heat diffusion metric, t = %.1f mm^2: %.2f s, peak of this run %.0f MB\n",
               result.surface.NumberOfFaces(),
               result.time,
               seconds,
-              static_cast<double>(usage.ru_maxrss) / 1024.0);
+              PeakMegabytes());
 }
 } // namespace
 
 int
 main(int argc, char * argv[])
 {
-  std::vector<int> numbers;
-  for (int i = 1; i < argc; ++i)
-  {
-    numbers.push_back(std::atoi(argv[i]));
-    if (numbers.back() < 2000)
-    {
-      std::fprintf(stderr, "usage: %s [NUMBER OF FACES >= 2000]...\n", argv[0]);
-      return 2;
-    }
-  }
-  for (const int faces : numbers.empty() ? std::vector<int>{ 12000, 55000 } : numbers)
+  for (const int faces : NumbersOfFaces(argc, argv, { 12000, 55000 }))
   {
     CompareTimes(faces);
     for (const int handles : { 10, 43, 100 })

@@ -2,46 +2,17 @@
 // with the same circles at infinity, to a curvature of 1e-10; embedding time and crossings compared with Graphviz's
 // sfdp. usage: GraphEmbeddingBenchmark [--large]; --large adds maps of a million nodes.
 #include "GraphPackingPeers.h"
+#include "Times.h"
 
 #include "shapetonGraphEmbedding.h"
 #include "shapetonGraphFamilies.h"
 #include "shapetonGraphGenus.h"
 
-#include <sys/resource.h>
-
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <functional>
-#include <sstream>
 
 namespace
 {
 using namespace shapeton;
-
-double
-Seconds(const std::function<void()> & body)
-{
-  const auto start = std::chrono::steady_clock::now();
-  body();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double
-PeakGigabytes()
-{
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_maxrss / 1048576.0;
-}
-
-void
-PrintBound(const char * text, double value, bool isMet, double asked)
-{
-  std::printf("  %-66s %10.4g   asked %g   %s\n", text, value, asked, isMet ? "met" : "NOT MET");
-}
 
 void
 CompareWithPeers()
@@ -49,7 +20,7 @@ CompareWithPeers()
   const CombinatorialMap  map = peers::GridOnSphere(55);
   const CirclesAtInfinity infinite = peers::CirclesThroughFirstEdge(map);
   CirclePacking           packing;
-  const double            newton = Seconds([&] { packing = PackCircles(map, FlowGeometry::Euclidean, infinite); });
+  const double            newton = SecondsOf([&] { packing = PackCircles(map, FlowGeometry::Euclidean, infinite); });
   const peers::PeerRun    sweep = peers::RunPeer(map, infinite, peers::Method::ThurstonSweep);
   const peers::PeerRun    flow = peers::RunPeer(map, infinite, peers::Method::GradientFlow);
   std::printf("%d nodes, %d edges, genus 0, to 1e-10\n", map.Nodes(), map.Edges());
@@ -63,15 +34,15 @@ CompareWithPeers()
                 run.residual,
                 run.isExtrapolated ? "   (extrapolated from the rate at the end)" : "");
   }
-  PrintBound("Thurston / Newton", sweep.seconds / newton, sweep.seconds >= 100.0 * newton, 100.0);
-  PrintBound("gradient flow / Newton", flow.seconds / newton, flow.seconds >= 1000.0 * newton, 1000.0);
+  PrintBound("Thurston / Newton", sweep.seconds / newton, 100.0, true);
+  PrintBound("gradient flow / Newton", flow.seconds / newton, 1000.0, true);
 }
 
 void
 CompareWithSfdp(const char * name, const Graph & graph)
 {
   CombinatorialMap     map;
-  const double         embedding = Seconds([&] {
+  const double         embedding = SecondsOf([&] {
     if (FindPlanarEmbedding(graph, map))
     {
       EmbedGraph(graph, map);
@@ -92,14 +63,14 @@ Measure(const char * text, const CombinatorialMap & map, double asked)
 {
   const Graph          graph = map.ToGraph();
   EmbeddingCertificate certificate;
-  const double         seconds = Seconds([&] { certificate = EmbedGraph(graph, map); });
+  const double         seconds = SecondsOf([&] { certificate = EmbedGraph(graph, map); });
   std::printf("%d nodes, %d edges, genus %d: residual %.1e, peak memory so far %.2f GB\n",
               map.Nodes(),
               map.Edges(),
               certificate.genus,
               certificate.statistics.front().second,
-              PeakGigabytes());
-  PrintBound(text, seconds, seconds <= asked, asked);
+              PeakMegabytes() / 1024.0);
+  PrintBound(text, seconds, asked);
 }
 } // namespace
 

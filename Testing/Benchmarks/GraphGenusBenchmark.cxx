@@ -1,5 +1,7 @@
 // Planarity test of random triangulated grids compared with Boost's Boyer-Myrvold test, in one process; then the genus
 // of known graphs. Argument: side of the grid (default 200).
+#include "Times.h"
+
 #include "shapetonGraphFamilies.h"
 #include "shapetonGraphGenus.h"
 #include "shapetonPhiloxStream.h"
@@ -8,23 +10,11 @@
 #include <boost/graph/boyer_myrvold_planar_test.hpp>
 
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <functional>
 #include <numeric>
 #include <vector>
 
 namespace
 {
-double
-SecondsOf(const std::function<void()> & work)
-{
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 /** Grid with a random diagonal in each square, with shuffled nodes and edges. */
 shapeton::Graph
 TriangulatedGrid(int side)

@@ -1,7 +1,7 @@
 #include "GraphPackingPeers.h"
+#include "Times.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -20,12 +20,6 @@ using Triangle = std::array<int, 3>;
 constexpr double pi = 3.14159265358979323846;
 constexpr double wanted = 1e-10;
 constexpr double mostSeconds = 60.0;
-
-double
-SecondsSince(std::chrono::steady_clock::time_point start)
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /** Two triangles of a square, split by a pseudo-random diagonal. */
 void
@@ -238,16 +232,16 @@ CirclesThroughFirstEdge(const CombinatorialMap & map)
 PeerRun
 RunPeer(const CombinatorialMap & map, const shapeton::CirclesAtInfinity & infinite, Method method)
 {
-  Packing    packing(map, infinite);
-  PeerRun    run;
-  double     middleResidual = 0.0;
-  double     middleSteps = 0.0;
-  const auto start = std::chrono::steady_clock::now();
+  Packing         packing(map, infinite);
+  PeerRun         run;
+  double          middleResidual = 0.0;
+  double          middleSteps = 0.0;
+  const Stopwatch watch;
   do
   {
     run.residual = method == Method::ThurstonSweep ? Sweep(packing) : Flow(packing);
     run.steps += 1.0;
-    run.seconds = SecondsSince(start);
+    run.seconds = watch.Seconds();
     if (run.seconds > 0.5 * mostSeconds && middleSteps == 0.0)
     {
       middleResidual = run.residual;
@@ -321,12 +315,12 @@ RunSfdp(const shapeton::Graph & graph, bool countsCrossings)
     }
     file << "}\n";
   }
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   if (std::system(("sfdp -Tplain " + dot + " > " + plain + " 2> /dev/null").c_str()) != 0)
   {
     return run;
   }
-  run.seconds = SecondsSince(start);
+  run.seconds = watch.Seconds();
   run.places.resize(graph.nodes);
   std::ifstream file(plain);
   std::string   line;

@@ -1,6 +1,7 @@
 // Cumulative heat diffusion of 256^3 voxels compared with its peers in one process: the memory roofline (a triad), a
 // plain scalar loop, and ITK's gradient anisotropic diffusion. Prints absolute times, then ratios of medians.
 #include "BenchmarkVolume.h"
+#include "MedianReporter.h"
 #include "ScalarPeer.h"
 
 #include "shapetonAutomaticParameters.h"
@@ -11,12 +12,6 @@
 #include "shapetonTimeTiles.h"
 
 #include "itkGradientAnisotropicDiffusionImageFilter.h"
-
-#include <benchmark/benchmark.h>
-
-#include <cmath>
-#include <cstdio>
-#include <map>
 
 namespace
 {
@@ -205,7 +200,6 @@ Snapshots(benchmark::State & state)
   s.Reset();
 }
 
-// Bandwidth fluctuates on shared machines, so peers run in random order and medians are compared.
 constexpr int turns = 7;
 BENCHMARK(Triad)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(40)->Repetitions(turns);
 BENCHMARK(Scalar)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(4)->Repetitions(turns);
@@ -215,50 +209,14 @@ BENCHMARK(TiledCompensated)->Unit(benchmark::kMillisecond)->UseRealTime()->Itera
 BENCHMARK(ItkGradientAnisotropicDiffusion)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1)->Repetitions(3);
 BENCHMARK(FinalState)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 BENCHMARK(Snapshots)->Arg(100000)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
-
-/** Prints the usual output and stores the medians. */
-class Reporter : public benchmark::ConsoleReporter
-{
-public:
-  void
-  ReportRuns(const std::vector<Run> & runs) override
-  {
-    ConsoleReporter::ReportRuns(runs);
-    for (const Run & run : runs)
-    {
-      if (run.aggregate_name == "median" || (run.aggregate_name.empty() && run.repetitions <= 1))
-      {
-        milliseconds[run.run_name.function_name + (run.run_name.args.empty() ? "" : "/" + run.run_name.args)] =
-          run.GetAdjustedRealTime();
-      }
-    }
-  }
-
-  std::map<std::string, double> milliseconds;
-};
-
-void
-PrintRatio(const char * text, double ratio, double asked)
-{
-  if (!std::isfinite(ratio) || ratio <= 0.0)
-  {
-    return; // excluded by --benchmark_filter
-  }
-  std::printf("%-62s %8.2f   asked %g   %s\n", text, ratio, asked, ratio >= asked ? "met" : "NOT MET");
-}
 } // namespace
 
 int
 main(int argc, char * argv[])
 {
-  std::vector<char *> arguments(argv, argv + argc);
-  std::string         interleaving = "--benchmark_enable_random_interleaving=true";
-  std::string         medians = "--benchmark_report_aggregates_only=true";
-  arguments.insert(arguments.begin() + 1, { interleaving.data(), medians.data() });
-  int number = static_cast<int>(arguments.size());
-  benchmark::Initialize(&number, arguments.data());
+  InitializeBenchmarks(argc, argv);
   Setting::Get();
-  Reporter reporter;
+  MedianReporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
   auto &       ms = reporter.milliseconds;
   const double bandwidth = 12.0 * voxels / ms["Triad"]; // bytes per millisecond

@@ -1,48 +1,17 @@
 // Computes the heat diffusion distances of all edges of colon-like tubes, exactly and from 50, 200 and 500 eigenpairs,
 // in one run. Arguments: numbers of faces. For the accuracy, see Utilities/run-validation flattening-metric.
+#include "Times.h"
+
 #include "shapetonColonTube.h"
 #include "shapetonHeatDiffusionMetric.h"
 
 #include "itkMultiThreaderBase.h"
-
-#include <sys/resource.h>
-
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
 
 namespace
 {
 using namespace shapeton;
 
 constexpr int mostFacesForPairs = 60000;
-
-class Stopwatch
-{
-public:
-  double
-  Seconds() const
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_Start).count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point m_Start{ std::chrono::steady_clock::now() };
-};
-
-double
-PeakMegabytes()
-{
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-void
-PrintBound(const char * text, double value, double asked)
-{
-  std::printf("  %-64s %10.3g   asked %g   %s\n", text, value, asked, value <= asked ? "met" : "NOT MET");
-}
 
 void
 CompareWithPairs(const SurfaceLaplacian & laplacian, const HeatDiffusionMetric & metric, double exactSeconds)
@@ -108,17 +77,7 @@ Run(int faces)
 int
 main(int argc, char * argv[])
 {
-  std::vector<int> faces;
-  for (int i = 1; i < argc; ++i)
-  {
-    faces.push_back(std::atoi(argv[i]));
-    if (faces.back() < 2000)
-    {
-      std::fprintf(stderr, "usage: %s [NUMBER OF FACES >= 2000]...\n", argv[0]);
-      return 2;
-    }
-  }
-  for (const int number : faces.empty() ? std::vector<int>{ 12000, 55000, 200000, 1000000 } : faces)
+  for (const int number : NumbersOfFaces(argc, argv, { 12000, 55000, 200000, 1000000 }))
   {
     Run(number);
   }

@@ -1,6 +1,7 @@
 // Shapeton diffusion of 65,536 shapetons in 256^3 voxels compared with the published scalar loop, alternating in one
 // process. Prints nanoseconds per shapeton and step and the ratios of medians.
 #include "BenchmarkVolume.h"
+#include "MedianReporter.h"
 #include "ShapetonPeer.h"
 
 #include "shapetonKernelSets.h"
@@ -11,12 +12,7 @@
 
 #include "itkMultiThreaderBase.h"
 
-#include <benchmark/benchmark.h>
-
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <map>
 
 namespace
 {
@@ -244,7 +240,6 @@ Kernels(benchmark::State & state, const ParticleKernels::Set & kernels, Particle
 void
 Register()
 {
-  // The speed fluctuates on shared machines, so peers run in random order and medians are compared.
   const auto inTurns = [](benchmark::internal::Benchmark * one, int iterations) {
     return one->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(iterations)->Repetitions(9);
   };
@@ -273,27 +268,6 @@ Register()
             6);
   }
 }
-
-/** Prints the usual output and stores the medians, in nanoseconds per shapeton and step. */
-class Reporter : public benchmark::ConsoleReporter
-{
-public:
-  void
-  ReportRuns(const std::vector<Run> & runs) override
-  {
-    ConsoleReporter::ReportRuns(runs);
-    for (const Run & run : runs)
-    {
-      if (run.aggregate_name == "median")
-      {
-        nanoseconds[run.run_name.function_name + (run.run_name.args.empty() ? "" : "/" + run.run_name.args)] =
-          run.GetAdjustedRealTime() * 1e6 / shapetonSteps;
-      }
-    }
-  }
-
-  std::map<std::string, double> nanoseconds;
-};
 
 /** Quantities that compare a run of the peer with a run of the library. */
 struct Summary
@@ -412,25 +386,15 @@ CompareResults(double p)
 }
 
 void
-PrintRatio(const char * text, double ratio, double asked, bool atMost = false)
-{
-  if (!std::isfinite(ratio) || ratio <= 0.0)
-  {
-    return; // excluded by --benchmark_filter
-  }
-  const bool met = atMost ? ratio <= asked : ratio >= asked;
-  std::printf("%-66s %7.2f   asked %s%g   %s\n", text, ratio, atMost ? "<= " : "", asked, met ? "met" : "NOT MET");
-}
-
-void
 PrintResults(std::map<std::string, double> ns)
 {
   std::printf("\n%u shapetons, %zu^3 voxels, p = 7, distance %g; ns per shapeton and step, medians\n",
               shapetons,
               usualSide,
               distance);
-  for (const auto & [name, value] : ns)
+  for (auto & [name, value] : ns)
   {
+    value *= 1e6 / shapetonSteps; // from milliseconds
     std::printf("%-30s %8.2f\n", name.c_str(), value);
   }
   std::printf("\n");
@@ -448,17 +412,12 @@ PrintResults(std::map<std::string, double> ns)
 int
 main(int argc, char * argv[])
 {
-  std::vector<char *> arguments(argv, argv + argc);
-  std::string         interleaving = "--benchmark_enable_random_interleaving=true";
-  std::string         medians = "--benchmark_report_aggregates_only=true";
-  arguments.insert(arguments.begin() + 1, { interleaving.data(), medians.data() });
-  int number = static_cast<int>(arguments.size());
-  benchmark::Initialize(&number, arguments.data());
+  InitializeBenchmarks(argc, argv);
   Register();
-  Reporter reporter;
+  MedianReporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
-  PrintResults(reporter.nanoseconds);
-  if (reporter.nanoseconds.count("Peer/1") > 0)
+  PrintResults(reporter.milliseconds);
+  if (reporter.milliseconds.count("Peer/1") > 0)
   {
     CompareResults(7.0);
     CompareResults(25.0);

@@ -1,5 +1,7 @@
 // Simplification of a bumpy sphere compared with its peers in one process: VTK's quadric decimation and CGAL's edge
 // collapse (Lindstrom-Turk, link condition). Prints times, properties of the results, and the ratios of medians.
+#include "Times.h"
+
 #include "shapetonSurfaceQuality.h"
 #include "shapetonSurfaceSimplification.h"
 #include "shapetonTestSurfaces.h"
@@ -16,8 +18,6 @@
 #include <vtkQuadricDecimation.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
 #include <functional>
 #include <vector>
 
@@ -132,9 +132,7 @@ Measure(const char * name, const SurfaceMesh & mesh, const std::function<Surface
   SurfaceMesh         result;
   for (int i = 0; i < Repetitions; ++i)
   {
-    const auto start = std::chrono::steady_clock::now();
-    result = simplify(mesh);
-    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    seconds.push_back(SecondsOf([&] { result = simplify(mesh); }));
   }
   std::sort(seconds.begin(), seconds.end());
   const shapeton::SurfaceQuality quality = shapeton::InspectSurface(result);

@@ -2,15 +2,12 @@
 // available data use a phantom of equal size.
 #include "BenchmarkVolume.h"
 #include "ConventionalHeat.h"
+#include "Times.h"
 
 #include "shapetonCumulativeHeatDiffusion.h"
 #include "itkMultiThreaderBase.h"
 #include "shapetonVolumeReader.h"
 
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <ctime>
 #include <filesystem>
 
 namespace
@@ -61,20 +58,6 @@ Load(const Row & row)
            true };
 }
 
-/** Seconds of processor time since the start, summed over all threads. */
-double
-ProcessorSeconds()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-/** Elapsed seconds on a monotonic clock. */
-double
-ElapsedSeconds()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 /** Seconds of cumulative diffusion: of processor time on the CPU, elapsed on a GPU. */
 double
 Seconds(const Row & row, const LoadedVolume & volume, shapeton::Device device)
@@ -83,11 +66,10 @@ Seconds(const Row & row, const LoadedVolume & volume, shapeton::Device device)
   settings.p = row.p;
   settings.timeSteps = row.steps;
   settings.device = device;
-  const auto         clock = device == shapeton::Device::Cpu ? ProcessorSeconds : ElapsedSeconds;
-  const double       start = clock();
+  const Stopwatch    watch;
   std::vector<float> heat(volume.values.size());
   shapeton::DiffuseCumulativeHeat(shapeton::VolumeView(volume.values.data(), volume.size), settings, heat.data());
-  return clock() - start;
+  return device == shapeton::Device::Cpu ? watch.ProcessorSeconds() : watch.Seconds();
 }
 
 void
@@ -127,9 +109,7 @@ PrintConventional()
   {
     const LoadedVolume volume{ { { side, side, side } }, MakeBenchmarkVolume({ { side, side, side } }), false };
     const shapeton::VolumeGradientOperator volumeGradient(shapeton::VolumeView(volume.values.data(), volume.size));
-    const double                           start = ProcessorSeconds();
-    ConventionalHeat(volumeGradient, steps);
-    const double conventional = ProcessorSeconds() - start;
+    const double conventional = ProcessorSecondsOf([&] { ConventionalHeat(volumeGradient, steps); });
     Row          row = rows[0];
     row.steps = steps;
     const double cumulative = Seconds(row, volume, shapeton::Device::Cpu);

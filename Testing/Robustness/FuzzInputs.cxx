@@ -25,7 +25,6 @@
 #include "shapetonSurfaceQuality.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonSurfaceRepair.h"
-#include "shapetonExceptions.h"
 #include "shapetonVolumeReader.h"
 
 #include <chrono>
@@ -121,26 +120,16 @@ IsSurface(const std::string & path)
 bool
 ReadAllOfSurface(const std::string & path)
 {
-  bool       isRead = false;
-  const auto attempt = [&](const auto & read) {
-    try
-    {
-      read();
-      isRead = true;
-    }
-    catch (const shapeton::InputError &)
-    {}
-  };
   constexpr auto millimeter = shapeton::SurfaceUnit::Millimeter;
-  attempt([&] {
+  bool           isRead = IsRead([&] {
     const shapeton::SurfaceMesh mesh = shapeton::ReadSurface(path, { {}, -1, millimeter }).mesh;
     shapeton::InspectSurface(mesh);
     shapeton::InspectSurface(shapeton::RepairSurface(mesh));
   });
-  attempt([&] { shapeton::ReadRepairedSurface(path, { {}, 0, millimeter }); });
+  isRead |= IsRead([&] { shapeton::ReadRepairedSurface(path, { {}, 0, millimeter }); });
   if (fs::path(path).extension() == ".vtp")
   {
-    attempt([&] { shapeton::ReadCurves(path); });
+    isRead |= IsRead([&] { shapeton::ReadCurves(path); });
   }
   return isRead;
 }
@@ -151,24 +140,14 @@ ReadAllOfVolume(const std::string & path, const std::string & soundFolder)
 {
   shapeton::VolumeReadOptions options;
   options.resampleGaps = options.deshear = options.dropDuplicates = options.allowSingleSlice = true;
-  bool       isRead = false;
-  const auto attempt = [&](const std::string & input) {
-    try
-    {
-      shapeton::ReadVolume(input, options);
-      isRead = true;
-    }
-    catch (const shapeton::InputError &)
-    {}
-  };
-  attempt(path);
+  bool isRead = IsRead([&] { shapeton::ReadVolume(path, options); });
   if (fs::path(path).extension() == ".dcm")
   {
     const std::string folder = path + ".series";
     fs::create_directory(folder);
     fs::create_symlink(path, folder + "/mutant.dcm");
     fs::create_directory_symlink(soundFolder, folder + "/sound");
-    attempt(folder);
+    isRead |= IsRead([&] { shapeton::ReadVolume(folder, options); });
     fs::remove_all(folder);
   }
   return isRead;
@@ -186,22 +165,8 @@ IsGraph(const std::string & path)
 bool
 ReadAllOfGraph(const std::string & path)
 {
-  try
-  {
-    if (IsGraph(path))
-    {
-      shapeton::ReadGraph(path);
-    }
-    else
-    {
-      shapeton::VerifyEmbedding(shapeton::ReadEmbeddingCertificate(path));
-    }
-    return true;
-  }
-  catch (const shapeton::InputError &)
-  {
-    return false;
-  }
+  return IsGraph(path) ? IsRead([&] { shapeton::ReadGraph(path); })
+                       : IsRead([&] { shapeton::VerifyEmbedding(shapeton::ReadEmbeddingCertificate(path)); });
 }
 
 bool

@@ -1,10 +1,10 @@
 #include "FuzzResultSeeds.h"
+#include "FuzzTrial.h"
 
 #include "shapetonDicomFixture.h"
 #include "shapetonDicomMeasurements.h"
 #include "shapetonDicomReportReader.h"
 #include "shapetonDicomSegmentationReader.h"
-#include "shapetonExceptions.h"
 #include "shapetonFileBytes.h"
 
 namespace
@@ -167,17 +167,7 @@ MakeResultSeeds(const std::string & folder, const DicomSource & source)
 bool
 ReadAllOfResult(const std::string & path, const DicomSource & source)
 {
-  bool       isRead = false;
-  const auto attempt = [&](const auto & read) {
-    try
-    {
-      read();
-      isRead = true;
-    }
-    catch (const InputError &)
-    {}
-  };
-  attempt([&] {
+  bool isRead = IsRead([&] {
     const DicomSegmentationFile file = ReadDicomSegmentation(path);
     std::vector<int>            numbers;
     for (const DicomSegmentInFile & segment : file.segments)
@@ -186,6 +176,6 @@ ReadAllOfResult(const std::string & path, const DicomSource & source)
     }
     ReadDicomSegments(file, numbers, source);
   });
-  attempt([&] { ReadDicomReportPoints(path, source); });
+  isRead |= IsRead([&] { ReadDicomReportPoints(path, source); });
   return isRead;
 }

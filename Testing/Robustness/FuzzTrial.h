@@ -1,10 +1,28 @@
 #ifndef FuzzTrial_h
 #define FuzzTrial_h
 
+#include "shapetonExceptions.h"
+
 #include <chrono>
 #include <functional>
 #include <string>
 #include <sys/types.h>
+
+/** Whether a reader accepts its input; it may refuse it by an InputError only. */
+template <typename TRead>
+bool
+IsRead(const TRead & read)
+{
+  try
+  {
+    read();
+    return true;
+  }
+  catch (const shapeton::InputError &)
+  {
+    return false;
+  }
+}
 
 /** Effect of a mutant on the readers. */
 struct FuzzOutcome

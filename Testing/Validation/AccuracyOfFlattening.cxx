@@ -1,6 +1,7 @@
 // Accuracy of maps of colon-like tubes with and without handles, compared with the bounds.
 #include "FlatteningTrial.h"
 #include "NewtonFlattening.h"
+#include "Tables.h"
 #include "ValidationReport.h"
 
 #include "shapetonDiffusionTime.h"
@@ -14,15 +15,9 @@ using namespace shapeton;
 namespace
 {
 std::string
-Short(double value, int digits = 3)
-{
-  return CsvTable::Rounded(value, digits);
-}
-
-std::string
 ThousandsOf(int faces)
 {
-  return Short(1e-3 * faces, 4) + "k";
+  return Rounded(1e-3 * faces, 4) + "k";
 }
 
 constexpr int mostFacesForNewton = 300000;
@@ -45,21 +40,15 @@ public:
     {
       const CutSurface cut = CutAlongPaths(plain.tube.mesh, plain.connectivity, { map.cutPath });
       const auto       peer = FlattenByNewton(plain.connectivity, plain.tube.mesh.F, plain.lengths, plain.ends, cut);
-      newton = peer.hasConverged ? Short(peer.modulus, 6) : "stalled";
+      newton = peer.hasConverged ? Rounded(peer.modulus, 6) : "stalled";
       isInside = !peer.hasConverged || (map.modulusV <= peer.modulus && peer.modulus <= map.modulusU);
     }
     const bool isGood = distortion.flips == 0 && 100.0 * map.Gap() <= gapAsked && isInside &&
                         quantiles.median <= 1.04 && quantiles.p95 <= 1.10;
-    m_Table.AddRow({ name,
-                     std::to_string(seed),
-                     std::to_string(distortion.flips),
-                     Short(100.0 * map.Gap()) + " (" + Short(gapAsked) + ")",
-                     Short(map.modulusV, 6),
-                     newton,
-                     Short(map.modulusU, 6),
-                     Short(quantiles.median, 4),
-                     Short(quantiles.p95, 4),
-                     m_Report.Check(isGood) });
+    m_Table.AddRow(Cells() << name << seed << distortion.flips
+                           << Rounded(100.0 * map.Gap()) + " (" + Rounded(gapAsked) + ")" << Rounded(map.modulusV, 6)
+                           << newton << Rounded(map.modulusU, 6) << Rounded(quantiles.median, 4)
+                           << Rounded(quantiles.p95, 4) << m_Report.Check(isGood));
   }
   void
   Finish()
@@ -71,9 +60,8 @@ public:
 
 private:
   ValidationReport & m_Report;
-  CsvTable           m_Table{
-    { "faces", "seed", "flips", "gap, %", "modulus from v", "Newton-CETM", "from u", "dilatation, median", "95 %", "" }
-  };
+  CsvTable           m_Table{ Columns(
+    "faces | seed | flips | gap, % | modulus from v | Newton-CETM | from u | dilatation, median | 95 % | ") };
 };
 
 /** Change of the modulus by handles in one metric, percent. */
@@ -130,16 +118,11 @@ public:
     const std::string size = ThousandsOf(plain.tube.mesh.NumberOfFaces());
     const bool        isWithin = diffused.u <= askedU && diffused.v <= askedV;
     const bool        isFourTimes = euclidean.u >= 4.0 * diffused.u && euclidean.v >= 4.0 * diffused.v;
-    m_Table.AddRow({ size,
-                     std::to_string(seed),
-                     std::to_string(handles),
-                     std::to_string(span),
-                     Short(t),
-                     Short(factor, 2),
-                     Short(diffused.u) + " / " + Short(diffused.v),
-                     Short(euclidean.u / diffused.u, 2) + " / " + Short(euclidean.v / diffused.v, 2),
-                     isAsked ? (isWithin ? "yes" : "no") : "",
-                     isAsked ? (isFourTimes ? "yes" : "no") : "" });
+    m_Table.AddRow(Cells() << size << seed << handles << span << Rounded(t) << Rounded(factor, 2)
+                           << Rounded(diffused.u) + " / " + Rounded(diffused.v)
+                           << Rounded(euclidean.u / diffused.u, 2) + " / " + Rounded(euclidean.v / diffused.v, 2)
+                           << (isAsked ? (isWithin ? "yes" : "no") : "")
+                           << (isAsked ? (isFourTimes ? "yes" : "no") : ""));
     if (isAsked)
     {
       m_Report.Check(isWithin);
@@ -163,28 +146,21 @@ public:
       "apart. h: mean edge length at 55,000 faces. Change: relative difference of the moduli from u (U) and from v (V) "
       "between the tubes with and without handles, in one metric. Bounds apply at t = 8 h^2 with 43 or 100 handles; "
       "the table shows the extremes over seeds and distances.");
-    CsvTable summary({ "faces",
-                       "handles",
-                       "largest change U / V, %",
-                       "bound, %",
-                       "",
-                       "smallest Euclidean change over it",
-                       "at least 4 / 4" });
+    CsvTable summary(Columns(
+      "faces | handles | largest change U / V, % | bound, % |  | smallest Euclidean change over it | at least 4 / 4"));
     for (const HandleGroup & group : m_Groups)
     {
-      summary.AddRow({ group.faces,
-                       std::to_string(group.handles),
-                       Short(group.largest.u) + " / " + Short(group.largest.v),
-                       group.handles > 43 ? "0.5 / 4" : "0.3 / 1",
-                       group.Verdict(group.withinBound),
-                       Short(group.leastRatioU, 2) + " / " + Short(group.leastRatioV, 2),
-                       group.Verdict(group.fourTimes) });
+      summary.AddRow(Cells() << group.faces << group.handles
+                             << Rounded(group.largest.u) + " / " + Rounded(group.largest.v)
+                             << (group.handles > 43 ? "0.5 / 4" : "0.3 / 1") << group.Verdict(group.withinBound)
+                             << Rounded(group.leastRatioU, 2) + " / " + Rounded(group.leastRatioV, 2)
+                             << group.Verdict(group.fourTimes));
     }
     m_Report.AddTable(summary);
     m_Report.AddRows("handles", m_Table);
-    m_Report.AddText("All failures of the factor 4 have one reason: the modulus from v still changes by more than half "
-                     "of its Euclidean "
-                     "change. The changes exceed their bounds only for handles 4 edges apart at 55,000 faces.");
+    m_Report.AddText(
+      "All failures of the factor 4 have one reason: the modulus from v still changes by more than half of its "
+      "Euclidean change. The changes exceed their bounds only for handles 4 edges apart at 55,000 faces.");
     m_Report.AddText("## Handles found and removed\n\nFlips away: farther than 3 rings from a handle. Located: "
                      "detected handles within 3 edges of a true one; each true handle counts once.");
     m_Report.AddRows("places", m_Places);
@@ -261,40 +237,16 @@ private:
               bool                    isGood)
   {
     // Two touching handles count twice, by genus; a cluster without a handle is a false positive.
-    m_Places.AddRow({ name,
-                      std::to_string(seed),
-                      std::to_string(handles),
-                      std::to_string(detection.genus),
-                      std::to_string(detection.handles.size()),
-                      located,
-                      away,
-                      onCut,
-                      std::to_string(genus),
-                      m_Report.Check(isGood && detection.genus == handles && genus == 0) });
+    m_Places.AddRow(Cells() << name << seed << handles << detection.genus << detection.handles.size() << located << away
+                            << onCut << genus << m_Report.Check(isGood && detection.genus == handles && genus == 0));
   }
 
   ValidationReport &       m_Report;
   std::vector<HandleGroup> m_Groups;
-  CsvTable                 m_Table{ { "faces",
-                                      "seed",
-                                      "handles",
-                                      "edges apart",
-                                      "t, mm^2",
-                                      "t / h^2",
-                                      "change U / V, %",
-                                      "Euclidean change over it",
-                                      "change within the bound",
-                                      "4 times" } };
-  CsvTable                 m_Places{ { "surface",
-                                       "seed",
-                                       "handles",
-                                       "found",
-                                       "places",
-                                       "located",
-                                       "flips away",
-                                       "vertices on the cut",
-                                       "genus after removal",
-                                       "" } };
+  CsvTable m_Table{ Columns("faces | seed | handles | edges apart | t, mm^2 | t / h^2 | change U / V, % | Euclidean "
+                            "change over it | change within the bound | 4 times") };
+  CsvTable m_Places{ Columns("surface | seed | handles | found | places | located | flips away | vertices on the cut | "
+                             "genus after removal | ") };
 };
 
 /** Round polyps on the Euclidean and on the heat diffusion map. */
@@ -320,14 +272,9 @@ public:
       widest = std::max(widest, diffused);
     }
     m_Largest = std::max(m_Largest, worst);
-    m_Table.AddRow({ ThousandsOf(with.tube.mesh.NumberOfFaces()),
-                     std::to_string(seed),
-                     Short(t),
-                     Short(radius),
-                     std::to_string(polyps.polyps.size()),
-                     Short(widest),
-                     Short(worst),
-                     m_Report.Check(worst <= 15.0) });
+    m_Table.AddRow(Cells() << ThousandsOf(with.tube.mesh.NumberOfFaces()) << seed << Rounded(t) << Rounded(radius)
+                           << polyps.polyps.size() << Rounded(widest) << Rounded(worst)
+                           << m_Report.Check(worst <= 15.0));
   }
   void
   Finish()
@@ -335,15 +282,14 @@ public:
     m_Report.AddText("## Shape of round polyps\n\nAxis ratio on the heat diffusion map compared with the Euclidean "
                      "map. Bound of the difference: 15 %.");
     m_Report.AddRows("polyps", m_Table);
-    m_Report.AddText("Largest difference: " + Short(m_Largest) + " %.");
+    m_Report.AddText("Largest difference: " + Rounded(m_Largest) + " %.");
   }
 
 private:
   ValidationReport & m_Report;
   double             m_Largest{ 0.0 };
-  CsvTable           m_Table{
-    { "faces", "seed", "t, mm^2", "radius, mm", "polyps", "largest ratio", "largest difference, %", "" }
-  };
+  CsvTable           m_Table{ Columns(
+    "faces | seed | t, mm^2 | radius, mm | polyps | largest ratio | largest difference, % | ") };
 };
 } // namespace
 
@@ -392,10 +338,9 @@ ValidateAccuracyOfFlattening(const ValidationSettings & settings, ValidationRepo
     withHandles.AddDecimated(43, seed);
     withHandles.AddDecimated(100, seed);
   }
-  report.AddText(
-    "Colon-like tubes (`MakeColonTube()`, " + Short(length, 4) +
-    " mm, mean radius 22 mm, folds of 30 %) with handles at known positions. Dilatation is measured in the "
-    "metric of the map; each face counts once.");
+  report.AddText("Colon-like tubes (`MakeColonTube()`, " + Rounded(length, 4) +
+                 " mm, mean radius 22 mm, folds of 30 %) with handles at known positions. Dilatation is measured in "
+                 "the metric of the map; each face counts once.");
   withoutHandles.Finish();
   withHandles.Finish();
   polyps.Finish();

@@ -1,15 +1,14 @@
+#include "Tables.h"
 #include "ValidationReport.h"
+#include "ValidationVolumes.h"
 
 #include "shapetonAutomaticParameters.h"
-#include "shapetonHeatDiffusionSolver.h"
 #include "shapetonDiffusionTestVolumes.h"
 
 using namespace shapeton;
 
 namespace
 {
-constexpr double dt = HeatDiffusionSolver::MaximumTimeStepLength;
-
 /** Largest error of all recorded fields relative to the same steps in double precision. */
 double
 LargestError(const test::Volume &               volume,
@@ -17,18 +16,11 @@ LargestError(const test::Volume &               volume,
              HeatDiffusionSolver::Method        method,
              const std::vector<std::uint64_t> & steps)
 {
-  const VolumeGradientOperator    volumeGradient(volume, test::OptionsWith(p));
-  std::vector<std::vector<float>> fields(steps.size(), std::vector<float>(volume.values.size()));
-  PaddedField                     heat(volumeGradient.GetGrid());
-  volumeGradient.ComputeInitialHeat(heat);
-  HeatDiffusionSolver solver(volumeGradient, method, dt, 1e-5);
-  const std::size_t   nx = volume.size[0];
-  solver.Run(heat, steps.back(), steps, [&](std::size_t i, std::size_t row, const float * values, unsigned int) {
-    std::copy(values, values + nx, fields[i].data() + row * nx);
-  });
-  test::BruteForce brute(volume, p, dt);
-  double           largest = 0.0;
-  std::uint64_t    step = 0;
+  const VolumeGradientOperator volumeGradient(volume, test::OptionsWith(p));
+  const auto                   fields = HeatAt(volumeGradient, steps, method);
+  test::BruteForce             brute(volume, p, HeatDiffusionSolver::MaximumTimeStepLength);
+  double                       largest = 0.0;
+  std::uint64_t                step = 0;
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
     for (; step < steps[i]; ++step)
@@ -58,16 +50,11 @@ ValidateAccuracyOfHeat(const ValidationSettings & settings, ValidationReport & r
     const auto         steps = MakeSnapshotSteps(last, rows, SnapshotSpacing::Logarithmic);
     const double       error = LargestError(volume, p, method, steps);
     largest = std::max(largest, error);
-    table.AddRow(
-      { std::to_string(side),
-        CsvTable::Number(spacing[0]) + ", " + CsvTable::Number(spacing[1]) + ", " + CsvTable::Number(spacing[2]),
-        CsvTable::Number(p),
-        method == HeatDiffusionSolver::Method::Chebyshev ? "chebyshev" : "explicit",
-        std::to_string(steps.size()),
-        std::to_string(last),
-        CsvTable::Rounded(error, 2),
-        "1e-5",
-        report.Check(error <= 1e-5) });
+    table.AddRow(Cells() << side
+                         << CsvTable::Number(spacing[0]) + ", " + CsvTable::Number(spacing[1]) + ", " +
+                              CsvTable::Number(spacing[2])
+                         << p << (method == HeatDiffusionSolver::Method::Chebyshev ? "chebyshev" : "explicit")
+                         << steps.size() << last << Rounded(error, 2) << "1e-5" << report.Check(error <= 1e-5));
   };
   using Method = HeatDiffusionSolver::Method;
   const std::array<double, 3> cubic = { { 1.0, 1.0, 1.0 } };
@@ -86,6 +73,6 @@ ValidateAccuracyOfHeat(const ValidationSettings & settings, ValidationReport & r
     add(64, 10.0, anisotropic, Method::Chebyshev, 2);
   }
   report.AddRows("volumes", table);
-  report.AddText("Largest error of all volumes: " + CsvTable::Rounded(largest, 2) +
+  report.AddText("Largest error of all volumes: " + Rounded(largest, 2) +
                  ". Bound for each: 1e-5, the default tolerance.");
 }

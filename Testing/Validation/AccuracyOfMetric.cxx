@@ -1,5 +1,6 @@
 // Accuracy of the heat diffusion distances of edges (eight poles), compared with 500 eigenpairs and with columns of
 // exp(-2t M^-1 L) by Chebyshev expansion, which needs no factorization.
+#include "Tables.h"
 #include "ValidationReport.h"
 
 #include "shapetonColonTube.h"
@@ -13,7 +14,7 @@ using namespace shapeton;
 
 namespace
 {
-using Columns = Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor>;
+using EightColumns = Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor>;
 
 constexpr int mostFacesForPairs = 60000;
 
@@ -37,8 +38,8 @@ ChebyshevCoefficients(double half)
 }
 
 /** Applies exp(-2t A) to some columns, A = M^-1/2 L M^-1/2. */
-Columns
-ApplyExponential(const Eigen::SparseMatrix<double, Eigen::RowMajor> & A, double t, const Columns & start)
+EightColumns
+ApplyExponential(const Eigen::SparseMatrix<double, Eigen::RowMajor> & A, double t, const EightColumns & start)
 {
   double bound = 0.0; // bound of the largest eigenvalue, by Gershgorin
   for (Eigen::Index row = 0; row < A.rows(); ++row)
@@ -51,11 +52,11 @@ ApplyExponential(const Eigen::SparseMatrix<double, Eigen::RowMajor> & A, double 
     bound = std::max(bound, sum);
   }
   const std::vector<double> coefficients = ChebyshevCoefficients(t * bound);
-  Columns                   product(start.rows(), 8);
-  Columns                   before = start;
+  EightColumns              product(start.rows(), 8);
+  EightColumns              before = start;
   product.noalias() = A * before;
-  Columns now = (2.0 / bound) * product - before;
-  Columns sum = coefficients[0] * before + coefficients[1] * now;
+  EightColumns now = (2.0 / bound) * product - before;
+  EightColumns sum = coefficients[0] * before + coefficients[1] * now;
   for (std::size_t k = 2; k < coefficients.size(); ++k)
   {
     product.noalias() = A * now;
@@ -77,7 +78,7 @@ ErrorAgainstColumns(const SurfaceLaplacian & laplacian, const HeatDiffusionMetri
   for (int block = 0; block < blocks; ++block)
   {
     std::array<Eigen::Index, 4> edges;
-    Columns                     start = Columns::Zero(A.rows(), 8);
+    EightColumns                start = EightColumns::Zero(A.rows(), 8);
     for (int i = 0; i < 4; ++i)
     {
       edges[i] = static_cast<Eigen::Index>(static_cast<double>(laplacian.edges.size()) *
@@ -85,7 +86,7 @@ ErrorAgainstColumns(const SurfaceLaplacian & laplacian, const HeatDiffusionMetri
       start(laplacian.edges[edges[i]][0], 2 * i) = scale[laplacian.edges[edges[i]][0]];
       start(laplacian.edges[edges[i]][1], 2 * i + 1) = scale[laplacian.edges[edges[i]][1]];
     }
-    const Columns heat = ApplyExponential(A, metric.time, start);
+    const EightColumns heat = ApplyExponential(A, metric.time, start);
     for (int i = 0; i < 4; ++i)
     {
       const auto & [p, q] = laplacian.edges[edges[i]];
@@ -141,34 +142,22 @@ AddRow(int faces, bool isQuick, ValidationReport & report, CsvTable & table)
   const int                       blocks = isQuick ? 1 : 13;
   const double                    columns = ErrorAgainstColumns(laplacian, metric, blocks);
   const double                    pairs = hasPairs ? ErrorAgainstPairs(laplacian, metric) : 0.0;
-  table.AddRow({ std::to_string(tube.mesh.NumberOfFaces()),
-                 CsvTable::Rounded(t, 3),
-                 CsvTable::Rounded(t / (h * h), 3),
-                 hasPairs ? CsvTable::Rounded(pairs, 2) : "",
-                 CsvTable::Rounded(poles, 2),
-                 std::to_string(8 * blocks),
-                 CsvTable::Rounded(columns, 2),
-                 report.Check(poles <= 1e-6 && columns <= 1e-6 && pairs <= 1e-5) });
+  table.AddRow(Cells() << tube.mesh.NumberOfFaces() << Rounded(t) << Rounded(t / (h * h))
+                       << (hasPairs ? Rounded(pairs, 2) : "") << Rounded(poles, 2) << 8 * blocks << Rounded(columns, 2)
+                       << report.Check(poles <= 1e-6 && columns <= 1e-6 && pairs <= 1e-5));
 }
 } // namespace
 
 void
 ValidateAccuracyOfMetric(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText(
-    "Colon-like tubes (`MakeColonTube()`). Edge lengths from " +
-    std::to_string(HeatDiffusionMetricSolver::defaultPoles) +
-    " poles are compared with three references; bounds apply to relative differences. 500 eigenpairs: root mean "
-    "square at most 1e-5. 8 poles: largest at most 1e-6. Columns of exp(-2t M^-1 L) at the ends of random edges, by "
-    "Chebyshev expansion without a factorization: largest at most 1e-6.");
-  CsvTable table({ "faces",
-                   "t, mm^2",
-                   "t / h^2",
-                   "against 500 eigenpairs, rms",
-                   "against 8 poles, largest",
-                   "vertices of columns",
-                   "against columns, largest",
-                   "" });
+  report.AddText("Colon-like tubes (`MakeColonTube()`). Edge lengths from " +
+                 std::to_string(HeatDiffusionMetricSolver::defaultPoles) +
+                 " poles are compared with three references; bounds apply to relative differences. 500 eigenpairs: "
+                 "root mean square at most 1e-5. 8 poles: largest at most 1e-6. Columns of exp(-2t M^-1 L) at the ends "
+                 "of random edges, by Chebyshev expansion without a factorization: largest at most 1e-6.");
+  CsvTable table(Columns("faces | t, mm^2 | t / h^2 | against 500 eigenpairs, rms | against 8 poles, largest | "
+                         "vertices of columns | against columns, largest | "));
   for (const int faces : settings.quick ? std::vector<int>{ 6000 } : std::vector<int>{ 12000, 55000, 200000, 1000000 })
   {
     AddRow(faces, settings.quick, report, table);

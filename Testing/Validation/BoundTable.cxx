@@ -1,8 +1,5 @@
 #include "BoundTable.h"
 
-#include <algorithm>
-#include <numeric>
-
 BoundTable::BoundTable(ValidationReport & report, bool hasBounds)
   : m_Report(report), m_HasBounds(hasBounds), m_Table({ "measure", "bound", "value", "mean [95 % interval]", "result" })
 {}
@@ -14,11 +11,47 @@ BoundTable::AddBounded(const std::string &         what,
                        const std::vector<double> & exams,
                        bool                        isReached)
 {
-  m_Table.AddRow({ what,
-                   m_HasBounds ? bound : "",
-                   all,
-                   exams.empty() ? "" : MeanWithInterval(exams),
-                   m_HasBounds ? m_Report.Check(isReached) : "" });
+  m_Table.AddRow(Cells() << what << (m_HasBounds ? bound : "") << all << (exams.empty() ? "" : MeanWithInterval(exams))
+                         << (m_HasBounds ? m_Report.Check(isReached) : ""));
+}
+
+void
+BoundTable::AddAtMost(const std::string &         what,
+                      double                      bound,
+                      double                      value,
+                      const std::vector<double> & exams,
+                      bool                        isWhole)
+{
+  this->AddBounded(what, "<= " + Rounded(bound), Rounded(value), exams, isWhole && value <= bound);
+}
+
+void
+BoundTable::AddAtLeast(const std::string &         what,
+                       double                      bound,
+                       double                      value,
+                       const std::vector<double> & exams,
+                       bool                        isWhole)
+{
+  this->AddBounded(what, ">= " + Rounded(bound), Rounded(value), exams, isWhole && value >= bound);
+}
+
+void
+BoundTable::AddShareAtMost(const std::string & what, double bound, int part, int whole, bool isWhole)
+{
+  const bool isReached = isWhole && whole > 0 && ShareOf(part, whole) <= bound;
+  this->AddBounded(what, "<= " + Rounded(bound), RatioOf(part, whole), {}, isReached);
+}
+
+void
+BoundTable::AddShareAtLeast(const std::string &         what,
+                            double                      bound,
+                            int                         part,
+                            int                         whole,
+                            const std::vector<double> & exams,
+                            bool                        isWhole)
+{
+  const bool isReached = isWhole && whole > 0 && ShareOf(part, whole) >= bound;
+  this->AddBounded(what, ">= " + Rounded(bound), RatioOf(part, whole), exams, isReached);
 }
 
 void
@@ -28,43 +61,13 @@ BoundTable::AddFact(const std::string & what, const std::string & value, const s
 }
 
 void
+BoundTable::AddMean(const std::string & what, const std::vector<double> & exams)
+{
+  this->AddFact(what, Rounded(MeanOf(exams)), exams);
+}
+
+void
 BoundTable::Write(const std::string & name)
 {
   m_Report.AddSummary(name, m_Table);
-}
-
-double
-MeanOf(const std::vector<double> & values)
-{
-  return values.empty() ? 0.0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double
-Percentile(std::vector<double> values, double share)
-{
-  if (values.empty())
-  {
-    return 0.0;
-  }
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
-double
-ShareOf(int part, int whole)
-{
-  return whole > 0 ? static_cast<double>(part) / whole : 1.0;
-}
-
-std::string
-Rounded(double value, int digits)
-{
-  return shapeton::CsvTable::Rounded(value, digits);
-}
-
-std::string
-RatioOf(int part, int whole)
-{
-  return std::to_string(part) + " / " + std::to_string(whole) + " = " + Rounded(ShareOf(part, whole), 4);
 }

@@ -1,6 +1,7 @@
 #ifndef BoundTable_h
 #define BoundTable_h
 
+#include "Tables.h"
 #include "ValidationReport.h"
 
 /** Table of measurements, some of which have a bound. */
@@ -18,8 +19,26 @@ public:
              const std::string &         all,
              const std::vector<double> & exams,
              bool                        isReached);
+  /** A value that must be at most, or at least, the bound; missed unless `isWhole`. */
+  void
+  AddAtMost(const std::string & what, double bound, double value, const std::vector<double> & exams, bool isWhole);
+  void
+  AddAtLeast(const std::string & what, double bound, double value, const std::vector<double> & exams, bool isWhole);
+  /** The same for part / whole; missed if `whole` is 0. */
+  void
+  AddShareAtMost(const std::string & what, double bound, int part, int whole, bool isWhole = true);
+  void
+  AddShareAtLeast(const std::string &         what,
+                  double                      bound,
+                  int                         part,
+                  int                         whole,
+                  const std::vector<double> & exams = {},
+                  bool                        isWhole = true);
   void
   AddFact(const std::string & what, const std::string & value, const std::vector<double> & exams = {});
+  /** Reports the mean of the values. */
+  void
+  AddMean(const std::string & what, const std::vector<double> & exams);
   /** Adds the table to the report as the summary `name`. */
   void
   Write(const std::string & name);
@@ -29,20 +48,5 @@ private:
   bool               m_HasBounds;
   shapeton::CsvTable m_Table;
 };
-
-/** Mean; 0 without values. */
-double
-MeanOf(const std::vector<double> & values);
-/** Quantile of the values for this share; 0 without values. */
-double
-Percentile(std::vector<double> values, double share);
-/** Returns part / whole; 1 if `whole` is 0. */
-double
-ShareOf(int part, int whole);
-std::string
-Rounded(double value, int digits = 3);
-/** Formats "part / whole = share". */
-std::string
-RatioOf(int part, int whole);
 
 #endif

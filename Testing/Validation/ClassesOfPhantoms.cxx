@@ -1,10 +1,11 @@
+#include "Overlaps.h"
+#include "SampledScenes.h"
+#include "Tables.h"
 #include "ValidationReport.h"
 
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonHeatClassification.h"
-#include "shapetonShapePhantomImageSource.h"
 
-#include <map>
 #include <numeric>
 
 using namespace shapeton;
@@ -23,12 +24,8 @@ struct Agreement
 Agreement
 Compare(const itk::Image<unsigned char, 3> * truth, const itk::Image<unsigned char, 3> * labels)
 {
-  std::map<int, std::map<int, double>> counts;
-  const std::size_t                    voxels = truth->GetLargestPossibleRegion().GetNumberOfPixels();
-  for (std::size_t i = 0; i < voxels; ++i)
-  {
-    counts[truth->GetBufferPointer()[i]][labels->GetBufferPointer()[i]] += 1.0;
-  }
+  Overlaps counts = OverlapsOf(
+    truth->GetBufferPointer(), labels->GetBufferPointer(), truth->GetLargestPossibleRegion().GetNumberOfPixels());
   counts.erase(0);
   Agreement          agreement;
   std::map<int, int> classes;
@@ -54,15 +51,12 @@ Compare(const itk::Image<unsigned char, 3> * truth, const itk::Image<unsigned ch
 Agreement
 RunPhantom(const std::string & preset, unsigned int side, double noise, double blur, std::uint64_t seed)
 {
-  auto source = ShapePhantomImageSource::New();
-  source->SetScene(ShapeScene::Load(preset));
-  source->SetSize(itk::Image<short, 3>::SizeType::Filled(side));
-  source->SetNoise(noise);
-  source->SetBlur(blur);
-  source->SetSeed(seed);
-  source->CenterOutput();
-  source->Update();
-  auto filter = CumulativeHeatDiffusionImageFilter<itk::Image<short, 3>>::New();
+  ShapePhantomOptions options;
+  options.noise = noise;
+  options.blur = blur;
+  options.seed = seed;
+  const auto source = SampledScene(ShapeScene::Load(preset), itk::Size<3>::Filled(side), options);
+  auto       filter = CumulativeHeatDiffusionImageFilter<itk::Image<short, 3>>::New();
   filter->SetInput(source->GetOutput());
   filter->UseParameters(ChooseHeatParameters(VolumeView(source->GetOutput()), filter->GetOptions()));
   filter->WantComponentsOn();
@@ -80,10 +74,9 @@ ValidateClassesOfPhantoms(const ValidationSettings & settings, ValidationReport 
   report.AddText(
     "Phantoms of " + std::to_string(side) + "^3 voxels, contrast 1000 HU, Gaussian noise, seeds 100 to " +
     std::to_string(99 + seeds) +
-    ", chosen parameters. Purity: share of an object's voxels in its main class, mean over the objects, with "
-    "the 95 % confidence interval over the seeds. Bound without blur: mean purity at least 0.9 and one class per "
-    "object. Blurred edges leak by design (an edge over k voxels requires p above k / contrast), so they have no "
-    "bound.");
+    ", chosen parameters. Purity: share of an object's voxels in its main class, mean over the objects, with the 95 % "
+    "confidence interval over the seeds. Bound without blur: mean purity at least 0.9 and one class per object. "
+    "Blurred edges leak by design (an edge over k voxels requires p above k / contrast), so they have no bound.");
   CsvTable table({ "phantom", "noise SD, HU", "blur, voxels", "seeds", "purity", "objects", "classes", "" });
   double   sharpest = 1.0, blurred = 1.0;
   for (const std::string preset : { "figure2.7a", "figure2.7b" })
@@ -103,17 +96,12 @@ ValidateClassesOfPhantoms(const ValidationSettings & settings, ValidationReport 
       const double mean = std::accumulate(purities.begin(), purities.end(), 0.0) / purities.size();
       double &     lowest = c[1] == 0.0 ? sharpest : blurred;
       lowest = std::min(lowest, mean);
-      table.AddRow({ preset,
-                     CsvTable::Number(c[0]),
-                     CsvTable::Number(c[1]),
-                     std::to_string(purities.size()),
-                     MeanWithInterval(purities),
-                     std::to_string(agreement.objects),
-                     MeanWithInterval(classes),
-                     c[1] == 0.0 ? report.Check(mean >= 0.9 && distinct) : "" });
+      table.AddRow(Cells() << preset << c[0] << c[1] << purities.size() << MeanWithInterval(purities)
+                           << agreement.objects << MeanWithInterval(classes)
+                           << (c[1] == 0.0 ? report.Check(mean >= 0.9 && distinct) : ""));
     }
   }
   report.AddRows("phantoms", table);
-  report.AddText("Lowest mean purity: " + CsvTable::Rounded(sharpest, 4) + " without blur, " +
-                 CsvTable::Rounded(blurred, 4) + " with blur.");
+  report.AddText("Lowest mean purity: " + Rounded(sharpest, 4) + " without blur, " + Rounded(blurred, 4) +
+                 " with blur.");
 }

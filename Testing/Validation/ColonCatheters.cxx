@@ -1,8 +1,8 @@
 // Detection of the rectal catheter, with false positives.
 #include "BoundTable.h"
 #include "LandmarkErrors.h"
+#include "SampledScenes.h"
 
-#include "itkCastImageFilter.h"
 #include "shapetonColonLumenSegmentation.h"
 #include "shapetonColonPhantomImageSource.h"
 
@@ -94,13 +94,10 @@ MeanDistance(const RectalCatheter & catheter, const ColonStructures & structures
 CatheterTrial
 TryExam(const ColonPhantomParameters & parameters)
 {
-  const auto source = MakeRectum(parameters);
-  const auto cast = itk::CastImageFilter<Source::ImageType, itk::Image<float, 3>>::New();
-  cast->SetInput(source->GetOutput());
-  cast->Update();
+  const auto         source = MakeRectum(parameters);
   ColonLumenSettings options;
   options.position = parameters.position;
-  const ColonLumen lumen = SegmentColonLumen(cast->GetOutput(), options);
+  const ColonLumen lumen = SegmentColonLumen(ToFloat(source->GetOutput()), options);
 
   CatheterTrial               trial;
   const ColonCatheter * const truth = source->GetStructures().GetCatheter();
@@ -182,11 +179,7 @@ WriteSummary(const std::vector<CatheterTrial> & with,
   BoundTable table(report, true);
   const int  found = NumberFound(with);
   const auto all = static_cast<int>(with.size());
-  table.AddBounded("catheters found",
-                   ">= " + Rounded(leastFound),
-                   RatioOf(found, all),
-                   {},
-                   all > 0 && ShareOf(found, all) >= leastFound);
+  table.AddShareAtLeast("catheters found", leastFound, found, all);
   table.AddBounded("catheters found in exams without one",
                    "0",
                    RatioOf(NumberFound(without), static_cast<int>(without.size())),
@@ -194,7 +187,7 @@ WriteSummary(const std::vector<CatheterTrial> & with,
                    !without.empty() && NumberFound(without) == 0);
   const auto add = [&](const std::string & what, const auto & isMeant, const auto & measure) {
     const std::vector<double> values = ValuesOf(with, isMeant, measure);
-    table.AddFact(what, Rounded(MeanOf(values)), values);
+    table.AddMean(what, values);
   };
   const auto isFound = [](const CatheterTrial & t) { return t.isFound; };
   add("distance to the true axis, mean, mm", isFound, [](const CatheterTrial & t) { return t.distance; });
@@ -224,19 +217,14 @@ void
 WriteExams(const std::vector<CatheterTrial> & trials, ValidationReport & report)
 {
   CsvTable table(
-    { "exam", "catheter", "found", "confidence", "axis, mm", "bore, mm", "outer, mm", "balloon found", "balloon, mm" });
+    Columns("exam | catheter | found | confidence | axis, mm | bore, mm | outer, mm | balloon found | balloon, mm"));
   for (const CatheterTrial & t : trials)
   {
     const bool isRight = t.isThere && t.isFound;
-    table.AddRow({ t.name,
-                   t.isThere ? t.kind : "none",
-                   t.isFound ? "yes" : "",
-                   Rounded(t.confidence),
-                   isRight ? Rounded(t.distance) : "",
-                   isRight ? Rounded(t.boreError) : "",
-                   isRight ? Rounded(t.outerError) : "",
-                   t.seesBalloon ? "yes" : "",
-                   FindsBalloon(t) ? Rounded(t.balloonError) : "" });
+    table.AddRow(Cells() << t.name << (t.isThere ? t.kind : "none") << (t.isFound ? "yes" : "") << Rounded(t.confidence)
+                         << (isRight ? Rounded(t.distance) : "") << (isRight ? Rounded(t.boreError) : "")
+                         << (isRight ? Rounded(t.outerError) : "") << (t.seesBalloon ? "yes" : "")
+                         << (FindsBalloon(t) ? Rounded(t.balloonError) : ""));
   }
   report.AddRows("exams", table);
 }
@@ -245,10 +233,9 @@ WriteExams(const std::vector<CatheterTrial> & trials, ValidationReport & report)
 void
 ValidateColonCatheters(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText(
-    "Synthetic patients of the preset realistic (" + settings.SeedsInWords() +
-    "), supine and prone: CT of the rectum in voxels of 0.8 mm, with a catheter (rigid for even seeds, soft for odd "
-    "ones) and without.");
+  report.AddText("Synthetic patients of the preset realistic (" + settings.SeedsInWords() +
+                 "), supine and prone: CT of the rectum in voxels of 0.8 mm, with a catheter (rigid for even seeds, "
+                 "soft for odd ones) and without.");
   std::vector<unsigned int> seedsWithout = settings.Seeds(patientsWith, "realistic");
   seedsWithout.resize(settings.patients > 0 ? settings.patients : patientsWithout);
   std::iota(seedsWithout.begin(), seedsWithout.end(), seedsWithout.front());

@@ -1,6 +1,5 @@
 #include "FoldErrors.h"
 #include "LandmarkScores.h"
-#include "StructureScores.h"
 
 #include <algorithm>
 #include <optional>
@@ -80,13 +79,7 @@ MakeColumn(const std::string & preset, bool isFromCt, double spacing, const std:
     column.landmarks.calibration = 0.1;
     column.structures = StructureBounds();
   }
-  for (const unsigned int seed : seeds)
-  {
-    for (const char * const position : { "supine", "prone" })
-    {
-      column.cases.push_back(ValidationCase(preset, seed, position, spacing, isFromCt));
-    }
-  }
+  column.cases = BothPositions(preset, seeds, spacing, isFromCt);
   return column;
 }
 
@@ -114,21 +107,9 @@ AddBounded(const FoldBounds & bounds, const FoldScores & ours, BoundTable & tabl
 {
   const FoldErrors & all = ours.all;
   const double       ends = MeanOf(all.ends);
-  table.AddBounded("folds >= 3.5 mm high found",
-                   ">= " + Rounded(bounds.recall),
-                   RatioOf(all.found, all.present),
-                   ours.recalls,
-                   all.present > 0 && ShareOf(all.found, all.present) >= bounds.recall);
-  table.AddBounded("correct fold labels",
-                   ">= " + Rounded(bounds.precision),
-                   RatioOf(all.right, all.labels),
-                   ours.precisions,
-                   all.labels > 0 && ShareOf(all.right, all.labels) >= bounds.precision);
-  table.AddBounded("fold end points, mean error, mm",
-                   "<= " + Rounded(bounds.ends),
-                   Rounded(ends),
-                   ours.ends,
-                   !all.ends.empty() && ends <= bounds.ends);
+  table.AddShareAtLeast("folds >= 3.5 mm high found", bounds.recall, all.found, all.present, ours.recalls);
+  table.AddShareAtLeast("correct fold labels", bounds.precision, all.right, all.labels, ours.precisions);
+  table.AddAtMost("fold end points, mean error, mm", bounds.ends, ends, ours.ends, !all.ends.empty());
 }
 
 void
@@ -172,12 +153,9 @@ TryColumn(const Column & column, ValidationReport & report)
     const FoldErrors theirs = TryFolds(flat, exam, HaustralFoldScheme::Published);
     AddExam(mine, ours);
     AddExam(theirs, published);
-    exams.AddRow({ NameOfCase(one),
-                   RatioOf(mine.found, mine.present),
-                   RatioOf(mine.right, mine.labels),
-                   Rounded(MeanOf(mine.ends)),
-                   RatioOf(theirs.found, theirs.present),
-                   RatioOf(theirs.right, theirs.labels) });
+    exams.AddRow(Cells() << NameOfCase(one) << RatioOf(mine.found, mine.present) << RatioOf(mine.right, mine.labels)
+                         << Rounded(MeanOf(mine.ends)) << RatioOf(theirs.found, theirs.present)
+                         << RatioOf(theirs.right, theirs.labels));
     for (const auto & some : { missed, landmarks.Add(exam), mine.faults })
     {
       for (const std::string & fault : some)
@@ -219,26 +197,24 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
     "fold >= 2 mm high whose samples it covers most. It is correct if at least half of its pixels are within 4 mm of "
     "the crest of a fold >= 1.5 mm high. End points are compared with the ends of the true crest. The area ratio of "
     "folds is the area on true folds and labels over the area on true folds or labels, at points every 5 mm of the "
-    "wall; "
-    "a point is on a fold that rises by more than 1 mm there.");
+    "wall; a point is on a fold that rises by more than 1 mm there.");
   report.AddText(
     "Taenia errors are distances from true points to the found taeniae, outside collapsed sections; taeniae are "
     "assigned separately in each open section. With three markers, one point per true taenia is given; the bound of 1 "
     "fails for any point beyond 10 mm. Flexure errors are measured along the centerline from the border between true "
     "segments. As share of the circumference, the error is the root mean square over the points of an exam, each "
     "distance over the circumference of the wall without folds. The cecal pole is the point of the cecal wall farthest "
-    "from the mouth of the cecum. The reliability "
-    "files compare confidence with the share of flexures within 30 mm and of valves within 15 mm.");
+    "from the mouth of the cecum. The reliability files compare confidence with the share of flexures within 30 mm and "
+    "of valves within 15 mm.");
 }
 
 void
 ExplainCt(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText(
-    settings.MethodOf("colon-landmarks") +
-    " The colon is modeled from CT: bounds of shares are 0.03 lower, bounds of distances 1.3 times larger. Bounds of "
-    "flexures, cecal pole and valve of the preset realistic are unchanged. Voxels of 1.4 mm (first four patients) have "
-    "no bounds.");
+  report.AddText(settings.MethodOf("colon-landmarks") +
+                 " The colon is modeled from CT: bounds of shares are 0.03 lower, bounds of distances 1.3 times "
+                 "larger. Bounds of flexures, cecal pole and valve of the preset realistic are unchanged. Voxels of "
+                 "1.4 mm (first four patients) have no bounds.");
 }
 
 /** The bounds are for finer voxels and many patients, so this only checks that the code runs. */

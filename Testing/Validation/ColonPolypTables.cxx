@@ -51,64 +51,15 @@ MakeColumn(const std::string & preset, bool isFromCt, double spacing, const std:
   {
     Ease(column.bounds);
   }
-  for (const unsigned int seed : seeds)
-  {
-    for (const char * const position : { "supine", "prone" })
-    {
-      column.cases.push_back(ValidationCase(preset, seed, position, spacing, isFromCt));
-    }
-  }
+  column.cases = BothPositions(preset, seeds, spacing, isFromCt);
   return column;
 }
 
-/** Type and size range of the polyps to count. */
-struct Group
-{
-  bool   isFlat;
-  double least; ///< mm
-  double below; ///< mm
-};
-constexpr Group large{ false, 10.0, 1000.0 };
-constexpr Group medium{ false, 6.0, 10.0 };
-constexpr Group small{ false, 0.0, 6.0 };
-constexpr Group flatLarge{ true, 10.0, 1000.0 };
-constexpr Group flatMedium{ true, 6.0, 10.0 };
-
-bool
-IsIn(const ColonPolyp & polyp, const Group & group)
-{
-  return (polyp.kind == "flat") == group.isFlat && polyp.diameter >= group.least && polyp.diameter < group.below;
-}
-
-struct Count
-{
-  int found{ 0 };
-  int present{ 0 };
-};
-
-Count
-CountFound(const std::vector<PolypExam> & exams, const Group & group, double score)
-{
-  Count count;
-  for (const PolypExam & exam : exams)
-  {
-    for (const PolypTruth & truth : exam.truths)
-    {
-      if (IsIn(truth.polyp, group))
-      {
-        ++count.present;
-        count.found += truth.score >= score ? 1 : 0;
-      }
-    }
-  }
-  return count;
-}
-
-int
-CountFrom(const std::vector<double> & scores, double least)
-{
-  return static_cast<int>(std::count_if(scores.begin(), scores.end(), [&](double score) { return score >= least; }));
-}
+constexpr PolypGroup large{ false, 10.0, 1000.0 };
+constexpr PolypGroup medium{ false, 6.0, 10.0 };
+constexpr PolypGroup small{ false, 0.0, 6.0 };
+constexpr PolypGroup flatLarge{ true, 10.0, 1000.0 };
+constexpr PolypGroup flatMedium{ true, 6.0, 10.0 };
 
 /** Combines both positions of each patient. */
 std::vector<double>
@@ -130,7 +81,7 @@ FalsePerPatient(const std::vector<PolypExam> & exams, double score, bool withVal
 
 /** |measured - true| of the polyps found (mm). */
 std::vector<double>
-SizeErrors(const std::vector<PolypExam> & exams, const std::vector<Group> & groups, double score)
+SizeErrors(const std::vector<PolypExam> & exams, const std::vector<PolypGroup> & groups, double score)
 {
   std::vector<double> errors;
   for (const PolypExam & exam : exams)
@@ -138,7 +89,7 @@ SizeErrors(const std::vector<PolypExam> & exams, const std::vector<Group> & grou
     for (const PolypTruth & truth : exam.truths)
     {
       const bool isIn =
-        std::any_of(groups.begin(), groups.end(), [&](const Group & group) { return IsIn(truth.polyp, group); });
+        std::any_of(groups.begin(), groups.end(), [&](const PolypGroup & group) { return group.Holds(truth.polyp); });
       if (isIn && truth.score >= score)
       {
         errors.push_back(std::abs(truth.diameter - truth.polyp.diameter));
@@ -148,49 +99,35 @@ SizeErrors(const std::vector<PolypExam> & exams, const std::vector<Group> & grou
   return errors;
 }
 
-std::string
-ShareWithBound(const Count & count)
-{
-  return RatioOf(count.found, count.present) + ", lower 95 % bound " +
-         Rounded(WilsonLowerBound(count.found, count.present));
-}
-
 void
 AddBounded(const PolypBounds & bounds, const std::vector<PolypExam> & exams, BoundTable & table)
 {
-  const Count  big = CountFound(exams, large, defaultScore);
-  const double bigLower = WilsonLowerBound(big.found, big.present);
+  const PolypCount big = CountFound(exams, large, defaultScore);
+  const double     bigLower = big.LowerBound();
   table.AddBounded("sessile or pedunculated polyps >= 10 mm found",
                    ">= " + Rounded(bounds.large) +
                      (bounds.largeLower > 0.0 ? ", lower bound >= " + Rounded(bounds.largeLower) : ""),
                    ShareWithBound(big),
                    {},
                    big.present > 0 && ShareOf(big.found, big.present) >= bounds.large && bigLower >= bounds.largeLower);
-  const Count middle = CountFound(exams, medium, defaultScore);
+  const PolypCount middle = CountFound(exams, medium, defaultScore);
   table.AddBounded("sessile or pedunculated polyps of 6 to 9 mm found",
                    ">= " + Rounded(bounds.medium),
                    ShareWithBound(middle),
                    {},
                    middle.present > 0 && ShareOf(middle.found, middle.present) >= bounds.medium);
   const std::vector<double> falses = FalsePerPatient(exams, defaultScore);
-  table.AddBounded("false candidates per patient, both positions",
-                   "<= " + Rounded(bounds.falses),
-                   Rounded(MeanOf(falses)),
-                   falses,
-                   MeanOf(falses) <= bounds.falses);
+  table.AddAtMost("false candidates per patient, both positions", bounds.falses, MeanOf(falses), falses, true);
   const std::vector<double> errors = SizeErrors(exams, { large, medium }, defaultScore);
-  table.AddBounded("largest diameter of these polyps, mean error, mm",
-                   "<= " + Rounded(bounds.size),
-                   Rounded(MeanOf(errors)),
-                   errors,
-                   !errors.empty() && MeanOf(errors) <= bounds.size);
+  table.AddAtMost(
+    "largest diameter of these polyps, mean error, mm", bounds.size, MeanOf(errors), errors, !errors.empty());
 }
 
 /** Explains a missed lower bound by the number of large polyps. */
 void
-WriteLargeNeeded(double lowerBound, const Count & big, ValidationReport & report)
+WriteLargeNeeded(double lowerBound, const PolypCount & big, ValidationReport & report)
 {
-  if (WilsonLowerBound(big.found, big.present) >= lowerBound)
+  if (big.LowerBound() >= lowerBound)
   {
     return;
   }
@@ -212,10 +149,9 @@ AddReported(const std::vector<PolypExam> & exams, BoundTable & table)
   table.AddFact("flat polyps of 6 to 9 mm found", ShareWithBound(CountFound(exams, flatMedium, defaultScore)));
   table.AddFact("sessile polyps below 6 mm found", ShareWithBound(CountFound(exams, small, defaultScore)));
   const std::vector<double> withoutValve = FalsePerPatient(exams, defaultScore, false);
-  table.AddFact(
-    "false candidates per patient, without the ileocecal valve", Rounded(MeanOf(withoutValve)), withoutValve);
+  table.AddMean("false candidates per patient, without the ileocecal valve", withoutValve);
   const std::vector<double> flat = SizeErrors(exams, { flatLarge, flatMedium }, defaultScore);
-  table.AddFact("largest diameter of flat polyps, mean error, mm", Rounded(MeanOf(flat)), flat);
+  table.AddMean("largest diameter of flat polyps, mean error, mm", flat);
 }
 
 void
@@ -226,9 +162,9 @@ AddCurve(const std::vector<PolypExam> & exams, ValidationReport & report)
   {
     const double             score = 1.0 - sensitivity;
     std::vector<std::string> cells{ Rounded(sensitivity) };
-    for (const Group & group : { large, medium, small, flatLarge })
+    for (const PolypGroup & group : { large, medium, small, flatLarge })
     {
-      const Count count = CountFound(exams, group, score);
+      const PolypCount count = CountFound(exams, group, score);
       cells.push_back(Rounded(ShareOf(count.found, count.present)));
     }
     cells.push_back(MeanWithInterval(FalsePerPatient(exams, score)));
@@ -247,12 +183,9 @@ TableOfMissed(const std::vector<PolypExam> & exams)
     {
       if (truth.polyp.diameter >= 6.0 && truth.score < defaultScore)
       {
-        table.AddRow({ exam.name,
-                       truth.polyp.kind,
-                       Rounded(truth.polyp.diameter),
-                       Rounded(truth.polyp.height),
-                       truth.polyp.onFold ? "yes" : "",
-                       truth.score > 0.0 ? Rounded(truth.score) : "" });
+        table.AddRow(Cells() << exam.name << truth.polyp.kind << Rounded(truth.polyp.diameter)
+                             << Rounded(truth.polyp.height) << (truth.polyp.onFold ? "yes" : "")
+                             << (truth.score > 0.0 ? Rounded(truth.score) : ""));
       }
     }
   }
@@ -297,7 +230,7 @@ TryPatient(const LandmarkCase * cases, const std::string & title, ValidationRepo
 }
 
 /** Returns the sessile and pedunculated polyps of 10 mm and more. */
-Count
+PolypCount
 TryColumn(const Column & column, ValidationReport & report)
 {
   report.AddText("## " + column.title);
@@ -312,8 +245,8 @@ TryColumn(const Column & column, ValidationReport & report)
   const std::vector<double> alone = FalsePerPatient(results.alone, defaultScore);
   table.AddFact("patients with candidates compared between positions",
                 RatioOf(results.pairs, static_cast<int>(alone.size())));
-  table.AddFact("single positions: false candidates per patient", Rounded(MeanOf(alone)), alone);
-  for (const auto & [name, group] : { std::pair<const char *, Group>{ "polyps >= 10 mm", large },
+  table.AddMean("single positions: false candidates per patient", alone);
+  for (const auto & [name, group] : { std::pair<const char *, PolypGroup>{ "polyps >= 10 mm", large },
                                       { "polyps of 6 to 9 mm", medium },
                                       { "flat polyps >= 10 mm", flatLarge } })
   {
@@ -330,10 +263,10 @@ TryColumn(const Column & column, ValidationReport & report)
 void
 TryPresets(const ValidationSettings & settings, bool isFromCt, ValidationReport & report)
 {
-  Count all;
+  PolypCount all;
   for (const std::string & preset : settings.presets)
   {
-    const Count count = TryColumn(MakeColumn(preset, isFromCt, 0.8, settings.Seeds(20, preset)), report);
+    const PolypCount count = TryColumn(MakeColumn(preset, isFromCt, 0.8, settings.Seeds(20, preset)), report);
     all.found += count.found;
     all.present += count.present;
   }
@@ -353,13 +286,11 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
   report.AddText("Synthetic patients (" + settings.SeedsInWords() +
                  "), supine and prone. The wall is computed from the true lumen in voxels of 0.8 mm and searched with "
                  "default options. True polyps in collapsed sections are excluded.");
-  report.AddText(
-    "A polyp is found if a candidate is within its radius plus 3 mm of the center of its head or base. Other "
-    "candidates are false, including candidates at the ileocecal valve; false candidates of both positions of a "
-    "patient are added. "
-    "Scores are final: they account for content, valve, catheter and, where both positions can be registered, the "
-    "other position. Shares have Wilson's two-sided 95 % bound, assuming independent polyps. Other intervals are "
-    "over patients or polyps.");
+  report.AddText("A polyp is found if a candidate is within its radius plus 3 mm of the center of its head or base. "
+                 "Other candidates are false, including candidates at the ileocecal valve; false candidates of both "
+                 "positions of a patient are added. Scores are final: they account for content, valve, catheter and, "
+                 "where both positions can be registered, the other position. Shares have Wilson's two-sided 95 % "
+                 "bound, assuming independent polyps. Other intervals are over patients or polyps.");
   report.AddText(
     "`curve` is the free-response ROC curve of single positions. `missed` lists the missed polyps >= 6 mm.");
 }
@@ -383,7 +314,7 @@ TryCoarsePatient(const ValidationSettings & settings, ValidationReport & report)
   {
     const std::vector<PolypExam> exams{ ComparePolyps(
       column.cases[0], *exam.anatomy, FindJudgedCandidates(exam, defaultPolypSensitivity)) };
-    const Count                  big = CountFound(exams, large, defaultScore);
+    const PolypCount             big = CountFound(exams, large, defaultScore);
     const int                    falses = CountFrom(exams[0].falseScores, defaultScore);
     report.AddText("Polyps >= 10 mm found " + RatioOf(big.found, big.present) + ", false candidates " +
                    std::to_string(falses) + ": " +

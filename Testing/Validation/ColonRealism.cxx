@@ -3,7 +3,7 @@
 // Compares colons segment by segment: length, course, caliber, folds. RUN is a finished folder of VirtualColonoscopy;
 // the runs of a NAME are merged into one column. FOLDER receives the CSV file (default: the folder of PAGE.md).
 // Used to compare phantoms with real colons; see Documentation/validation/colon-surfaces.md.
-#include "BoundTable.h"
+#include "Tables.h"
 #include "ColonShape.h"
 
 #include "shapetonExaminationFolder.h"
@@ -81,8 +81,8 @@ InWords(const std::vector<double> & samples)
   }
   const std::string mean = Plain(MeanOf(samples));
   return samples.size() < 10 ? mean
-                             : mean + " [" + Plain(Percentile(samples, 0.1)) + ", " + Plain(Percentile(samples, 0.5)) +
-                                 ", " + Plain(Percentile(samples, 0.9)) + "]";
+                             : mean + " [" + Plain(LowerQuantile(samples, 0.1)) + ", " +
+                                 Plain(LowerQuantile(samples, 0.5)) + ", " + Plain(LowerQuantile(samples, 0.9)) + "]";
 }
 
 /** Means of whole colons on the page; all segments with quantiles in a CSV file. */
@@ -144,9 +144,9 @@ try
   }
   ValidationReport report("Real and synthetic colons");
   report.AddText(
-    "Made by `ColonRealism`; the columns are described in [the notes](colon-surfaces.md#real-colons-and-phantoms). "
-    "The table has means of whole colons. The file has all segments, between the borders found by the tools: means "
-    "and, for ten and more samples, the 10, 50 and 90 % quantiles.");
+    "Made by `ColonRealism`; the columns are described in [the notes](colon-surfaces.md#real-colons-and-phantoms). The "
+    "table has means of whole colons. The file has all segments, between the borders found by the tools: means and, "
+    "for ten and more samples, the 10, 50 and 90 % quantiles.");
   AddTables(columns, report);
   const std::filesystem::path page(arguments[0]);
   const std::string           folder = page.has_parent_path() ? page.parent_path().string() : ".";

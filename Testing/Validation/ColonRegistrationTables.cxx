@@ -135,16 +135,18 @@ AddMatches(const RegistrationBounds & bounds, const PatientScores & patients, bo
   const int right = patients.Sum([](const RegistrationScore & s) { return s.right; });
   const int pairs = patients.Sum([](const RegistrationScore & s) { return s.pairs; });
   const int common = patients.Sum([](const RegistrationScore & s) { return s.common; });
-  table.AddBounded("fold matches, precision",
-                   ">= " + Rounded(bounds.precision),
-                   RatioOf(right, pairs),
-                   patients.Of([](const RegistrationScore & s) { return ShareOf(s.right, s.pairs); }),
-                   isWhole && ShareOf(right, pairs) >= bounds.precision);
-  table.AddBounded("fold matches, recall",
-                   ">= " + Rounded(bounds.recall),
-                   RatioOf(right, common),
-                   patients.Of([](const RegistrationScore & s) { return ShareOf(s.right, s.common); }),
-                   isWhole && ShareOf(right, common) >= bounds.recall);
+  table.AddShareAtLeast("fold matches, precision",
+                        bounds.precision,
+                        right,
+                        pairs,
+                        patients.Of([](const RegistrationScore & s) { return ShareOf(s.right, s.pairs); }),
+                        isWhole);
+  table.AddShareAtLeast("fold matches, recall",
+                        bounds.recall,
+                        right,
+                        common,
+                        patients.Of([](const RegistrationScore & s) { return ShareOf(s.right, s.common); }),
+                        isWhole);
 }
 
 /** Returns the patients with a measure outside the bound of the mean. */
@@ -200,16 +202,8 @@ AddTrust(const RegistrationBounds & bounds, const PatientScores & patients, bool
   const int    flagged = patients.Sum([](const RegistrationScore & s) { return s.isFlagged ? 1 : 0; });
   const auto   all = static_cast<int>(patients.scores.size());
   const double worst = WorstUnflagged(patients);
-  table.AddBounded("worst unflagged patient, mean error, mm",
-                   "<= " + Rounded(bounds.worst),
-                   Rounded(worst),
-                   {},
-                   isWhole && worst <= bounds.worst);
-  table.AddBounded("flagged patients",
-                   "<= " + Rounded(bounds.shareFlagged),
-                   RatioOf(flagged, all),
-                   {},
-                   isWhole && ShareOf(flagged, all) <= bounds.shareFlagged);
+  table.AddAtMost("worst unflagged patient, mean error, mm", bounds.worst, worst, {}, isWhole);
+  table.AddShareAtMost("flagged patients", bounds.shareFlagged, flagged, all, isWhole);
   table.AddBounded("inverted triangles", "0", std::to_string(flips), {}, isWhole && flips == 0);
 }
 
@@ -230,7 +224,7 @@ WriteSummary(const Column & column, const PatientScores & patients, bool hasBoun
   table.AddFact("local confidence, Brier score", Rounded(local.BrierScore()));
   table.AddFact("local confidence, expected calibration error", Rounded(local.CalibrationError()));
   const auto median = patients.Of([](const RegistrationScore & s) { return s.errors.Median(); });
-  table.AddFact("error in space, median, mm", Rounded(MeanOf(median)), median);
+  table.AddMean("error in space, median, mm", median);
   table.AddFact("patients without a map",
                 std::to_string(patients.Sum([](const RegistrationScore & s) { return s.failure.empty() ? 0 : 1; })));
   table.AddFact("longest run, s", seconds.empty() ? "" : Rounded(*std::max_element(seconds.begin(), seconds.end())));
@@ -244,17 +238,8 @@ WriteSummary(const Column & column, const PatientScores & patients, bool hasBoun
 void
 WritePatients(const std::string & name, const PatientScores & patients, ValidationReport & report)
 {
-  CsvTable table({ "patient",
-                   "mean, mm",
-                   "+-",
-                   "95 %",
-                   "below 10 mm",
-                   "on the map",
-                   "frame, mm",
-                   "precision",
-                   "recall",
-                   "confidence",
-                   "flagged" });
+  CsvTable table(Columns("patient | mean, mm | +- | 95 % | below 10 mm | on the map | frame, mm | precision | recall | "
+                         "confidence | flagged"));
   for (std::size_t i = 0; i < patients.scores.size(); ++i)
   {
     const RegistrationScore & s = patients.scores[i];
@@ -263,17 +248,11 @@ WritePatients(const std::string & name, const PatientScores & patients, Validati
       table.AddRow({ patients.names[i], "FAILED: " + s.failure, "", "", "", "", "", "", "", "", "" });
       continue;
     }
-    table.AddRow({ patients.names[i],
-                   Rounded(s.errors.Mean()),
-                   Rounded(s.errors.HalfInterval()),
-                   Rounded(s.errors.Percentile95()),
-                   Rounded(s.errors.ShareWithin10()),
-                   Rounded(s.errors.MeanOnMap()),
-                   Rounded(s.frame.Mean()),
-                   Rounded(ShareOf(s.right, s.pairs)),
-                   Rounded(ShareOf(s.right, s.common)),
-                   Rounded(s.confidence),
-                   s.isFlagged ? "yes" : "" });
+    table.AddRow(Cells() << patients.names[i] << Rounded(s.errors.Mean()) << Rounded(s.errors.HalfInterval())
+                         << Rounded(s.errors.Percentile95()) << Rounded(s.errors.ShareWithin10())
+                         << Rounded(s.errors.MeanOnMap()) << Rounded(s.frame.Mean())
+                         << Rounded(ShareOf(s.right, s.pairs)) << Rounded(ShareOf(s.right, s.common))
+                         << Rounded(s.confidence) << (s.isFlagged ? "yes" : ""));
   }
   report.AddRows(name, table);
 }
@@ -282,15 +261,8 @@ WritePatients(const std::string & name, const PatientScores & patients, Validati
 void
 WritePoints(const PatientScores & patients, ValidationReport & report)
 {
-  CsvTable table({ "segment",
-                   "border points",
-                   "border correct",
-                   "border wrong",
-                   "border unmatched",
-                   "all points",
-                   "all correct",
-                   "all wrong",
-                   "all unmatched" });
+  CsvTable table(Columns("segment | border points | border correct | border wrong | border unmatched | all points | "
+                         "all correct | all wrong | all unmatched"));
   for (int segment = 0; segment <= 6; ++segment)
   {
     FeaturePointCounts border;
@@ -316,13 +288,8 @@ WritePoints(const PatientScores & patients, ValidationReport & report)
 void
 WriteSchemes(const PatientScores & patients, ValidationReport & report)
 {
-  CsvTable              table({ "scheme",
-                                "mean, mm [95 % interval]",
-                                "95th percentile, mm",
-                                "below 10 mm",
-                                "on the map",
-                                "inverted triangles per patient",
-                                "patients with inverted triangles" });
+  CsvTable table(Columns("scheme | mean, mm [95 % interval] | 95th percentile, mm | below 10 mm | on the map | "
+                         "inverted triangles per patient | patients with inverted triangles"));
   std::set<std::string> names;
   for (const RegistrationScore & score : patients.scores)
   {
@@ -337,13 +304,12 @@ WriteSchemes(const PatientScores & patients, ValidationReport & report)
       return patients.Of([&](const RegistrationScore & s) { return measure(s.schemes.at(name).errors); });
     };
     const auto flips = patients.Of([&](const RegistrationScore & s) { return s.schemes.at(name).flips; });
-    table.AddRow({ name.substr(2),
-                   MeanWithInterval(of([](const RegistrationErrors & e) { return e.Mean(); })),
-                   Rounded(MeanOf(of([](const RegistrationErrors & e) { return e.Percentile95(); }))),
-                   Rounded(MeanOf(of([](const RegistrationErrors & e) { return e.ShareWithin10(); }))),
-                   Rounded(MeanOf(of([](const RegistrationErrors & e) { return e.MeanOnMap(); }))),
-                   Rounded(MeanOf(flips)),
-                   std::to_string(std::count_if(flips.begin(), flips.end(), [](double n) { return n > 0.0; })) });
+    table.AddRow(
+      Cells() << name.substr(2) << MeanWithInterval(of([](const RegistrationErrors & e) { return e.Mean(); }))
+              << Rounded(MeanOf(of([](const RegistrationErrors & e) { return e.Percentile95(); })))
+              << Rounded(MeanOf(of([](const RegistrationErrors & e) { return e.ShareWithin10(); })))
+              << Rounded(MeanOf(of([](const RegistrationErrors & e) { return e.MeanOnMap(); })))
+              << Rounded(MeanOf(flips)) << std::count_if(flips.begin(), flips.end(), [](double n) { return n > 0.0; }));
   }
   report.AddRows("schemes", table);
 }
@@ -414,31 +380,28 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
     report.AddText(settings.MethodOf("colon-registration"));
     return;
   }
-  report.AddText(
-    "Synthetic patients (" + settings.SeedsInWords() +
-    "), supine registered to prone; folds slide 3 mm along the wall. Both colons are modeled from the true "
-    "lumen in voxels of 0.8 mm, flattened, and searched with default options.");
-  report.AddText(
-    "Errors are measured at grid points of the wall that are not constraints, outside collapsed sections: in space, "
-    "and on the flat map with a circumference of 1. Means are over patients, including flagged ones. The frame aligns "
-    "flexures and taeniae only. A detected fold corresponds to the true fold with the crest nearest to its center, "
-    "within 6 mm. A match is correct if both folds correspond to the same true fold; recall refers to true folds found "
-    "in both positions.");
+  report.AddText("Synthetic patients (" + settings.SeedsInWords() +
+                 "), supine registered to prone; folds slide 3 mm along the wall. Both colons are modeled from the "
+                 "true lumen in voxels of 0.8 mm, flattened, and searched with default options.");
+  report.AddText("Errors are measured at grid points of the wall that are not constraints, outside collapsed sections: "
+                 "in space, and on the flat map with a circumference of 1. Means are over patients, including flagged "
+                 "ones. The frame aligns flexures and taeniae only. A detected fold corresponds to the true fold with "
+                 "the crest nearest to its center, within 6 mm. A match is correct if both folds correspond to the "
+                 "same true fold; recall refers to true folds found in both positions.");
   report.AddText(
     "In `patients`, +- is half the 95 % interval of the mean over 20 blocks along the colon. `points` counts the end "
     "points of supine folds (Table 4.1 of the dissertation, which counts unmatched points as incorrect); border points "
-    "are within 15 mm of the cut of the flat map. `schemes` compares simpler registrations. "
-    "`reliability-points` compares the local confidence with the share of points whose error is at most 10 mm. Files "
-    "named "
-    "`true-landmarks` contain the results with the true flexures and taeniae.");
+    "are within 15 mm of the cut of the flat map. `schemes` compares simpler registrations. `reliability-points` "
+    "compares the local confidence with the share of points whose error is at most 10 mm. Files named `true-landmarks` "
+    "contain the results with the true flexures and taeniae.");
 }
 
 void
 ExplainCt(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText(settings.MethodOf("colon-registration") +
-                 " Both colons are modeled from CT: bounds of shares are relaxed by 0.03, bounds of errors by a factor "
-                 "of 1.3.");
+  report.AddText(
+    settings.MethodOf("colon-registration") +
+    " Both colons are modeled from CT: bounds of shares are relaxed by 0.03, bounds of errors by a factor of 1.3.");
 }
 
 /** The bounds are for finer voxels and many patients, so this only checks that the code runs. */

@@ -1,6 +1,9 @@
 #include "ColonShape.h"
+#include "Tables.h"
 
 #include "shapetonFlatColonAxis.h"
+#include "shapetonPi.h"
+#include "shapetonQuantiles.h"
 
 #include <Eigen/Geometry>
 
@@ -12,8 +15,6 @@ using namespace shapeton;
 
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
-
 /** Section of the centerline (mm). */
 struct Stretch
 {
@@ -120,7 +121,7 @@ private:
       const Eigen::Vector3d next = grid.PointOfPixel(column, (row + 1) % grid.Rows()) - first;
       area += 0.5 * here.cross(next);
     }
-    return std::sqrt(area.norm() / pi);
+    return std::sqrt(area.norm() / Pi);
   }
 
   std::vector<double> m_Radii;
@@ -168,12 +169,7 @@ public:
         }
       }
     }
-    if (chords.size() < 3)
-    {
-      return std::nan("");
-    }
-    std::nth_element(chords.begin(), chords.begin() + static_cast<std::ptrdiff_t>(chords.size() / 2), chords.end());
-    return chords[chords.size() / 2];
+    return chords.size() < 3 ? std::nan("") : UpperMedian(std::move(chords));
   }
 
 private:
@@ -261,8 +257,8 @@ public:
       if (stretch.Holds(arcLength) && radius > 0.0)
       {
         ++number;
-        turns += fold.length / (2.0 * pi * radius);
-        shape.extents.push_back(fold.length / radius * 180.0 / pi);
+        turns += fold.length / (2.0 * Pi * radius);
+        shape.extents.push_back(fold.length / radius * 180.0 / Pi);
         AddIfKnown(fold.height, shape.heights);
         AddIfKnown(m_Thickness.ThicknessOf(fold), shape.thicknesses);
       }
@@ -347,14 +343,9 @@ MeasureLine(const CurveSet & centerline, const Stretch & stretch, SegmentShape &
   const double chord = (centerline.V.row(inside.back()) - centerline.V.row(inside.front())).norm();
   shape.lengths.push_back(stretch.Length());
   shape.tortuosities.push_back(stretch.Length() / chord);
-  shape.turnings.push_back(turning * 180.0 / pi * 100.0 / stretch.Length());
+  shape.turnings.push_back(turning * 180.0 / Pi * 100.0 / stretch.Length());
 }
 
-void
-Append(const std::vector<double> & other, std::vector<double> & values)
-{
-  values.insert(values.end(), other.begin(), other.end());
-}
 } // namespace
 
 void

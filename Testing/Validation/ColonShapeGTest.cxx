@@ -1,4 +1,4 @@
-#include "BoundTable.h"
+#include "Tables.h"
 #include "ColonShape.h"
 
 #include "shapetonFoldTubes.h"
@@ -59,8 +59,8 @@ TEST(ColonShape, TubeWithFoldsIsMeasuredAsItWasMade)
   EXPECT_NEAR(shape.turnings.at(0), 0.0, 1e-6);
   EXPECT_EQ(shape.inscribedRadii.size(), 139U); // not on the bridge
   EXPECT_EQ(MeanOf(shape.inscribedRadii), 17.0);
-  EXPECT_NEAR(Percentile(shape.radii, 0.9), foldtubes::radius, 0.02); // between the folds
-  EXPECT_LT(Percentile(shape.radii, 0.0), 19.0);                      // at a fold
+  EXPECT_NEAR(LowerQuantile(shape.radii, 0.9), foldtubes::radius, 0.02); // between the folds
+  EXPECT_LT(LowerQuantile(shape.radii, 0.0), 19.0);                      // at a fold
   EXPECT_NEAR(shape.foldsPerDecimeter.at(0), 4 / 1.59, 1e-9);
 
   const double turn = 2.0 * flattubes::pi * foldtubes::radius;

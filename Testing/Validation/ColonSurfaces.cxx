@@ -1,4 +1,4 @@
-#include "BoundTable.h"
+#include "Tables.h"
 #include "ColonTrial.h"
 #include "ValidationReport.h"
 
@@ -23,29 +23,13 @@ struct Row
 /** Patients imaged by one scanner. */
 struct Group
 {
-  std::string            title;
-  std::vector<ColonCase> cases;
-  double                 leastDice{ 0.98 };
-  double                 mostMedian{ 0.4 };
+  std::string               title;
+  std::vector<LandmarkCase> cases;
+  double                    leastDice{ 0.98 };
+  double                    mostMedian{ 0.4 };
   /** If false, results are only reported. */
   bool hasBounds{ true };
 };
-
-ColonCase
-MakeCase(const std::string & preset, unsigned int seed, const std::string & position, double spacing)
-{
-  ColonCase one;
-  one.parameters = ColonPhantomPreset(preset);
-  one.parameters.seed = seed;
-  one.parameters.position = position;
-  one.spacing = spacing;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    const double extent = axis < 2 ? 358.4 : 336.0;
-    one.size[axis] = static_cast<unsigned int>(std::lround(extent / spacing));
-  }
-  return one;
-}
 
 /** Both positions, fluid from 0 to 0.5; every third patient has a collapsed section. */
 Group
@@ -59,7 +43,7 @@ MakeGroup(const std::string & title, const std::vector<unsigned int> & seeds, do
     for (const bool isProne : { false, true })
     {
       const double fluid = 0.5 * ((2 * patient + (isProne ? 1 : 0)) % 6) / 5.0;
-      group.cases.push_back(MakeCase("standard", seeds[patient], isProne ? "prone" : "supine", spacing));
+      group.cases.push_back(ValidationCase("standard", seeds[patient], isProne ? "prone" : "supine", spacing, true));
       group.cases.back().parameters.fluid = fluid;
       group.cases.back().parameters.collapsed = patient % 3 == 2 ? 1 : 0;
     }
@@ -72,22 +56,10 @@ Group
 MakeRealisticGroup(const std::vector<unsigned int> & seeds, double spacing)
 {
   Group group;
-  group.title = "Preset realistic, " + CsvTable::Rounded(spacing, 2) + " mm voxels";
+  group.title = "Preset realistic, " + Rounded(spacing, 2) + " mm voxels";
   group.hasBounds = false;
-  for (const unsigned int seed : seeds)
-  {
-    for (const char * const position : { "supine", "prone" })
-    {
-      group.cases.push_back(MakeCase("realistic", seed, position, spacing));
-    }
-  }
+  group.cases = BothPositions("realistic", seeds, spacing, true);
   return group;
-}
-
-std::string
-Number(double value, int digits = 3)
-{
-  return CsvTable::Rounded(value, digits);
 }
 
 std::string
@@ -99,36 +71,14 @@ Ratio(int kept, int all)
 CsvTable
 EmptyCaseTable()
 {
-  return CsvTable({ "patient",
-                    "position",
-                    "fluid",
-                    "collapsed",
-                    "Dice",
-                    "leak, ml",
-                    "surface median, mm",
-                    "95 %",
-                    "95 % at levels",
-                    "missed 95 %",
-                    "submerged folds kept",
-                    "polyps kept",
-                    "length error, %",
-                    "line distance, mm",
-                    "covered, %",
-                    "short cuts",
-                    "order",
-                    "genus raw",
-                    "repaired",
-                    "changed, ml",
-                    "tubes",
-                    "faces",
-                    "smallest angle, 1 %",
-                    "s",
-                    "lumen distance, mm",
-                    "lumen 95 % Hausdorff, mm" });
+  return CsvTable(Columns("patient | position | fluid | collapsed | Dice | leak, ml | surface median, mm | 95 % | 95 % "
+                          "at levels | missed 95 % | submerged folds kept | polyps kept | length error, % | line "
+                          "distance, mm | covered, % | short cuts | order | genus raw | repaired | changed, ml | tubes "
+                          "| faces | smallest angle, 1 % | s | lumen distance, mm | lumen 95 % Hausdorff, mm"));
 }
 
 void
-AddCase(const ColonCase & one, const ColonErrors & errors, CsvTable & table)
+AddCase(const LandmarkCase & one, const ColonErrors & errors, CsvTable & table)
 {
   const auto & parameters = one.parameters;
   if (!errors.failure.empty())
@@ -136,38 +86,22 @@ AddCase(const ColonCase & one, const ColonErrors & errors, CsvTable & table)
     std::vector<std::string> cells(26, "");
     cells[0] = std::to_string(parameters.seed);
     cells[1] = parameters.position;
-    cells[2] = Number(parameters.fluid, 2);
+    cells[2] = Rounded(parameters.fluid, 2);
     cells[3] = std::to_string(parameters.collapsed);
     cells[4] = "FAILED: " + errors.failure;
     table.AddRow(cells);
     return;
   }
-  table.AddRow({ std::to_string(parameters.seed),
-                 parameters.position,
-                 Number(parameters.fluid, 2),
-                 std::to_string(parameters.collapsed),
-                 Number(errors.dice, 4),
-                 Number(errors.leakMl, 2),
-                 Number(errors.surfaceMedian, 2),
-                 Number(errors.surface95, 2),
-                 Number(errors.level95, 2),
-                 Number(errors.missed95, 2),
-                 Ratio(errors.keptFolds, errors.folds),
-                 Ratio(errors.keptPolyps, errors.polyps),
-                 Number(100.0 * errors.lengthError, 2),
-                 Number(errors.meanLineDistance, 2),
-                 Number(100.0 * errors.covered, 4),
-                 std::to_string(errors.shortCuts),
-                 errors.isOrderRight ? "right" : "wrong",
-                 std::to_string(errors.genusRaw),
-                 std::to_string(errors.genusRepaired),
-                 Number(errors.changedMl, 2),
-                 errors.areTubes ? "yes" : "no",
-                 std::to_string(errors.faces),
-                 Number(errors.smallestAngle, 3),
-                 Number(errors.seconds, 2),
-                 Number(errors.lumen.average, 3),
-                 Number(errors.lumen.hausdorff95, 3) });
+  table.AddRow(Cells() << parameters.seed << parameters.position << Rounded(parameters.fluid, 2) << parameters.collapsed
+                       << Rounded(errors.dice, 4) << Rounded(errors.leakMl, 2) << Rounded(errors.surfaceMedian, 2)
+                       << Rounded(errors.surface95, 2) << Rounded(errors.level95, 2) << Rounded(errors.missed95, 2)
+                       << Ratio(errors.keptFolds, errors.folds) << Ratio(errors.keptPolyps, errors.polyps)
+                       << Rounded(100.0 * errors.lengthError, 2) << Rounded(errors.meanLineDistance, 2)
+                       << Rounded(100.0 * errors.covered, 4) << errors.shortCuts
+                       << (errors.isOrderRight ? "right" : "wrong") << errors.genusRaw << errors.genusRepaired
+                       << Rounded(errors.changedMl, 2) << (errors.areTubes ? "yes" : "no") << errors.faces
+                       << Rounded(errors.smallestAngle) << Rounded(errors.seconds, 2) << Rounded(errors.lumen.average)
+                       << Rounded(errors.lumen.hausdorff95));
 }
 
 /** Collects the bounded measurements and reports whether all patients meet the bounds. */
@@ -177,14 +111,14 @@ public:
   Bounds(const Group & group, int faces) : m_Group(group), m_Faces(faces) {}
 
   void
-  Add(const ColonCase & one, const ColonErrors & e)
+  Add(const LandmarkCase & one, const ColonErrors & e)
   {
     const bool isDone = e.failure.empty();
     m_Exam = std::to_string(one.parameters.seed) + ' ' + one.parameters.position;
-    this->Add("Dice of the lumen", ">= " + Number(m_Group.leastDice), e.dice, isDone && e.dice >= m_Group.leastDice);
+    this->Add("Dice of the lumen", ">= " + Rounded(m_Group.leastDice), e.dice, isDone && e.dice >= m_Group.leastDice);
     this->Add("leak, ml", "<= 3", e.leakMl, isDone && e.leakMl <= 3.0);
     this->Add("surface error, median, mm",
-              "<= " + Number(m_Group.mostMedian),
+              "<= " + Rounded(m_Group.mostMedian),
               e.surfaceMedian,
               isDone && e.surfaceMedian <= m_Group.mostMedian);
     this->Add("surface error, 95 %, mm", "<= 1.0", e.surface95, isDone && e.surface95 <= 1.0);
@@ -229,7 +163,7 @@ public:
     const double share = static_cast<double>(m_Kept) / std::max(1, m_Shapes);
     add("submerged folds >= 2.5 mm thick and polyps >= 6 mm kept, all exams",
         ">= 95 %",
-        Ratio(m_Kept, m_Shapes) + ", " + Number(100.0 * share) + " %",
+        Ratio(m_Kept, m_Shapes) + ", " + Rounded(100.0 * share) + " %",
         share >= 0.95);
     this->ReportLumens(table);
     report.AddSummary("measures", table);
@@ -258,11 +192,13 @@ private:
       averages.push_back(lumen.average);
       hausdorffs.push_back(lumen.hausdorff95);
     }
-    table.AddRow({ "Dice of the lumen, median", "", Number(Percentile(m_Dices, 0.5), 4), "" });
+    table.AddRow({ "Dice of the lumen, median", "", Rounded(LowerQuantile(m_Dices, 0.5), 4), "" });
     table.AddRow({ "symmetric surface distance of the lumen, mm", "", MeanWithInterval(averages), "" });
-    table.AddRow({ "symmetric surface distance of the lumen, median, mm", "", Number(Percentile(averages, 0.5)), "" });
+    table.AddRow(
+      { "symmetric surface distance of the lumen, median, mm", "", Rounded(LowerQuantile(averages, 0.5)), "" });
     table.AddRow({ "95 % Hausdorff distance of the lumen, mm", "", MeanWithInterval(hausdorffs), "" });
-    table.AddRow({ "95 % Hausdorff distance of the lumen, median, mm", "", Number(Percentile(hausdorffs, 0.5)), "" });
+    table.AddRow(
+      { "95 % Hausdorff distance of the lumen, median, mm", "", Rounded(LowerQuantile(hausdorffs, 0.5)), "" });
   }
 
   void
@@ -292,7 +228,7 @@ private:
     row.values.push_back(value);
     if (!passed)
     {
-      row.failures += (row.failures.empty() ? "" : ", ") + m_Exam + " (" + Number(value, 2) + ')';
+      row.failures += (row.failures.empty() ? "" : ", ") + m_Exam + " (" + Rounded(value, 2) + ')';
     }
   }
 
@@ -316,7 +252,7 @@ TryGroup(const Group & group, int faces, ValidationReport & report)
   report.AddText("## " + group.title);
   CsvTable table = EmptyCaseTable();
   Bounds   bounds(group, faces);
-  for (const ColonCase & one : group.cases)
+  for (const LandmarkCase & one : group.cases)
   {
     const ColonErrors errors = TryColon(one, faces);
     AddCase(one, errors, table);
@@ -348,20 +284,18 @@ TryPresets(const ValidationSettings & settings, const std::string & title, doubl
 void
 Explain(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText("Synthetic patients of preset standard (" + settings.SeedsInWords() +
-                 "), supine and prone, with fluid from 0 to half of the lumen; every third patient has a collapsed "
-                 "section. Patients of preset realistic have no bounds. `ColonSegmentation` receives the CT and the "
-                 "patient position only.");
+  report.AddText(
+    "Synthetic patients of preset standard (" + settings.SeedsInWords() +
+    "), supine and prone, with fluid from 0 to half of the lumen; every third patient has a collapsed section. "
+    "Patients of preset realistic have no bounds. `ColonSegmentation` receives the CT and the patient position only.");
   report.AddText(
     "Each exam must meet each bound; the last bound applies to all exams together. Surface error is the distance from "
     "vertices of `wall.vtp`, without synthetic bridges, to the true wall; `missed` in `patients` is the reverse "
-    "distance. True length is covered where the line is within the lumen radius. Folds and polyps are kept if at "
-    "least 90 % of their tissue volume remains in the cleansed CT; a fold extends to 0.8 of its height from the "
-    "crest.");
-  report.AddText(
-    "Distances of the lumen compare the surface voxels of the lumen with those of the true lumen in both directions: "
-    "the symmetric distance is the mean over both surfaces, the 95 % Hausdorff distance the larger of the 95th "
-    "percentiles of both directions.");
+    "distance. True length is covered where the line is within the lumen radius. Folds and polyps are kept if at least "
+    "90 % of their tissue volume remains in the cleansed CT; a fold extends to 0.8 of its height from the crest.");
+  report.AddText("Distances of the lumen compare the surface voxels of the lumen with those of the true lumen in both "
+                 "directions: the symmetric distance is the mean over both surfaces, the 95 % Hausdorff distance the "
+                 "larger of the 95th percentiles of both directions.");
 }
 } // namespace
 
@@ -375,7 +309,7 @@ ValidateColonSurfaces(const ValidationSettings & settings, ValidationReport & re
     return;
   }
   // Coarse voxels; the bounds are for finer voxels, so this only checks that the code runs.
-  ColonCase one = MakeCase("standard", settings.Seeds(1).front(), "supine", 2.8);
+  LandmarkCase one = ValidationCase("standard", settings.Seeds(1).front(), "supine", 2.8, true);
   one.parameters.fluid = 0.2;
   const ColonErrors errors = TryColon(one, 20000);
   CsvTable          table = EmptyCaseTable();
@@ -391,7 +325,7 @@ ValidateColonNoise(const ValidationSettings & settings, ValidationReport & repor
   report.AddText(settings.MethodOf("colon-surfaces"));
   Group group = MakeGroup("1.4 mm voxels, noise of 100 HU", settings.Seeds(3), 1.4);
   group.leastDice = 0.97;
-  for (ColonCase & one : group.cases)
+  for (LandmarkCase & one : group.cases)
   {
     one.parameters.noise = 100.0;
   }

@@ -1,14 +1,15 @@
 #include "ColonTrial.h"
-#include "BoundTable.h"
+#include "PolypTrial.h"
+#include "SampledScenes.h"
+#include "Tables.h"
+#include "Times.h"
 
-#include "itkCastImageFilter.h"
 #include "itkLinearInterpolateImageFunction.h"
 #include "shapetonSurfaceLocator.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonExceptions.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 using namespace shapeton;
@@ -17,29 +18,6 @@ namespace
 {
 using Source = ColonPhantomImageSource;
 using Interpolator = itk::LinearInterpolateImageFunction<itk::Image<float, 3>>;
-
-Source::Pointer
-MakePhantom(const ColonCase & one)
-{
-  const auto       source = Source::New();
-  Source::SizeType size;
-  std::copy(one.size.begin(), one.size.end(), size.begin());
-  source->SetParameters(one.parameters);
-  source->SetSize(size);
-  source->SetSpacing(Source::SpacingType(one.spacing));
-  source->CenterOutput();
-  source->Update();
-  return source;
-}
-
-itk::Image<float, 3>::Pointer
-ToFloat(const Source::ImageType * image)
-{
-  const auto cast = itk::CastImageFilter<Source::ImageType, itk::Image<float, 3>>::New();
-  cast->SetInput(image);
-  cast->Update();
-  return cast->GetOutput();
-}
 
 Eigen::Vector3d
 VoxelCenter(const itk::ImageBase<3> * image, std::size_t offset)
@@ -130,16 +108,16 @@ MeasureSurface(const ColonModel & model, Source * truth, ColonErrors & errors)
       atLevels.push_back(distance);
     }
   }
-  errors.surfaceMedian = Percentile(distances, 0.5);
-  errors.surface95 = Percentile(distances, 0.95);
-  errors.level95 = Percentile(atLevels, 0.95);
+  errors.surfaceMedian = LowerQuantile(distances, 0.5);
+  errors.surface95 = LowerQuantile(distances, 0.95);
+  errors.level95 = LowerQuantile(atLevels, 0.95);
   const SurfaceLocator ours(raw.V, raw.F);
   std::vector<double>  missed;
   for (const int v : SomeVertices(wall, samples))
   {
     missed.push_back(ours.FindClosest(wall.V.row(v)).distance);
   }
-  errors.missed95 = Percentile(missed, 0.95);
+  errors.missed95 = LowerQuantile(missed, 0.95);
 }
 
 /** Checks whether true tissue keeps 90 % of its volume in the cleansed CT. */
@@ -207,7 +185,6 @@ public:
     : m_Anatomy(anatomy)
     , m_Line(anatomy.Centerline())
     , m_ArcLength(PointValues(m_Line, "arcLength", "the true centerline"))
-    , m_IsCollapsed(PointValues(m_Line, "collapsed", "the true centerline"))
   {}
 
   /** Arc length of a point in or near the lumen, and its distance from the line, with points about 2 mm apart. The
@@ -222,28 +199,18 @@ public:
     return sample.segment > 0 ? sample.arcLength : m_ArcLength[index];
   }
 
-  bool
-  IsCollapsedAt(double arcLength) const
-  {
-    Eigen::Index index = 0;
-    (m_ArcLength.array() - arcLength).abs().minCoeff(&index);
-    return m_IsCollapsed[index] != 0.0;
-  }
-
 private:
   const ColonAnatomy & m_Anatomy;
   CurveSet             m_Line;
   Eigen::VectorXd      m_ArcLength;
-  Eigen::VectorXd      m_IsCollapsed;
 };
 
 void
 MeasurePolyps(const ColonAnatomy & anatomy, const TissueKeeper & keeper, ColonErrors & errors)
 {
-  const TrueLine line(anatomy);
-  for (const ColonPolyp & polyp : anatomy.Polyps())
+  for (const ColonPolyp & polyp : VisiblePolyps(anatomy))
   {
-    if (polyp.diameter >= 6.0 && !line.IsCollapsedAt(polyp.arcLength))
+    if (polyp.diameter >= 6.0)
     {
       // Deeper than 1.5 mm is the interior of the structure, or fat beyond the wall.
       ++errors.polyps;
@@ -366,19 +333,19 @@ MeasureMeshes(const ColonModel & model, ColonErrors & errors)
 } // namespace
 
 ColonErrors
-TryColon(const ColonCase & one, int faces)
+TryColon(const LandmarkCase & one, int faces)
 {
   const auto         truth = MakePhantom(one);
   const auto         ct = ToFloat(truth->GetOutput());
   ColonModelSettings options;
   options.position = one.parameters.position;
   options.faces = faces;
-  ColonErrors errors;
-  const auto  start = std::chrono::steady_clock::now();
+  ColonErrors     errors;
+  const Stopwatch watch;
   try
   {
     const ColonModel model = BuildColonModel(ct.GetPointer(), options);
-    errors.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    errors.seconds = watch.Seconds();
     errors.failure = model.failure;
     MeasureLumen(model, truth, errors);
     if (model.failure.empty())

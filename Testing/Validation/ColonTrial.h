@@ -1,20 +1,8 @@
 #ifndef ColonTrial_h
 #define ColonTrial_h
 
+#include "LandmarkTrial.h"
 #include "SurfaceDistances.h"
-
-#include "shapetonColonModel.h"
-#include "shapetonColonPhantomImageSource.h"
-
-#include <array>
-
-/** Synthetic patient in one position, imaged by one scanner. */
-struct ColonCase
-{
-  shapeton::ColonPhantomParameters parameters;
-  std::array<unsigned int, 3>      size{ { 256, 256, 240 } };
-  double                           spacing{ 1.4 };
-};
 
 /** Errors of a colon model. Shares are relative to the true structures; 1 if there are none. */
 struct ColonErrors
@@ -66,6 +54,6 @@ struct ColonErrors
 /** Generates the phantom, builds the model from its CT only, and measures it. `faces` is the requested number of
  * faces. */
 ColonErrors
-TryColon(const ColonCase & one, int faces);
+TryColon(const LandmarkCase & one, int faces);
 
 #endif

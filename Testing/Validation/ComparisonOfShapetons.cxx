@@ -7,12 +7,6 @@
 using namespace shapeton;
 
 std::string
-Percent(double share)
-{
-  return CsvTable::Rounded(100.0 * share, 3) + " %";
-}
-
-std::string
 Hundredths(double value)
 {
   return CsvTable::Number(std::round(100.0 * value) / 100.0 + 0.0); // no -0
@@ -29,29 +23,14 @@ CaptionOf(const Trial & trial)
 std::vector<std::string>
 CellsOf(const TrialVolume & volume, const Trial & trial)
 {
-  std::vector<std::string> cells{ trial.method, trial.settings, CsvTable::Rounded(trial.seconds, 2) };
-  if (trial.visits)
+  const Cells start = Cells() << trial.method << trial.settings << Rounded(trial.seconds, 2);
+  if (!trial.visits)
   {
-    const double shapetons = std::stod(trial.settings);
-    cells.push_back(Percent(trial.measures.GetCoverage()));
-    cells.push_back(Percent(trial.measures.trappedShapetons / shapetons));
-    cells.push_back(CsvTable::Rounded(MeanVisitsOfObjects(volume, trial), 3));
+    return Cells(start) << "" << std::string() << "";
   }
-  else
-  {
-    cells.insert(cells.end(), 3, "");
-  }
-  return cells;
-}
-
-const std::vector<std::string> columnsOfTrials{ "method",   "shapetons x steps", "seconds",
-                                                "coverage", "trapped",           "visits per object voxel" };
-
-std::vector<std::string>
-Joined(std::vector<std::string> cells, const std::vector<std::string> & more)
-{
-  cells.insert(cells.end(), more.begin(), more.end());
-  return cells;
+  return Cells(start) << Percent(trial.measures.GetCoverage())
+                      << Percent(trial.measures.trappedShapetons / std::stod(trial.settings))
+                      << Rounded(MeanVisitsOfObjects(volume, trial));
 }
 
 std::vector<double>
@@ -79,9 +58,9 @@ struct PhantomCase
 void
 TabulateTrials(const Comparison & comparison, const TrialVolume & volume, const std::vector<Trial> & trials)
 {
-  CsvTable            table(Joined(
-    columnsOfTrials,
-    { "rank correlation of object means with CHD", "variance between objects", "classes", "adjusted Rand index" }));
+  CsvTable table(
+    Columns(columnsOfTrials +
+            " | rank correlation of object means with CHD | variance between objects | classes | adjusted Rand index"));
   std::vector<double> ranks, between;
   const auto          heat = Values(MeansOfObjects(volume, trials.front().field));
   for (const Trial & trial : trials)
@@ -89,11 +68,8 @@ TabulateTrials(const Comparison & comparison, const TrialVolume & volume, const 
     const ClassAgreement agreement = CompareClasses(volume, trial);
     ranks.push_back(RankCorrelation(heat, Values(MeansOfObjects(volume, trial.field))));
     between.push_back(VarianceBetweenObjects(volume, trial.field));
-    table.AddRow(Joined(CellsOf(volume, trial),
-                        { Hundredths(ranks.back()),
-                          Percent(between.back()),
-                          std::to_string(agreement.classes),
-                          Hundredths(agreement.adjustedRand) }));
+    table.AddRow(Cells() << CellsOf(volume, trial) << Hundredths(ranks.back()) << Percent(between.back())
+                         << agreement.classes << Hundredths(agreement.adjustedRand));
   }
   comparison.report.AddRows("phantoms", table);
   comparison.report.AddText("Controlled walk: rank correlation of object means with CHD " + Hundredths(ranks.back()) +
@@ -115,9 +91,8 @@ TabulateObjects(const Comparison &         comparison,
     const auto means = Values(MeansOfObjects(volume, trial.field));
     for (std::size_t i = 0; i < means.size(); ++i)
     {
-      table.AddRow({ trial.method + (trial.visits ? ", " + trial.settings : ""),
-                     phantom.objects[i],
-                     CsvTable::Rounded(means[i] / means.front(), 3) });
+      table.AddRow(Cells() << trial.method + (trial.visits ? ", " + trial.settings : "") << phantom.objects[i]
+                           << Rounded(means[i] / means.front()));
     }
   }
   comparison.report.AddRows("objects", table);
@@ -174,9 +149,9 @@ const std::vector<PhantomCase> phantoms = {
     1000,
     "The 1,000 shapetons of the dissertation result in about one visit per voxel of this volume, which is noise. The "
     "published walk from the objects finds one class of cuboids and one of spheres, as published: the deformations "
-    "hardly change "
-    "how fast they leak. CHD and the controlled walk show the deformations: a third more heat in the twisted and bent "
-    "cuboid (partly because a rotated surface cuts more voxel faces), 7 % more in the sphere with bumps." },
+    "hardly change how fast they leak. CHD and the controlled walk show the deformations: a third more heat in the "
+    "twisted and bent cuboid (partly because a rotated surface cuts more voxel faces), 7 % more in the sphere with "
+    "bumps." },
   { "hydrogen",
     "Figure 3.11a: hydrogen",
     { "nucleus", "upper lobe", "lower lobe", "orbit" },
@@ -192,12 +167,12 @@ void
 ValidateComparisonOfShapetons(const ValidationSettings & settings, ValidationReport & report)
 {
   const Comparison comparison{ settings, report };
-  report.AddText("Two walks: 'published' is the walk of chapter 3 (DirectionSampling::SectorArea, PathRule::Endpoint, "
-                 "ParticlePlacement::Uniform); 'controlled' samples CHD (Uniform, Traversal, InitialHeat). Seconds: "
-                 "processor time, summed over all cores. Trapped: shapetons in voxels whose six weights are 0. "
-                 "Variance between objects: share of the variance over all object voxels. Classes: from ClassifyHeat() "
-                 "and ClassifyVisits(). The adjusted Rand index compares classes and objects over the object voxels. "
-                 "All seeds are 1; visits are reproducible, times are not.");
+  report.AddText(
+    "Two walks: 'published' is the walk of chapter 3 (DirectionSampling::SectorArea, PathRule::Endpoint, "
+    "ParticlePlacement::Uniform); 'controlled' samples CHD (Uniform, Traversal, InitialHeat). Seconds: processor time, "
+    "summed over all cores. Trapped: shapetons in voxels whose six weights are 0. Variance between objects: share of "
+    "the variance over all object voxels. Classes: from ClassifyHeat() and ClassifyVisits(). The adjusted Rand index "
+    "compares classes and objects over the object voxels. All seeds are 1; visits are reproducible, times are not.");
   RunShapetons(
     MakeTrialPhantom("figure2.4", itk::Size<3>::Filled(8)), 7.0, publishedWalk, { 100, 0.1, 1 }); // fills tables
   for (std::size_t i = 0; i < (settings.quick ? 1 : phantoms.size()); ++i)

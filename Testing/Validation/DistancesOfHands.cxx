@@ -1,6 +1,6 @@
 #include "FigureTools.h"
 #include "GeneratedSurfaces.h"
-#include "ShapetonPictures.h"
+#include "Tables.h"
 #include "ValidationReport.h"
 
 #include "shapetonDiffusionTime.h"
@@ -49,28 +49,17 @@ struct Hand
   SurfaceSpectrum     spectrum;
 };
 
-SurfaceRenderingOptions
-View(const PictureSheet::Layout & layout)
-{
-  SurfaceRenderingOptions options;
-  options.width = layout.width;
-  options.height = layout.height;
-  options.annotations = false;
-  options.depthShading = 0.0;
-  options.elevation = 12.0;
-  return options;
-}
-
 void
 DrawHands(const Hand & touching, const Hand & apart, double t, const std::string & path)
 {
   const PictureSheet::Layout layout{ 2, 2, 400, 460, false };
   PictureSheet               sheet("Figure 5.2: detour by way of each point, little finger to thumb", layout);
-  const auto                 options = View(layout);
+  auto                       options = ViewOf(layout);
   const Hand * const         hands[] = { &touching, &apart };
   const char * const         names[] = { "thumb and index finger touch", "cut apart" };
   const double               farGeodesic = touching.Geodesic().maxCoeff();
   const double               farDiffusion = touching.Diffusion(t).maxCoeff();
+  options.elevation = 12.0;
   for (std::size_t i = 0; i < 2; ++i)
   {
     const Hand &   hand = *hands[i];
@@ -111,13 +100,11 @@ ValidateDistancesOfHands(const ValidationSettings & settings, ValidationReport &
                  "square of f, over all vertices. Diffusion distances are from " +
                  std::to_string(pairs) + " eigenpairs.\n\n![](figure-5.2.png)");
   CsvTable table({ "distance", "t, mm^2", "t / h^2", "change of f", "change of d(p, q)", "below a third of geodesic" });
-  const auto percent = [](double share) { return CsvTable::Rounded(100.0 * share, 3) + " %"; };
-  table.AddRow({ "geodesic",
-                 "",
-                 "",
-                 percent(geodesic),
-                 percent(std::abs(apart.geodesicFromP[apart.q] / touching.geodesicFromP[touching.q] - 1.0)),
-                 "" });
+  table.AddRow(Cells() << "geodesic"
+                       << ""
+                       << "" << Percent(geodesic)
+                       << Percent(std::abs(apart.geodesicFromP[apart.q] / touching.geodesicFromP[touching.q] - 1.0))
+                       << "");
   double           pictured = 0.0;
   std::string      earliest;                   // change at the first time
   constexpr double asLongAsAFingertip = 100.0; // mm^2; at longer times heat crosses the contact
@@ -127,16 +114,14 @@ ValidateDistancesOfHands(const ValidationSettings & settings, ValidationReport &
     const double whole = DiffusionDistance(touching.spectrum, touching.p, touching.q, t);
     const double cut = DiffusionDistance(apart.spectrum, apart.p, apart.q, t);
     const bool   isHeld = t <= asLongAsAFingertip;
-    table.AddRow({ "diffusion",
-                   CsvTable::Rounded(t, 3),
-                   CsvTable::Rounded(t / (h * h), 3),
-                   percent(change),
-                   percent(std::abs(cut / whole - 1.0)),
-                   isHeld ? report.Check(change < geodesic / 3.0) : (change < geodesic / 3.0 ? "yes" : "no") });
+    table.AddRow(
+      Cells() << "diffusion" << Rounded(t) << Rounded(t / (h * h)) << Percent(change)
+              << Percent(std::abs(cut / whole - 1.0))
+              << (isHeld ? report.Check(change < geodesic / 3.0) : (change < geodesic / 3.0 ? "yes" : "no")));
     pictured = isHeld ? t : pictured;
-    earliest = earliest.empty() ? percent(change) : earliest;
+    earliest = earliest.empty() ? Percent(change) : earliest;
   }
-  report.AddText("Change of f: " + percent(geodesic) + " with geodesic distances, " + earliest +
+  report.AddText("Change of f: " + Percent(geodesic) + " with geodesic distances, " + earliest +
                  " with diffusion distances at t = 8 h^2. Bound up to t = 100 mm^2: a third of the geodesic change.");
   report.AddRows("times", table);
   report.AddText(

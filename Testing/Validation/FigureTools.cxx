@@ -33,6 +33,17 @@ WaveThrough(const Vector3d & a, const Vector3d & b, const Vector3d & c, double a
 }
 } // namespace
 
+SurfaceRenderingOptions
+ViewOf(const PictureSheet::Layout & layout)
+{
+  SurfaceRenderingOptions options;
+  options.width = layout.width;
+  options.height = layout.height;
+  options.annotations = false;
+  options.depthShading = 0.0;
+  return options;
+}
+
 Eigen::VectorXd
 GeodesicDistances(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, int source)
 {

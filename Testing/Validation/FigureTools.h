@@ -1,10 +1,16 @@
 #ifndef FigureTools_h
 #define FigureTools_h
 
+#include "ShapetonPictures.h"
+
 #include "shapetonSurfaceConnectivity.h"
 #include "shapetonSurfaceRendering.h"
 
 /** Functions shared by figures of chapter 5. */
+
+/** View of a surface that fills a panel of a sheet. */
+shapeton::SurfaceRenderingOptions
+ViewOf(const PictureSheet::Layout & layout);
 
 /** Geodesic distances on the surface from a vertex (mm): first-order fast marching on triangles (Kimmel and Sethian,
  * 1998). */

@@ -1,33 +1,16 @@
 #include "ConventionalHeat.h"
+#include "SampledScenes.h"
+#include "Tables.h"
 #include "ValidationReport.h"
 #include "ValidationVolumes.h"
 
-#include "shapetonHeatDiffusionSolver.h"
 #include "shapetonShapeComponents.h"
 #include "shapetonDiffusionTestVolumes.h"
-#include "shapetonShapePhantomImageSource.h"
 
 using namespace shapeton;
 
 namespace
 {
-constexpr double dt = HeatDiffusionSolver::MaximumTimeStepLength;
-
-std::vector<std::vector<float>>
-HeatAt(const VolumeGradientOperator & volumeGradient, const std::vector<std::uint64_t> & steps)
-{
-  const auto &                    grid = volumeGradient.GetGrid();
-  std::vector<std::vector<float>> fields(steps.size(), std::vector<float>(grid.GetNumberOfVoxels()));
-  PaddedField                     heat(grid);
-  volumeGradient.ComputeInitialHeat(heat);
-  HeatDiffusionSolver solver(volumeGradient, HeatDiffusionSolver::Method::Chebyshev, dt, 1e-5);
-  const std::size_t   nx = grid.GetSize()[0];
-  solver.Run(heat, steps.back(), steps, [&](std::size_t i, std::size_t row, const float * values, unsigned int) {
-    std::copy(values, values + nx, fields[i].data() + row * nx);
-  });
-  return fields;
-}
-
 void
 Figure24(ValidationReport & report)
 {
@@ -48,12 +31,9 @@ Figure24(ValidationReport & report)
       at(first, first, last), at(first, first, middle), at(first, middle, middle), at(middle, middle, middle)
     };
     const bool ordered = heat[0] > heat[1] && heat[1] > heat[2] && heat[2] > heat[3];
-    table.AddRow({ std::to_string(steps[i]),
-                   CsvTable::Rounded(heat[0], 4),
-                   CsvTable::Rounded(heat[1], 4),
-                   CsvTable::Rounded(heat[2], 4),
-                   CsvTable::Rounded(heat[3], 4),
-                   steps[i] <= 1100 ? report.Check(ordered) : (ordered ? "yes" : "no") });
+    table.AddRow(Cells() << steps[i] << Rounded(heat[0], 4) << Rounded(heat[1], 4) << Rounded(heat[2], 4)
+                         << Rounded(heat[3], 4)
+                         << (steps[i] <= 1100 ? report.Check(ordered) : (ordered ? "yes" : "no")));
   }
   report.AddRows("cube", table);
   report.AddText(
@@ -103,20 +83,19 @@ Figure25(const ValidationSettings & settings, ValidationReport & report)
     {
       const double correlation = Correlation(inside(cumulative[i]), inside(conventional));
       atThirty.push_back(correlation);
-      table.AddRow(
-        { std::to_string(cumulativeSteps[i]), std::to_string(conventionalSteps), CsvTable::Rounded(correlation, 4) });
+      table.AddRow(Cells() << cumulativeSteps[i] << conventionalSteps << Rounded(correlation, 4));
     }
   }
   report.AddRows("conventional", table);
   const double end = EndOfConventionalHeat();
   report.AddText("The patterns agree while corners and edges stand out: best correlation " +
-                 CsvTable::Rounded(*std::max_element(atThirty.begin(), atThirty.end()), 3) +
+                 Rounded(*std::max_element(atThirty.begin(), atThirty.end())) +
                  " (bound 0.9: " + report.Check(*std::max_element(atThirty.begin(), atThirty.end()) > 0.9) +
                  "). At steady state they differ, although 2.3.2 calls them identical. Cumulative diffusion ends at "
                  "the mean initial heat, 1 / " +
                  std::to_string(cube) + ", and conventional diffusion at 1 / (number of voxels) = 1 / " +
-                 std::to_string(cube * cube * cube) + " (in a cube of side 4, 1 / " + CsvTable::Rounded(1.0 / end, 4) +
-                 ": " + report.Check(std::abs(64.0 * end - 1.0) < 1e-4) +
+                 std::to_string(cube * cube * cube) + " (in a cube of side 4, 1 / " + Rounded(1.0 / end, 4) + ": " +
+                 report.Check(std::abs(64.0 * end - 1.0) < 1e-4) +
                  "). The tools omit conventional diffusion for this reason and because its cost is quadratic in the "
                  "number of voxels.");
 }
@@ -126,11 +105,7 @@ std::vector<ShapeComponent>
 Figure27(const std::string & preset, const ValidationSettings & settings, ValidationReport & report)
 {
   std::vector<ShapeComponent> objects;
-  auto                        source = ShapePhantomImageSource::New();
-  source->SetScene(ShapeScene::Load(preset));
-  source->SetSize(itk::Image<short, 3>::SizeType::Filled(settings.quick ? 48 : 96));
-  source->CenterOutput();
-  source->Update();
+  const auto        source = SampledScene(ShapeScene::Load(preset), itk::Size<3>::Filled(settings.quick ? 48 : 96));
   const auto *      image = source->GetOutput();
   const std::size_t side = image->GetLargestPossibleRegion().GetSize(0);
   test::Volume      volume({ side, side, side });
@@ -147,10 +122,9 @@ Figure27(const std::string & preset, const ValidationSettings & settings, Valida
     {
       const auto & at = component.index;
       objects.push_back(component);
-      table.AddRow({ std::to_string(at[0]) + ", " + std::to_string(at[1]) + ", " + std::to_string(at[2]),
-                     std::to_string(component.voxels),
-                     CsvTable::Rounded(component.convergedHeat, 4),
-                     CsvTable::Rounded(component.normalizedHeat, 4) });
+      table.AddRow(Cells() << std::to_string(at[0]) + ", " + std::to_string(at[1]) + ", " + std::to_string(at[2])
+                           << component.voxels << Rounded(component.convergedHeat, 4)
+                           << Rounded(component.normalizedHeat, 4));
     }
   }
   report.AddRows("lines", table);
@@ -168,11 +142,10 @@ ValidateFiguresOfChapter2(const ValidationSettings & settings, ValidationReport 
   const double ratio = threeLines ? a[2].convergedHeat / a[0].convergedHeat : 0.0;
   const double companions = threeLines ? a[2].normalizedHeat / a[0].normalizedHeat : 0.0;
   report.AddText("Each object is a line, as published (three objects: " + report.Check(threeLines) +
-                 "). The heats of the two spheres differ: their ratio is " + CsvTable::Rounded(ratio, 3) +
+                 "). The heats of the two spheres differ: their ratio is " + Rounded(ratio) +
                  ", the ratio of the radii (2 within 10 %: " + report.Check(std::abs(ratio - 2.0) < 0.2) +
-                 "). The ratio of their scale-normalized values is " + CsvTable::Rounded(companions, 3) +
-                 " (1 within 5 %: " + report.Check(std::abs(companions - 1.0) < 0.05) +
-                 "), as the figure claims for the heat.");
+                 "). The ratio of their scale-normalized values is " + Rounded(companions) + " (1 within 5 %: " +
+                 report.Check(std::abs(companions - 1.0) < 0.05) + "), as the figure claims for the heat.");
   const auto b = Figure27("figure2.7b", settings, report);
   double     closest = 1.0;
   for (std::size_t i = 0; i < b.size(); ++i)
@@ -182,7 +155,7 @@ ValidateFiguresOfChapter2(const ValidationSettings & settings, ValidationReport 
       closest = std::min(closest, std::abs(b[i].convergedHeat / b[j].convergedHeat - 1.0));
     }
   }
-  report.AddText("Four objects have four lines at least " + CsvTable::Rounded(100.0 * closest, 2) +
+  report.AddText("Four objects have four lines at least " + Rounded(100.0 * closest, 2) +
                  " % apart (bound 1 %: " + report.Check(b.size() == 4 && closest > 0.01) +
                  "). A line does not distinguish a cube from a cuboid of another size.");
 }

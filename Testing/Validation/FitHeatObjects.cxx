@@ -8,6 +8,7 @@
 #include "shapetonCumulativeHeatDiffusion.h"
 #include "shapetonIntensityClasses.h"
 #include "shapetonObjectParameters.h"
+#include "shapetonTestImages.h"
 
 #include <iostream>
 
@@ -15,22 +16,13 @@ using namespace shapeton;
 
 namespace
 {
-struct Samples
-{
-  std::vector<std::array<double, 4>> terms;
-  std::vector<double>                isWhole;
-};
-
 /** All regions of one scene at a threshold. */
 void
-AddRegions(const SceneVolume & volume, const HeatParameterChoice & choice, Samples & samples)
+AddRegions(const SceneVolume & volume, const HeatParameterChoice & choice, LogisticSamples & samples)
 {
   CumulativeHeatDiffusionSettings settings;
   choice.ApplyTo(settings);
-  const auto heat = itk::Image<float, 3>::New();
-  heat->CopyInformation(volume.image);
-  heat->SetRegions(volume.image->GetBufferedRegion());
-  heat->Allocate(true);
+  const auto heat = basetest::NewImageLike<itk::Image<float, 3>>(volume.image);
   DiffuseCumulativeHeat(VolumeView(volume.image.GetPointer()), settings, heat->GetBufferPointer());
   HeatObjectOptions options;
   options.leastProbability = 0.0;
@@ -38,25 +30,20 @@ AddRegions(const SceneVolume & volume, const HeatParameterChoice & choice, Sampl
   const auto agreement = CompareObjects(list, volume.labels);
   for (std::size_t i = 0; i < list.objects.size(); ++i)
   {
-    samples.terms.push_back(ProbabilityTerms(list.objects[i]));
-    samples.isWhole.push_back(agreement.dice[i] >= wholeObject ? 1.0 : 0.0);
+    const auto      terms = ProbabilityTerms(list.objects[i]);
+    Eigen::VectorXd withConstant(5);
+    withConstant << Eigen::Map<const Eigen::Vector4d>(terms.data()), 1.0;
+    samples.Add(withConstant, agreement.dice[i] >= wholeObject);
   }
 }
 
 /** Weights of the terms and the constant. */
 Eigen::VectorXd
-Fit(const Samples & samples)
+Fit(const LogisticSamples & samples)
 {
-  const auto      rows = static_cast<Eigen::Index>(samples.terms.size());
-  Eigen::MatrixXd terms(rows, 5);
-  for (Eigen::Index i = 0; i < rows; ++i)
-  {
-    terms.row(i) << samples.terms[i][0], samples.terms[i][1], samples.terms[i][2], samples.terms[i][3], 1.0;
-  }
   Eigen::VectorXd penalties = Eigen::VectorXd::Ones(5);
   penalties[4] = 0.0; // the constant
-  return FitLogistic(
-    terms, Eigen::Map<const Eigen::VectorXd>(samples.isWhole.data(), rows), Eigen::VectorXd::Ones(rows), penalties);
+  return FitLogistic(samples, penalties);
 }
 } // namespace
 
@@ -65,7 +52,7 @@ main()
 {
   constexpr unsigned int seeds = 40;
   constexpr unsigned int side = 104;
-  Samples                samples;
+  LogisticSamples        samples;
   for (unsigned int seed = 1; seed <= seeds; ++seed)
   {
     const SceneVolume volume = SampleScene(seed, side);

@@ -1,5 +1,5 @@
 // Fits the weights of PolypScore() to phantoms and prints them. Usage: FitPolypScore. The exams are from
-// TrainingExams(), with 0.8 mm voxels; exams from CT take minutes each unless cached in SHAPETON_LANDMARK_CACHE.
+// TrainingExams(), with 0.8 mm voxels; exams from CT take minutes each.
 //
 // Positive samples: for each polyp of at least 5.5 mm, the candidate with the greatest solid angle. Negative samples:
 // candidates away from polyps, weighted by the score factor for content and catheter. Candidates at the
@@ -24,13 +24,6 @@ namespace
 {
 constexpr int unknowns = numberOfPolypTerms + 1;
 using Row = Eigen::Matrix<double, 1, unknowns>;
-
-struct Samples
-{
-  std::vector<Row>    terms; ///< with the constant 1
-  std::vector<double> isPolyp;
-  std::vector<double> weight;
-};
 
 /** Only seeds below 100; the others are for validation. The true lumen adds negatives of the anatomy; CT adds negatives
  * caused by noise, segmentation and residue. */
@@ -69,18 +62,16 @@ CandidatesOf(const ColonExam & exam)
 }
 
 void
-AddSample(const PolypCandidate & candidate, bool isPolyp, Samples & samples)
+AddSample(const PolypCandidate & candidate, bool isPolyp, LogisticSamples & samples)
 {
   const auto terms = TermsOf(candidate.features);
   Row        row;
   row << Eigen::Map<const Eigen::Matrix<double, 1, numberOfPolypTerms>>(terms.data()), 1.0;
-  samples.terms.push_back(row);
-  samples.isPolyp.push_back(isPolyp ? 1.0 : 0.0);
-  samples.weight.push_back(isPolyp ? 1.0 : candidate.score / candidate.shapeScore);
+  samples.Add(row.transpose(), isPolyp, isPolyp ? 1.0 : candidate.score / candidate.shapeScore);
 }
 
 void
-AddExam(const ColonExam & exam, Samples & samples)
+AddExam(const ColonExam & exam, LogisticSamples & samples)
 {
   constexpr double                    leastPolyp = 5.5; // mm
   const std::vector<PolypCandidate>   candidates = CandidatesOf(exam);
@@ -113,16 +104,16 @@ AddExam(const ColonExam & exam, Samples & samples)
 }
 
 Row
-StandardDeviations(const Samples & samples)
+StandardDeviations(const LogisticSamples & samples)
 {
   Row mean = Row::Zero(), square = Row::Zero();
-  for (const Row & row : samples.terms)
+  for (const Eigen::VectorXd & terms : samples.terms)
   {
-    mean += row / static_cast<double>(samples.terms.size());
+    mean += terms.transpose() / static_cast<double>(samples.terms.size());
   }
-  for (const Row & row : samples.terms)
+  for (const Eigen::VectorXd & terms : samples.terms)
   {
-    square += (row - mean).cwiseAbs2() / static_cast<double>(samples.terms.size());
+    square += (terms.transpose() - mean).cwiseAbs2() / static_cast<double>(samples.terms.size());
   }
   Row deviations = square.cwiseSqrt();
   deviations[numberOfPolypTerms] = 1.0; // the constant
@@ -130,30 +121,23 @@ StandardDeviations(const Samples & samples)
 }
 
 Row
-Fit(const Samples & samples)
+Fit(LogisticSamples samples)
 {
-  const Row       deviations = StandardDeviations(samples);
-  const auto      rows = static_cast<Eigen::Index>(samples.terms.size());
-  Eigen::MatrixXd terms(rows, unknowns);
-  for (Eigen::Index i = 0; i < rows; ++i)
+  const Row deviations = StandardDeviations(samples);
+  for (Eigen::VectorXd & terms : samples.terms)
   {
-    terms.row(i) = samples.terms[i].cwiseQuotient(deviations);
+    terms = terms.cwiseQuotient(deviations.transpose());
   }
   Eigen::VectorXd penalties = Eigen::VectorXd::Ones(unknowns);
   penalties[numberOfPolypTerms] = 0.0; // the constant
-  const Row weights = FitLogistic(terms,
-                                  Eigen::Map<const Eigen::VectorXd>(samples.isPolyp.data(), rows),
-                                  Eigen::Map<const Eigen::VectorXd>(samples.weight.data(), rows),
-                                  penalties)
-                        .transpose();
-  return weights.cwiseQuotient(deviations);
+  return FitLogistic(samples, penalties).transpose().cwiseQuotient(deviations);
 }
 } // namespace
 
 int
 main()
 {
-  Samples samples;
+  LogisticSamples samples;
   for (const LandmarkCase & one : TrainingExams())
   {
     const ColonExam exam = MakeColonExam(one);
@@ -165,9 +149,9 @@ main()
     AddExam(exam, samples);
   }
   const Row  weights = Fit(samples);
-  const auto polyps = static_cast<int>(std::count(samples.isPolyp.begin(), samples.isPolyp.end(), 1.0));
-  std::printf("%d polyps, %d other bulges\n"
-              "shape index, ln roundness, ln hollowness, ln (curvedness / 0.25 per mm) from 0, constant:\n",
+  const auto polyps = static_cast<int>(std::count(samples.outcomes.begin(), samples.outcomes.end(), 1.0));
+  std::printf("%d polyps, %d other bulges\nshape index, ln roundness, ln hollowness, ln (curvedness / 0.25 per mm) "
+              "from 0, constant:\n",
               polyps,
               static_cast<int>(samples.terms.size()) - polyps);
   for (int i = 0; i < unknowns; ++i)

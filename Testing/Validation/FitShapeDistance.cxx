@@ -119,14 +119,11 @@ PrintCombinations(const std::vector<Query> & queries, const Parts & units)
   }
 }
 
-struct Samples
-{
-  std::vector<Eigen::Vector3d> terms; ///< 1, ln distance, ln margin
-  std::vector<double>          isRight;
-};
-
 void
-AddHalf(const std::vector<Query> & queries, const Parts & units, const std::vector<bool> & isEntry, Samples & samples)
+AddHalf(const std::vector<Query> & queries,
+        const Parts &              units,
+        const std::vector<bool> &  isEntry,
+        LogisticSamples &          samples)
 {
   for (const Query & query : queries)
   {
@@ -139,15 +136,15 @@ AddHalf(const std::vector<Query> & queries, const Parts & units, const std::vect
       nearest = distance < first ? i : nearest;
       first = std::min(first, distance);
     }
-    samples.terms.emplace_back(1.0, std::log(first), std::log(std::min(10.0, second / first)));
-    samples.isRight.push_back(nearest == query.shape ? 1.0 : 0.0);
+    const Eigen::Vector3d terms(1.0, std::log(first), std::log(std::min(10.0, second / first)));
+    samples.Add(terms, nearest == query.shape); // terms: constant, distance, margin
   }
 }
 
-Samples
+LogisticSamples
 DrawHalves(const std::vector<Query> & queries, const Parts & units)
 {
-  Samples samples;
+  LogisticSamples samples;
   for (unsigned int half = 0; half < numberOfHalves; ++half)
   {
     PhiloxStream      stream(half, 0, 0);
@@ -159,22 +156,6 @@ DrawHalves(const std::vector<Query> & queries, const Parts & units)
     AddHalf(queries, units, isEntry, samples);
   }
   return samples;
-}
-
-/** With a light penalty, so a solution exists for fully separated shapes. */
-Eigen::Vector3d
-Fit(const Samples & samples)
-{
-  const auto      rows = static_cast<Eigen::Index>(samples.terms.size());
-  Eigen::MatrixXd terms(rows, 3);
-  for (Eigen::Index i = 0; i < rows; ++i)
-  {
-    terms.row(i) = samples.terms[i].transpose();
-  }
-  return FitLogistic(terms,
-                     Eigen::Map<const Eigen::VectorXd>(samples.isRight.data(), rows),
-                     Eigen::VectorXd::Ones(rows),
-                     Eigen::VectorXd::Ones(3));
 }
 } // namespace
 
@@ -191,7 +172,8 @@ main()
   }
   std::printf("\n");
   PrintCombinations(queries, units);
-  const Eigen::Vector3d weights = Fit(DrawHalves(queries, units));
+  // With a light penalty, so a solution exists for fully separated shapes.
+  const Eigen::Vector3d weights = FitLogistic(DrawHalves(queries, units), Eigen::VectorXd::Ones(3));
   std::printf("probability: %.3f, %.3f, %.3f\n", weights[0], weights[1], weights[2]);
   return 0;
 }

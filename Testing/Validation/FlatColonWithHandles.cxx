@@ -1,5 +1,5 @@
 #include "FigureTools.h"
-#include "ShapetonPictures.h"
+#include "Tables.h"
 #include "ValidationReport.h"
 
 #include "shapetonColonTube.h"
@@ -54,11 +54,7 @@ DrawStrip(const FlatColon & colon, const Eigen::VectorXd & shifts, double most, 
   {
     values[static_cast<Eigen::Index>(i)] = shifts[sources[i]];
   }
-  SurfaceRenderingOptions options;
-  options.width = layout.width;
-  options.height = layout.height;
-  options.annotations = false;
-  options.depthShading = 0.0;
+  SurfaceRenderingOptions options = ViewOf(layout);
   options.zoom = 1.02;
   return DrawValues(PlaneOf(colon.map.flat, FlatCoordinates(colon.map.flat, "")), values, 0.0, most, options);
 }
@@ -90,9 +86,7 @@ struct Comparison
   double
   ShareOfShifts(double share) const
   {
-    Eigen::VectorXd sorted = shifts;
-    std::sort(sorted.data(), sorted.data() + sorted.size());
-    return sorted[static_cast<Eigen::Index>(share * static_cast<double>(sorted.size() - 1))];
+    return LowerQuantile(std::vector<double>(shifts.data(), shifts.data() + shifts.size()), share);
   }
 };
 
@@ -117,19 +111,10 @@ AddRow(int                 seed,
        const std::string & check,
        CsvTable &          table)
 {
-  table.AddRow({ std::to_string(seed),
-                 std::to_string(handles),
-                 t > 0.0 ? "heat diffusion" : "Euclidean",
-                 t > 0.0 ? CsvTable::Rounded(t, 3) : "",
-                 t > 0.0 ? "8" : "",
-                 CsvTable::Rounded(one.changeU, 3),
-                 CsvTable::Rounded(one.changeV, 3),
-                 CsvTable::Rounded(100.0 * one.with.map.Gap(), 3),
-                 CsvTable::Rounded(one.ShareOfShifts(0.5), 2),
-                 CsvTable::Rounded(one.ShareOfShifts(0.99), 2),
-                 std::to_string(one.with.flips),
-                 against,
-                 check });
+  table.AddRow(Cells() << seed << handles << (t > 0.0 ? "heat diffusion" : "Euclidean") << (t > 0.0 ? Rounded(t) : "")
+                       << (t > 0.0 ? "8" : "") << Rounded(one.changeU) << Rounded(one.changeV)
+                       << Rounded(100.0 * one.with.map.Gap()) << Rounded(one.ShareOfShifts(0.5), 2)
+                       << Rounded(one.ShareOfShifts(0.99), 2) << one.with.flips << against << check);
 }
 } // namespace
 
@@ -139,30 +124,16 @@ ValidateFlatColonWithHandles(const ValidationSettings & settings, ValidationRepo
   const int    faces = settings.quick ? 6000 : 55000;
   const double length = settings.quick ? 750.0 : 1500.0;
   const int    handles = settings.quick ? 10 : 43;
-  report.AddText("Colon-like tubes (`MakeColonTube()`, " + std::to_string(faces) + " faces, " +
-                 CsvTable::Rounded(length, 4) +
+  report.AddText("Colon-like tubes (`MakeColonTube()`, " + std::to_string(faces) + " faces, " + Rounded(length, 4) +
                  " mm) with handles, each compared with the same tube without handles in the same metric. Shift: "
                  "displacement of a vertex along the colon, mm, after scaling both maps to one length. The figure "
                  "shows the shifts of seed 1 from blue (0) to red (the Euclidean 99 %).\n\n![](figure-5.5.png)");
-  CsvTable                   table({ "seed",
-                                     "handles",
-                                     "metric",
-                                     "t, mm^2",
-                                     "t / h^2",
-                                     "change of the modulus from u, %",
-                                     "change of the modulus from v, %",
-                                     "gap, %",
-                                     "shift, median, mm",
-                                     "shift, 99 %, mm",
-                                     "flips",
-                                     "Euclidean change over it",
-                                     "gap below 1/2, change below 1" });
-  CsvTable                   summary({ "seed",
-                                       "gap, Euclidean, %",
-                                       "gap, heat diffusion, %",
-                                       "Euclidean change over that of heat diffusion",
-                                       "bounds",
-                                       "" });
+  CsvTable                   table(Columns(
+    "seed | handles | metric | t, mm^2 | t / h^2 | change of the modulus from u, % | change of the modulus from v, % | "
+                      "gap, % | shift, median, mm | shift, 99 %, mm | flips | "
+                      "Euclidean change over it | gap below 1/2, change below 1"));
+  CsvTable                   summary(Columns(
+    "seed | gap, Euclidean, % | gap, heat diffusion, % | Euclidean change over that of heat diffusion | bounds | "));
   const PictureSheet::Layout layout{ 2, 1, 1500, 170, false };
   PictureSheet               sheet(
     "Figure 5.5: a flat colon with " + std::to_string(handles) + " handles, colored by what they shift", layout);
@@ -178,13 +149,10 @@ ValidateFlatColonWithHandles(const ValidationSettings & settings, ValidationRepo
     const bool        isBetter = ratio > 1.0 && 2.0 * diffusion.with.map.Gap() < euclidean.with.map.Gap();
     AddRow(seed, handles, 0.0, euclidean, "", "", table);
     const std::string check = report.Check(isBetter);
-    AddRow(seed, handles, t, diffusion, CsvTable::Rounded(ratio, 3), check, table);
-    summary.AddRow({ std::to_string(seed),
-                     CsvTable::Rounded(100.0 * euclidean.with.map.Gap(), 3),
-                     CsvTable::Rounded(100.0 * diffusion.with.map.Gap(), 3),
-                     CsvTable::Rounded(ratio, 3),
-                     "gap below 1/2, ratio above 1",
-                     check });
+    AddRow(seed, handles, t, diffusion, Rounded(ratio), check, table);
+    summary.AddRow(Cells() << seed << Rounded(100.0 * euclidean.with.map.Gap())
+                           << Rounded(100.0 * diffusion.with.map.Gap()) << Rounded(ratio)
+                           << "gap below 1/2, ratio above 1" << check);
     if (seed == 1)
     {
       const double most = euclidean.ShareOfShifts(0.99);

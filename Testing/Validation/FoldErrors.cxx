@@ -1,4 +1,5 @@
 #include "FoldErrors.h"
+#include "Tables.h"
 
 #include "shapetonCsvTable.h"
 #include "shapetonFlatColonLocator.h"
@@ -204,8 +205,8 @@ private:
       else if (isHigh)
       {
         errors.faults.push_back(
-          "fold " + std::to_string(fold.number) + " not found, " + CsvTable::Rounded(fold.height, 3) + " mm high, " +
-          CsvTable::Rounded(fold.length, 3) + " mm long, at " + CsvTable::Rounded(fold.arcLength, 4) + " mm; " +
+          "fold " + std::to_string(fold.number) + " not found, " + Rounded(fold.height) + " mm high, " +
+          Rounded(fold.length) + " mm long, at " + Rounded(fold.arcLength, 4) + " mm; " +
           (fold.IsHalfCoveredBy(fold.BestLabel()) ? "merged into label " : "at most covered by label ") +
           std::to_string(fold.BestLabel()) + ", " + std::to_string(fold.SamplesOf(fold.BestLabel())) + " of " +
           std::to_string(fold.seen));
@@ -283,11 +284,10 @@ private:
       errors.merged += half > 1;
       if (!isRight)
       {
-        errors.faults.push_back(
-          "label " + std::to_string(fold.label) + " is not a fold: " + CsvTable::Rounded(fold.length, 3) +
-          " mm long, " + CsvTable::Rounded(fold.area, 3) + " mm^2, curvature " +
-          CsvTable::Rounded(fold.meanCurvature, 3) + ", elongation " + CsvTable::Rounded(fold.elongation, 3) + ", at " +
-          CsvTable::Rounded(fold.centerUv.x(), 4) + " mm of the map");
+        errors.faults.push_back("label " + std::to_string(fold.label) + " is not a fold: " + Rounded(fold.length) +
+                                " mm long, " + Rounded(fold.area) + " mm^2, curvature " + Rounded(fold.meanCurvature) +
+                                ", elongation " + Rounded(fold.elongation) + ", at " + Rounded(fold.centerUv.x(), 4) +
+                                " mm of the map");
       }
     }
   }
@@ -327,12 +327,12 @@ FoldErrors::Add(const FoldErrors & other)
   labels += other.labels;
   right += other.right;
   merged += other.merged;
-  ends.insert(ends.end(), other.ends.begin(), other.ends.end());
-  lengthRatios.insert(lengthRatios.end(), other.lengthRatios.begin(), other.lengthRatios.end());
-  heightErrors.insert(heightErrors.end(), other.heightErrors.begin(), other.heightErrors.end());
+  Append(other.ends, ends);
+  Append(other.lengthRatios, lengthRatios);
+  Append(other.heightErrors, heightErrors);
   areaOfBoth += other.areaOfBoth;
   areaOfEither += other.areaOfEither;
-  faults.insert(faults.end(), other.faults.begin(), other.faults.end());
+  Append(other.faults, faults);
 }
 
 FoldErrors

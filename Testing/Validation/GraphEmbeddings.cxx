@@ -1,7 +1,9 @@
-#include "BoundTable.h"
+#include "Tables.h"
+#include "Times.h"
+#include "ValidationReport.h"
 #include "GraphPackingPeers.h"
-#include "GraphStability.h"
 
+#include "shapetonDynamicEmbedding.h"
 #include "shapetonEmbeddingVerification.h"
 #include "shapetonGraphEmbedding.h"
 #include "shapetonGraphFamilies.h"
@@ -11,8 +13,8 @@
 #include "shapetonExceptions.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <complex>
 #include <filesystem>
 #include <functional>
 
@@ -29,14 +31,6 @@ bool
 IsLeftOut(const Graph & graph)
 {
   return graph.edges.size() > std::max(mostEdges, 3 * (graph.nodes - 2 + 2 * largestGenus));
-}
-
-double
-Seconds(const std::function<void()> & body)
-{
-  const auto start = std::chrono::steady_clock::now();
-  body();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 double
@@ -132,16 +126,10 @@ AddSet(const std::string & name, const GraphSet & set, bool hasBounds, Validatio
   const bool   isExact =
     set.accepted == set.graphs && set.residual <= 1e-12 && set.tangency <= 1e-9 && set.orthogonality <= 1e-10;
   const bool areLarge = smallest >= 1e-6 && (name != "rome" || small <= 0.03 * static_cast<double>(set.caps.size()));
-  table.AddRow({ name,
-                 RatioOf(set.accepted, set.graphs),
-                 std::to_string(set.largest),
-                 Rounded(set.residual, 2),
-                 Rounded(set.tangency, 2),
-                 Rounded(set.orthogonality, 2),
-                 report.Check(isExact),
-                 Rounded(smallest, 2),
-                 RatioOf(small, static_cast<int>(set.caps.size())),
-                 hasBounds ? report.Check(areLarge) : "" });
+  table.AddRow(Cells() << name << RatioOf(set.accepted, set.graphs) << set.largest << Rounded(set.residual, 2)
+                       << Rounded(set.tangency, 2) << Rounded(set.orthogonality, 2) << report.Check(isExact)
+                       << Rounded(smallest, 2) << RatioOf(small, static_cast<int>(set.caps.size()))
+                       << (hasBounds ? report.Check(areLarge) : ""));
 }
 
 void
@@ -152,17 +140,9 @@ EmbedFiles(const ValidationSettings & settings, ValidationReport & report)
     report.AddText("The graphs of SHAPETON_TEST_DATA_DIR were not at hand.");
     return;
   }
-  CsvTable    table({ "graphs",
-                      "certificate accepted",
-                      "largest genus",
-                      "residual",
-                      "tangency",
-                      "orthogonality",
-                      "exact",
-                      "smallest circle",
-                      "circles below 1e-4",
-                      "large enough" });
-  GraphSet    all;
+  CsvTable table(Columns("graphs | certificate accepted | largest genus | residual | tangency | orthogonality | exact "
+                         "| smallest circle | circles below 1e-4 | large enough"));
+  GraphSet all;
   std::string smallOfRome;
   std::string leftOut;
   for (const char * const name : { "rome", "north", "power", "named", "karate.gml", "3elt.graph" })
@@ -190,8 +170,8 @@ EmbedFiles(const ValidationSettings & settings, ValidationReport & report)
   extremes.AddRow({ "residual", Rounded(all.residual, 2), "1e-12" });
   extremes.AddRow({ "tangency on the unit sphere", Rounded(all.tangency, 2), "1e-9" });
   extremes.AddRow({ "orthogonality on the unit sphere", Rounded(all.orthogonality, 2), "1e-10" });
-  extremes.AddRow(
-    { "smallest circle of a node", Rounded(*std::min_element(all.caps.begin(), all.caps.end()), 2), "at least 1e-6" });
+  extremes.AddRow(Cells() << "smallest circle of a node"
+                          << Rounded(*std::min_element(all.caps.begin(), all.caps.end()), 2) << "at least 1e-6");
   extremes.AddRow({ "circles below 1e-4 in rome", smallOfRome, "3 %" });
   report.AddText("Each graph is embedded with the genus found by the search, and its certificate is verified.");
   report.AddTable(extremes);
@@ -230,8 +210,7 @@ FindGenera(bool isQuick, ValidationReport & report)
   for (const Known & known : graphs)
   {
     const int genus = FindEmbedding(known.graph).map.Genus();
-    table.AddRow(
-      { known.name, std::to_string(genus), std::to_string(known.genus), report.Check(genus <= known.genus) });
+    table.AddRow(Cells() << known.name << genus << known.genus << report.Check(genus <= known.genus));
   }
   report.AddText("The search finds the genus of all known graphs except K15 (genus 11), for which the bound is 12.");
   report.AddRows("genera", table);
@@ -260,16 +239,13 @@ CompareWithSfdp(bool isQuick, ValidationReport & report)
   for (const auto & [name, graph] : graphs)
   {
     EmbeddingCertificate certificate;
-    const double         seconds = Seconds([&] { certificate = EmbedGraph(graph, FindEmbedding(graph).map); });
+    const double         seconds = SecondsOf([&] { certificate = EmbedGraph(graph, FindEmbedding(graph).map); });
     const bool           isAccepted = VerifyEmbedding(certificate).refusal.empty();
     const peers::SfdpRun sfdp = peers::RunSfdp(graph);
-    table.AddRow({ name,
-                   std::to_string(graph.nodes),
-                   std::to_string(graph.edges.size()),
-                   Measured(seconds),
-                   isAccepted ? "0, proved" : "not proved",
-                   sfdp.seconds < 0.0 ? "not installed" : Measured(sfdp.seconds),
-                   sfdp.seconds < 0.0 ? "" : std::to_string(sfdp.crossings) });
+    table.AddRow(Cells() << name << graph.nodes << graph.edges.size() << Measured(seconds)
+                         << (isAccepted ? "0, proved" : "not proved")
+                         << (sfdp.seconds < 0.0 ? "not installed" : Measured(sfdp.seconds))
+                         << (sfdp.seconds < 0.0 ? "" : std::to_string(sfdp.crossings)));
     report.Check(isAccepted);
     proved += isAccepted ? 1 : 0;
   }
@@ -285,24 +261,148 @@ CompareSpeed(bool isQuick, ValidationReport & report)
   const CombinatorialMap  sphere = peers::GridOnSphere(isQuick ? 20 : 55);
   const CirclesAtInfinity infinite = peers::CirclesThroughFirstEdge(sphere);
   CirclePacking           packing;
-  const double            newton = Seconds([&] { packing = PackCircles(sphere, FlowGeometry::Euclidean, infinite); });
+  const double            newton = SecondsOf([&] { packing = PackCircles(sphere, FlowGeometry::Euclidean, infinite); });
   const auto              run = [&](peers::Method method) { return peers::RunPeer(sphere, infinite, method); };
   const peers::PeerRun    sweep = run(peers::Method::ThurstonSweep);
   const peers::PeerRun    flow = run(peers::Method::GradientFlow);
   const auto              ratio = [&](const peers::PeerRun & peer) {
-    return Rounded(peer.seconds / newton, 3) + (peer.isExtrapolated ? " (extrapolated)" : "");
+    return Rounded(peer.seconds / newton) + (peer.isExtrapolated ? " (extrapolated)" : "");
   };
   const auto isMet = [&](bool isReached) { return isQuick ? std::string() : report.Check(isReached); };
   CsvTable   table(
-    { "nodes", "Newton", "Thurston sweeps / Newton", "at least 100", "gradient flow / Newton", "at least 1000" });
-  table.AddRow({ std::to_string(sphere.Nodes()),
-                 Measured(newton),
-                 ratio(sweep),
-                 isMet(sweep.seconds >= 100.0 * newton),
-                 ratio(flow),
-                 isMet(flow.seconds >= 1000.0 * newton) });
+    Columns("nodes | Newton | Thurston sweeps / Newton | at least 100 | gradient flow / Newton | at least 1000"));
+  table.AddRow(Cells() << sphere.Nodes() << Measured(newton) << ratio(sweep) << isMet(sweep.seconds >= 100.0 * newton)
+                       << ratio(flow) << isMet(flow.seconds >= 1000.0 * newton));
   report.AddText("Circle packing of a triangulated sphere to a curvature of 1e-10 by three methods in one run:");
   report.AddTable(table);
+}
+
+// ---- stability ----
+
+/** Displacement of nodes when a few edges change. Lengths are in radii of the sphere or of the layout (the root mean
+ * square distance of its nodes from their center). */
+struct GraphStability
+{
+  int    unchangedNodes{ 0 };
+  double moebius{ 0.0 };  ///< mean displacement after the best Moebius transformation, as in DynamicGraph
+  double rotation{ 0.0 }; ///< mean displacement after the best rotation
+  double sfdp{ -1.0 };    ///< force layout, after the best similarity; negative if not installed
+};
+
+using Places = std::vector<std::complex<double>>;
+
+/** Removes some edges from the graph. */
+Graph
+Without(const Graph & graph, std::vector<std::size_t> gone)
+{
+  Graph rest{ graph.nodes, {}, graph.names };
+  for (std::size_t edge = 0; edge < graph.edges.size(); ++edge)
+  {
+    if (std::find(gone.begin(), gone.end(), edge) == gone.end())
+    {
+      rest.edges.push_back(graph.edges[edge]);
+    }
+  }
+  return rest;
+}
+
+/** Centers the layout and scales it to size 1. */
+Places
+Normalized(const std::vector<std::array<double, 2>> & layout)
+{
+  Places               places;
+  std::complex<double> center = 0.0;
+  for (const std::array<double, 2> & place : layout)
+  {
+    places.emplace_back(place[0], place[1]);
+    center += places.back() / static_cast<double>(layout.size());
+  }
+  double square = 0.0;
+  for (std::complex<double> & place : places)
+  {
+    place -= center;
+    square += std::norm(place) / static_cast<double>(layout.size());
+  }
+  for (std::complex<double> & place : places)
+  {
+    place /= std::sqrt(square);
+  }
+  return places;
+}
+
+/** Mean distance of the unchanged nodes after the least-squares similarity, with reflection allowed. */
+double
+MeanDistance(const Places & a, const Places & b, const std::vector<char> & isChanged)
+{
+  double best = 1e300;
+  for (const bool isMirrored : { false, true })
+  {
+    const auto           imageOf = [&](std::size_t i) { return isMirrored ? std::conj(b[i]) : b[i]; };
+    std::complex<double> factor = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+    {
+      factor += a[i] * std::conj(imageOf(i)) / static_cast<double>(a.size());
+    }
+    double sum = 0.0;
+    double number = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+    {
+      sum += isChanged[i] ? 0.0 : std::abs(a[i] - factor * imageOf(i));
+      number += isChanged[i] ? 0.0 : 1.0;
+    }
+    best = std::min(best, sum / number);
+  }
+  return best;
+}
+
+double
+SfdpDisplacement(const Graph & before, const Graph & after, const std::vector<int> & changedNodes)
+{
+  const peers::SfdpRun a = peers::RunSfdp(before, false);
+  const peers::SfdpRun b = peers::RunSfdp(after, false);
+  if (a.seconds < 0.0 || b.seconds < 0.0)
+  {
+    return -1.0;
+  }
+  std::vector<char> isChanged(before.nodes, 0);
+  for (const int node : changedNodes)
+  {
+    isChanged[node] = 1;
+  }
+  return MeanDistance(Normalized(a.places), Normalized(b.places), isChanged);
+}
+
+/** Moves the barycenter of the circles to the center of the sphere, as without a previous step. */
+EmbeddingCertificate
+NotMoved(const EmbeddingCertificate & certificate)
+{
+  return EmbedPackedGraph(certificate.graph,
+                          MapOfRotation(certificate.graph, certificate.rotation),
+                          PackedMapOf(certificate),
+                          PointAtInfinity::Circle);
+}
+/** Two steps of a graph. Each lacks a different set of `edits` / 2 edges, evenly spaced in the edge list, so edits /
+ * 2 edges disappear and as many appear. */
+GraphStability
+MeasureStability(const Graph & graph, int edits, bool withSfdp)
+{
+  std::vector<std::size_t> gone[2];
+  for (int k = 0; k < edits; ++k)
+  {
+    gone[k % 2].push_back((2 * k + 1) * graph.edges.size() / (2 * edits));
+  }
+  const Graph                before = Without(graph, gone[0]);
+  const Graph                after = Without(graph, gone[1]);
+  DynamicEmbedding           dynamic;
+  const DynamicStep          first = dynamic.Add(before);
+  const DynamicStep          second = dynamic.Add(after);
+  const EmbeddingCertificate turned = NotMoved(second.certificate);
+  GraphStability             stability;
+  stability.unchangedNodes = second.changes.unchangedNodes;
+  stability.moebius = second.changes.meanDisplacement;
+  stability.rotation = ChangesBetween(first.certificate, turned).meanDisplacement;
+  stability.sfdp = withSfdp ? SfdpDisplacement(before, after, second.changes.changedNodes) : -1.0;
+  return stability;
 }
 
 /** Ten edits. The bounds apply to graphs of 3,000 to 5,000 nodes; the results of these graphs are also added to
@@ -317,14 +417,11 @@ AddStability(const std::string & name,
   const GraphStability stability = MeasureStability(graph, 10, graph.nodes <= 5000);
   const bool           hasSfdp = stability.sfdp >= 0.0;
   const bool           hasBound = graph.nodes >= 3000 && graph.nodes <= 5000;
-  table.AddRow({ name,
-                 std::to_string(graph.nodes),
-                 Rounded(stability.moebius, 2),
-                 hasBound ? report.Check(stability.moebius <= 0.002) : "",
-                 Rounded(stability.rotation, 2),
-                 hasSfdp ? Rounded(stability.sfdp, 2) : "",
-                 hasSfdp ? Rounded(stability.sfdp / stability.moebius, 3) : "",
-                 hasBound && hasSfdp ? report.Check(stability.sfdp >= 10.0 * stability.moebius) : "" });
+  table.AddRow(Cells() << name << graph.nodes << Rounded(stability.moebius, 2)
+                       << (hasBound ? report.Check(stability.moebius <= 0.002) : "") << Rounded(stability.rotation, 2)
+                       << (hasSfdp ? Rounded(stability.sfdp, 2) : "")
+                       << (hasSfdp ? Rounded(stability.sfdp / stability.moebius) : "")
+                       << (hasBound && hasSfdp ? report.Check(stability.sfdp >= 10.0 * stability.moebius) : ""));
   if (hasBound)
   {
     bounded.AddRow(table.GetRows().back());
@@ -346,7 +443,7 @@ void
 MoveLittle(bool isQuick, ValidationReport & report)
 {
   CsvTable table(
-    { "graph", "nodes", "Moebius", "at most 0.002", "rotation alone", "sfdp", "sfdp / Moebius", "at least 10" });
+    Columns("graph | nodes | Moebius | at most 0.002 | rotation alone | sfdp | sfdp / Moebius | at least 10"));
   CsvTable bounded(table.GetColumns());
   for (const int side : isQuick ? std::vector<int>{ 20 } : std::vector<int>{ 32, 64, 128 })
   {
@@ -389,18 +486,14 @@ MoveLittleOnNetworks(bool isQuick, ValidationReport & report)
   const auto small = std::upper_bound(displacements.begin(), displacements.end(), 0.002) - displacements.begin();
   const auto steady = ratios.end() - std::lower_bound(ratios.begin(), ratios.end(), 10.0);
   CsvTable   table({ "", "least", "median", "most", "within the bound" });
-  table.AddRow({ "mean displacement, at most 0.002",
-                 Rounded(displacements.front(), 2),
-                 Rounded(displacements[displacements.size() / 2], 2),
-                 Rounded(displacements.back(), 2),
-                 RatioOf(static_cast<int>(small), networks) });
+  table.AddRow(Cells() << "mean displacement, at most 0.002" << Rounded(displacements.front(), 2)
+                       << Rounded(displacements[displacements.size() / 2], 2) << Rounded(displacements.back(), 2)
+                       << RatioOf(static_cast<int>(small), networks));
   if (!ratios.empty())
   {
-    table.AddRow({ "sfdp / Moebius, at least 10",
-                   Rounded(ratios.front(), 3),
-                   Rounded(ratios[ratios.size() / 2], 3),
-                   Rounded(ratios.back(), 3),
-                   RatioOf(static_cast<int>(steady), static_cast<int>(ratios.size())) });
+    table.AddRow(Cells() << "sfdp / Moebius, at least 10" << Rounded(ratios.front())
+                         << Rounded(ratios[ratios.size() / 2]) << Rounded(ratios.back())
+                         << RatioOf(static_cast<int>(steady), static_cast<int>(ratios.size())));
   }
   report.AddText("The same on " + std::to_string(networks) + " sensor networks of " + std::to_string(devices) +
                  " devices (seeds from 201) that were not used for tuning:");

@@ -1,3 +1,4 @@
+#include "Tables.h"
 #include "ValidationReport.h"
 
 #include "shapetonHeatDiffusionSolver.h"
@@ -71,15 +72,8 @@ ValidateHeatOfShapes(const ValidationSettings & settings, ValidationReport & rep
   report.AddText("Bounds: closed form within 5 % for spheres and 1e-6 for the cube along the axes; difference after "
                  "1,000,000 steps 1e-5; scale-normalized heat within 3 % for spheres, 0.94 +- 0.06 for cubes of side "
                  "20. The exact value of a cube is 1; 13 directions underestimate flat faces.");
-  CsvTable   table({ "object",
-                     "voxels",
-                     "closed form",
-                     "heat, exact",
-                     "within the bound",
-                     "heat after 1e6 steps",
-                     "within 1e-5",
-                     "scale-normalized",
-                     "within the bound of it" });
+  CsvTable   table(Columns("object | voxels | closed form | heat, exact | within the bound | heat after 1e6 steps | "
+                           "within 1e-5 | scale-normalized | within the bound of it"));
   const auto add = [&](const std::string & name,
                        const Measured &    m,
                        double              closedForm,
@@ -87,15 +81,14 @@ ValidateHeatOfShapes(const ValidationSettings & settings, ValidationReport & rep
                        double              normalized,
                        double              bound) {
     const bool hasForm = formBound > 0.0; // none for rotated cubes
-    table.AddRow({ name,
-                   std::to_string(m.component.voxels),
-                   hasForm ? CsvTable::Rounded(closedForm, 4) : "",
-                   CsvTable::Rounded(m.component.convergedHeat, 5),
-                   hasForm ? report.Check(std::abs(m.component.convergedHeat / closedForm - 1.0) <= formBound) : "",
-                   CsvTable::Rounded(m.heatAfterManySteps, 5),
-                   report.Check(std::abs(m.component.convergedHeat - m.heatAfterManySteps) <= 1e-5),
-                   CsvTable::Rounded(m.component.normalizedHeat, 4),
-                   report.Check(std::abs(m.component.normalizedHeat - normalized) <= bound) });
+    table.AddRow(
+      Cells() << name << m.component.voxels << (hasForm ? Rounded(closedForm, 4) : "")
+              << Rounded(m.component.convergedHeat, 5)
+              << (hasForm ? report.Check(std::abs(m.component.convergedHeat / closedForm - 1.0) <= formBound) : "")
+              << Rounded(m.heatAfterManySteps, 5)
+              << report.Check(std::abs(m.component.convergedHeat - m.heatAfterManySteps) <= 1e-5)
+              << Rounded(m.component.normalizedHeat, 4)
+              << report.Check(std::abs(m.component.normalizedHeat - normalized) <= bound));
   };
   const double sphere = 4.0 * shapeton::Pi / (6.0 * std::pow(4.0 / 3.0 * shapeton::Pi, 2.0 / 3.0));
   for (const double radius : settings.quick ? std::vector<double>{ 8.0 } : std::vector<double>{ 4.0, 8.0, 16.0 })

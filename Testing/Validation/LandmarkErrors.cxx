@@ -1,6 +1,6 @@
 #include "LandmarkErrors.h"
 
-#include "BoundTable.h"
+#include "Tables.h"
 #include "shapetonPi.h"
 #include "shapetonSurfaceLocator.h"
 
@@ -240,7 +240,7 @@ MeasureTaeniae(const shapeton::ColonLandmarks & landmarks,
   std::sort(distances.begin(), distances.end());
   errors.taeniaMean = MeanOf(distances);
   errors.taeniaWorstMean = std::max({ MeanOf(ofTaeniae[0]), MeanOf(ofTaeniae[1]), MeanOf(ofTaeniae[2]) });
-  errors.taenia95 = distances[static_cast<std::size_t>(0.95 * static_cast<double>(distances.size() - 1))];
+  errors.taenia95 = shapeton::LowerQuantile(distances, 0.95);
   errors.taeniaGreatest = distances.back();
   errors.taeniaWithin10 = ShareWithin10(distances);
   errors.taeniaIdentified10 = ShareWithin10(AsOne(DistancesOfTaeniae(found, Joined(stretches))));

@@ -1,6 +1,7 @@
 #include "LandmarkScores.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonIleocecalValve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,8 @@ using namespace shapeton;
 
 namespace
 {
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
 /** Also valid without any detections. */
 LandmarkErrors
 TryLandmarks(const LandmarkExam & exam, const ColonLandmarkSettings & options, std::string & failure)
@@ -23,8 +26,7 @@ TryLandmarks(const LandmarkExam & exam, const ColonLandmarkSettings & options, s
   {
     failure = error.what();
   }
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  LandmarkErrors   errors;
+  LandmarkErrors errors;
   errors.flexures.fill(infinite);
   errors.taeniaMean = errors.taeniaOfTurn = infinite;
   return errors;
@@ -123,40 +125,21 @@ LandmarkScores::AddBounded(const LandmarkBounds & bounds, BoundTable & table) co
   const double within = MeanOf(m_Ours.taeniaWithin10);
   const double marked = MeanOf(m_Marked.taeniaWithin10);
   const double labeled = MeanOf(m_Ours.labeled);
-  table.AddBounded("taeniae, mean error, mm",
-                   "<= " + Rounded(bounds.taeniaMean),
-                   Rounded(mean),
-                   m_Ours.taeniaMeans,
-                   hasExams && mean <= bounds.taeniaMean);
-  table.AddBounded("taeniae, share within 10 mm",
-                   atLeast(bounds.taeniaWithin10),
-                   Rounded(within),
-                   m_Ours.taeniaWithin10,
-                   hasExams && within >= bounds.taeniaWithin10);
+  table.AddAtMost("taeniae, mean error, mm", bounds.taeniaMean, mean, m_Ours.taeniaMeans, hasExams);
+  table.AddAtLeast("taeniae, share within 10 mm", bounds.taeniaWithin10, within, m_Ours.taeniaWithin10, hasExams);
   table.AddBounded("taeniae with three markers, share within 10 mm",
                    atLeast(bounds.markedWithin10),
                    Rounded(marked, 4),
                    m_Marked.taeniaWithin10,
                    hasExams && marked >= bounds.markedWithin10);
-  table.AddBounded("exams with all four flexures within 30 mm",
-                   atLeast(bounds.flexures),
-                   RatioOf(m_Ours.flexuresRight, m_Ours.exams),
-                   {},
-                   hasExams && ShareOf(m_Ours.flexuresRight, m_Ours.exams) >= bounds.flexures);
+  table.AddShareAtLeast(
+    "exams with all four flexures within 30 mm", bounds.flexures, m_Ours.flexuresRight, m_Ours.exams);
   if (bounds.calibration)
   {
     const double error = m_FlexureReliability.CalibrationError();
-    table.AddBounded("flexure confidence, expected calibration error",
-                     "<= " + Rounded(*bounds.calibration),
-                     Rounded(error),
-                     {},
-                     hasExams && error <= *bounds.calibration);
+    table.AddAtMost("flexure confidence, expected calibration error", *bounds.calibration, error, {}, hasExams);
   }
-  table.AddBounded("area with the correct segment",
-                   atLeast(bounds.labeled),
-                   Rounded(labeled),
-                   m_Ours.labeled,
-                   hasExams && labeled >= bounds.labeled);
+  table.AddAtLeast("area with the correct segment", bounds.labeled, labeled, m_Ours.labeled, hasExams);
 }
 
 void
@@ -165,20 +148,13 @@ LandmarkScores::AddReported(BoundTable & table) const
   table.AddFact("exams with 95 % of the taeniae within 10 mm",
                 RatioOf(ExamsWithin(m_Ours.taeniaWithin10, 0.95), m_Ours.exams));
   table.AddFact("flexures within 30 mm", RatioOf(m_FlexuresClose, m_Flexures));
-  table.AddFact("taeniae, share within 10 mm, one assignment for the whole colon",
-                Rounded(MeanOf(m_Ours.taeniaIdentified10)),
-                m_Ours.taeniaIdentified10);
-  table.AddFact("taeniae, root mean square error, share of the circumference",
-                Rounded(MeanOf(m_Ours.taeniaOfTurn)),
-                m_Ours.taeniaOfTurn);
+  table.AddMean("taeniae, share within 10 mm, one assignment for the whole colon", m_Ours.taeniaIdentified10);
+  table.AddMean("taeniae, root mean square error, share of the circumference", m_Ours.taeniaOfTurn);
   table.AddFact("published rule: taeniae, mean error, mm", Rounded(MeanOf(m_Published.taeniaMeans)));
-  table.AddFact("published rule: taeniae, share within 10 mm",
-                Rounded(MeanOf(m_Published.taeniaWithin10)),
-                m_Published.taeniaWithin10);
+  table.AddMean("published rule: taeniae, share within 10 mm", m_Published.taeniaWithin10);
   table.AddFact("published rule: exams with all four flexures within 30 mm",
                 RatioOf(m_Published.flexuresRight, m_Published.exams));
-  table.AddFact(
-    "published rule: area with the correct segment", Rounded(MeanOf(m_Published.labeled)), m_Published.labeled);
+  table.AddMean("published rule: area with the correct segment", m_Published.labeled);
 }
 
 void
@@ -202,4 +178,89 @@ void
 LandmarkScores::WriteReliability(ValidationReport & report) const
 {
   m_FlexureReliability.Write("flexures", report);
+}
+
+namespace
+{
+constexpr double close = 15.0; // mm
+
+int
+NumberClose(const std::vector<double> & errors)
+{
+  return static_cast<int>(std::count_if(errors.begin(), errors.end(), [](double error) { return error <= close; }));
+}
+
+/** Statistics of the finite values. */
+std::vector<double>
+Finite(std::vector<double> errors)
+{
+  errors.erase(std::remove_if(errors.begin(), errors.end(), [](double error) { return !std::isfinite(error); }),
+               errors.end());
+  return errors;
+}
+
+void
+AddShare(const std::string &           what,
+         const std::optional<double> & bound,
+         const std::vector<double> &   errors,
+         BoundTable &                  table)
+{
+  const int  right = NumberClose(errors);
+  const auto all = static_cast<int>(errors.size());
+  if (bound)
+  {
+    table.AddShareAtLeast(what + " within 15 mm", *bound, right, all);
+  }
+  else
+  {
+    table.AddFact(what + " within 15 mm", RatioOf(right, all));
+  }
+  const std::vector<double> found = Finite(errors);
+  table.AddMean(what + ", mean error when found, mm", found);
+}
+} // namespace
+
+std::vector<std::string>
+StructureScores::Add(const LandmarkExam & exam)
+{
+  if (!exam.failure.empty())
+  {
+    m_Pole.push_back(infinite);
+    m_Valve.push_back(infinite);
+    return {};
+  }
+  std::vector<std::string> faults;
+  const Eigen::Vector3d    end = exam.centerline.V.row(exam.centerline.V.rows() - 1);
+  m_Pole.push_back((end - exam.anatomy->CecalPole()).norm());
+  if (m_Pole.back() > close)
+  {
+    faults.push_back("the line ends " + Rounded(m_Pole.back()) + " mm from the cecal pole");
+  }
+  const auto valve = IleocecalValveOf(exam.centerline);
+  m_Valve.push_back(valve ? (valve->position - exam.anatomy->Valve().position).norm() : infinite);
+  if (valve)
+  {
+    m_ValveReliability.Add(valve->confidence, m_Valve.back() <= close);
+  }
+  if (m_Valve.back() > close)
+  {
+    faults.push_back(
+      std::string("ileocecal valve ") +
+      (valve ? Rounded(m_Valve.back()) + " mm off, confidence " + Rounded(valve->confidence) : "not found"));
+  }
+  return faults;
+}
+
+void
+StructureScores::AddTo(BoundTable & table, const std::optional<StructureBounds> & bounds) const
+{
+  AddShare("cecal pole", bounds ? std::make_optional(bounds->pole) : std::nullopt, m_Pole, table);
+  AddShare("ileocecal valve", bounds ? std::make_optional(bounds->valve) : std::nullopt, m_Valve, table);
+  table.AddFact("valve confidence, expected calibration error", Rounded(m_ValveReliability.CalibrationError()));
+}
+
+void
+StructureScores::WriteReliability(ValidationReport & report) const
+{
+  m_ValveReliability.Write("valves", report);
 }

@@ -1,13 +1,14 @@
 #ifndef LandmarkTrial_h
 #define LandmarkTrial_h
 
-#include "shapetonColonAnatomy.h"
 #include "shapetonColonModel.h"
+#include "shapetonColonPhantomImageSource.h"
 
 #include "itkImage.h"
 
 #include <memory>
 #include <string>
+#include <vector>
 
 /** Synthetic patient in one position whose colon is flattened. */
 struct LandmarkCase
@@ -51,12 +52,19 @@ ValidationCase(const std::string & preset,
                double              spacing,
                bool                isFromCt);
 
+/** Supine and prone exam of each validation patient. */
+std::vector<LandmarkCase>
+BothPositions(const std::string & preset, const std::vector<unsigned int> & seeds, double spacing, bool isFromCt);
+
+/** The phantom of a case, centered. */
+shapeton::ColonPhantomImageSource::Pointer
+MakePhantom(const LandmarkCase & one);
+
 /** Computes phantom and model. The position of the patient is that of the case. */
 shapeton::ColonModel
 MakeTrialModel(const LandmarkCase & one, shapeton::ColonModelSettings settings = {});
 
-/** Computes phantom, model and flat map. If SHAPETON_LANDMARK_CACHE is set, exams are cached in this folder. For
- * development only, because cached exams are not invalidated when the programs change. */
+/** Computes phantom, model and flat map. */
 LandmarkExam
 MakeLandmarkExam(const LandmarkCase & one);
 

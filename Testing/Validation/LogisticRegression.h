@@ -3,13 +3,27 @@
 
 #include <Eigen/Dense>
 
-/** Weights of the terms (one column each; a column of ones for the constant) that maximize the likelihood of the
- * outcomes (1 or 0), by Newton's method. \param importance of each row \param penalties of half the squared weights,
- * one per term; above 0 if the outcomes may be separable */
+#include <vector>
+
+/** Terms, outcome (1 or 0) and importance of each sample. */
+struct LogisticSamples
+{
+  std::vector<Eigen::VectorXd> terms; ///< with 1 for the constant
+  std::vector<double>          outcomes;
+  std::vector<double>          importance;
+
+  void
+  Add(const Eigen::VectorXd & ofSample, bool outcome, double weight = 1.0)
+  {
+    terms.push_back(ofSample);
+    outcomes.push_back(outcome ? 1.0 : 0.0);
+    importance.push_back(weight);
+  }
+};
+
+/** Weights of the terms that maximize the likelihood of the outcomes, by Newton's method. \param penalties of half the
+ * squared weights, one per term; above 0 if the outcomes may be separable */
 Eigen::VectorXd
-FitLogistic(const Eigen::MatrixXd & terms,
-            const Eigen::VectorXd & outcomes,
-            const Eigen::VectorXd & importance,
-            const Eigen::VectorXd & penalties);
+FitLogistic(const LogisticSamples & samples, const Eigen::VectorXd & penalties);
 
 #endif

@@ -1,5 +1,7 @@
 #include "NewtonFlattening.h"
 
+#include "shapetonPi.h"
+
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 constexpr double flatEnough = 1e-9; // radians
 constexpr int    mostIterations = 40;
 constexpr int    mostHalvings = 30;
@@ -35,12 +36,12 @@ public:
          const Eigen::VectorXd &               lengths)
     : m_Connectivity(connectivity), m_F(F), m_Lengths(lengths), m_Flat(connectivity.NumberOfVertices())
   {
-    m_Flat.setConstant(2.0 * pi);
+    m_Flat.setConstant(shapeton::TwoPi);
     for (const auto & loop : connectivity.BoundaryLoops())
     {
       for (const int v : loop)
       {
-        m_Flat[v] = pi;
+        m_Flat[v] = shapeton::Pi;
       }
     }
     this->MakePattern();

@@ -1,12 +1,16 @@
-#include "AdjustedRandIndex.h"
+#include "Overlaps.h"
 #include "RandomScenes.h"
 #include "Reliability.h"
+#include "SampledScenes.h"
+#include "Tables.h"
 #include "ValidationReport.h"
+#include "ValidationVolumes.h"
 
 #include "shapetonComponentTree.h"
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
+#include "shapetonImageGrid.h"
 #include "shapetonObjectParameters.h"
-#include "shapetonShapePhantomImageSource.h"
+#include "shapetonTestImages.h"
 #include "shapetonVolumeReader.h"
 #include "shapetonVoxelRuns.h"
 #include "shapetonWindowObjects.h"
@@ -22,6 +26,7 @@
 #include <numeric>
 
 using namespace shapeton;
+using basetest::NewImageLike;
 
 namespace
 {
@@ -56,15 +61,10 @@ FindObjects(const Image * image, double leastProbability)
 double
 RandIndex(const HeatObjectList & list, const Labels * labels)
 {
-  std::map<int, std::map<int, double>> members;
-  for (std::size_t i = 0; i < labels->GetBufferedRegion().GetNumberOfPixels(); ++i)
-  {
-    if (const int label = labels->GetBufferPointer()[i])
-    {
-      members[label][list.labels->GetBufferPointer()[i]] += 1.0;
-    }
-  }
-  return AdjustedRandIndex(members);
+  Overlaps overlaps = OverlapsOf(
+    labels->GetBufferPointer(), list.labels->GetBufferPointer(), labels->GetBufferedRegion().GetNumberOfPixels());
+  overlaps.erase(0);
+  return AdjustedRandIndex(overlaps);
 }
 
 std::size_t
@@ -82,26 +82,18 @@ ValidatePhantoms(const ValidationSettings & settings, ValidationReport & report)
   {
     for (const double noise : { 0.0, 60.0 })
     {
-      const auto source = ShapePhantomImageSource::New();
-      source->SetScene(ShapeScene::Load(name));
-      source->SetSize(ShapePhantomImageSource::SizeType::Filled(96));
-      source->SetNoise(noise);
-      source->SetBlur(noise > 0.0 ? 0.6 : 0.0);
-      source->SetSeed(11);
-      source->CenterOutput();
-      source->Update();
-      const SceneVolume volume = VolumeOf(source);
-      const Found       found = FindObjects(volume.image, 0.5);
-      const auto        agreement = CompareObjects(found.list, volume.labels);
-      const double      rand = RandIndex(found.list, volume.labels);
-      const bool        isOne = agreement.diceOfLabel.size() == 1; // no partition
-      table.AddRow({ name,
-                     CsvTable::Number(noise),
-                     std::to_string(agreement.diceOfLabel.size()),
-                     std::to_string(found.list.objects.size()),
-                     std::to_string(CountWhole(agreement.diceOfLabel)),
-                     isOne ? "" : CsvTable::Rounded(rand, 3),
-                     isOne ? "" : report.Check(rand >= 0.95) });
+      ShapePhantomOptions options;
+      options.noise = noise;
+      options.blur = noise > 0.0 ? 0.6 : 0.0;
+      options.seed = 11;
+      const auto   source = SampledScene(ShapeScene::Load(name), itk::Size<3>::Filled(96), options);
+      const Found  found = FindObjects(ToFloat(source->GetOutput()), 0.5);
+      const auto   agreement = CompareObjects(found.list, source->GetLabelOutput());
+      const double rand = RandIndex(found.list, source->GetLabelOutput());
+      const bool   isOne = agreement.diceOfLabel.size() == 1; // no partition
+      table.AddRow(Cells() << name << noise << agreement.diceOfLabel.size() << found.list.objects.size()
+                           << CountWhole(agreement.diceOfLabel) << (isOne ? "" : Rounded(rand))
+                           << (isOne ? "" : report.Check(rand >= 0.95)));
     }
   }
   report.AddTable(table);
@@ -142,8 +134,8 @@ ValidateScenes(const ValidationSettings & settings, ValidationReport & report)
                  CsvTable::Number(listed) + " listed objects are whole. Adjusted Rand index " + MeanWithInterval(rand) +
                  '.');
   reliability.Write("regions", report);
-  report.AddText("Brier score " + CsvTable::Rounded(reliability.BrierScore(), 3) + ", calibration error " +
-                 CsvTable::Rounded(reliability.CalibrationError(), 3) +
+  report.AddText("Brier score " + Rounded(reliability.BrierScore()) + ", calibration error " +
+                 Rounded(reliability.CalibrationError()) +
                  " (bound 0.1): " + report.Check(reliability.CalibrationError() <= 0.1));
 }
 
@@ -173,13 +165,6 @@ Morph(const std::vector<char> & set, const VoxelGrid & grid, bool any)
     result[voxel] = value ? 1 : 0;
   }
   return result;
-}
-
-VoxelGrid
-GridOf(const Image * image)
-{
-  const auto size = image->GetBufferedRegion().GetSize();
-  return { static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) };
 }
 
 /** Reference bones: intensity smoothed by 0.8 voxel above 95, opened by the face neighbors, components of more than
@@ -212,10 +197,7 @@ ReferenceBones(const Image * foot)
     }
   }
   std::sort(kept.begin(), kept.end(), [&](int a, int b) { return sizes[a] > sizes[b]; });
-  const auto labels = Labels::New();
-  labels->CopyInformation(foot);
-  labels->SetRegions(foot->GetBufferedRegion());
-  labels->Allocate(true);
+  const auto labels = NewImageLike<Labels>(foot);
   for (std::size_t i = 0; i < kept.size(); ++i)
   {
     std::vector<char> part(isBone.size(), 0);
@@ -315,26 +297,11 @@ BestNodesOfTrees(const Image * image, const std::vector<int> & labels)
 std::map<int, double>
 BestRegions(const itk::Image<unsigned int, 3> * regions, const std::vector<int> & labels, std::map<int, double> best)
 {
-  std::map<int, std::map<unsigned int, double>> shared;
-  std::map<int, double>                         total;
-  std::map<unsigned int, double>                sizes;
-  for (std::size_t i = 0; i < labels.size(); ++i)
+  for (const auto & [label, fit] : BestFits(OverlapsOf(labels.data(), regions->GetBufferPointer(), labels.size())))
   {
-    const unsigned int region = regions->GetBufferPointer()[i];
-    sizes[region] += 1.0;
-    if (labels[i] > 0)
-    {
-      shared[labels[i]][region] += 1.0;
-      total[labels[i]] += 1.0;
-    }
+    best[label] = std::max(best[label], fit.dice);
   }
-  for (const auto & [label, counts] : shared)
-  {
-    for (const auto & [region, count] : counts)
-    {
-      best[label] = std::max(best[label], 2.0 * count / (sizes[region] + total[label]));
-    }
-  }
+  best.erase(0);
   return best;
 }
 
@@ -454,15 +421,14 @@ ValidateFoot(const ValidationSettings & settings, ValidationReport & report)
     { "best watershed region", BestWatersheds(foot, labels) },
     { "best component above a threshold", BestConnectedThresholds(foot, labels) }
   };
-  report.AddText(
-    "Foot (scivis), bones by threshold and opening; `--preset objects` chose the window " +
-    CsvTable::Number(found.choice.intensityWindow[0]) + " to " + CsvTable::Number(found.choice.intensityWindow[1]) +
-    " and " + std::to_string(found.choice.timeSteps) + " steps and listed " +
-    std::to_string(found.list.objects.size()) +
-    " objects. Dice; one click at the deepest voxel of a bone selects the smallest object, without knowledge "
-    "of the bones. The others use the best node or region for each bone, chosen with that knowledge; the last "
-    "is a ceiling, because thresholds define the bones. All windows: " +
-    windows.names + "; " + std::to_string(windows.list.objects.size()) + " objects.");
+  report.AddText("Foot (scivis), bones by threshold and opening; `--preset objects` chose the window " +
+                 CsvTable::Number(found.choice.intensityWindow[0]) + " to " +
+                 CsvTable::Number(found.choice.intensityWindow[1]) + " and " + std::to_string(found.choice.timeSteps) +
+                 " steps and listed " + std::to_string(found.list.objects.size()) +
+                 " objects. Dice; one click at the deepest voxel of a bone selects the smallest object, without "
+                 "knowledge of the bones. The others use the best node or region for each bone, chosen with that "
+                 "knowledge; the last is a ceiling, because thresholds define the bones. All windows: " +
+                 windows.names + "; " + std::to_string(windows.list.objects.size()) + " objects.");
   std::vector<std::string> names{ "bone" };
   for (const auto & column : columns)
   {
@@ -474,14 +440,14 @@ ValidateFoot(const ValidationSettings & settings, ValidationReport & report)
     std::vector<std::string> row{ std::to_string(bone.first) };
     for (const auto & column : columns)
     {
-      row.push_back(CsvTable::Rounded(column.second.at(bone.first), 3));
+      row.push_back(Rounded(column.second.at(bone.first)));
     }
     table.AddRow(row);
   }
   std::vector<std::string> row{ "mean" };
   for (const auto & column : columns)
   {
-    row.push_back(CsvTable::Rounded(Mean(column.second), 3));
+    row.push_back(Rounded(Mean(column.second)));
   }
   table.AddRow(row);
   report.AddTable(table);
@@ -498,15 +464,10 @@ ValidateFoot(const ValidationSettings & settings, ValidationReport & report)
 void
 ValidateOrgans(const ValidationSettings & settings, ValidationReport & report)
 {
-  const std::string folder = settings.dataFolder + "/ct/totalsegmentator";
-  const Volume      ct = ReadVolume(folder + "/example_ct.nii.gz");
-  const Volume      organs = ReadVolume(folder + "/example_seg_fast_force_split.nii.gz");
-  std::vector<int>  labels(GridOf(ct.image).NumberOfVoxels());
-  std::transform(organs.image->GetBufferPointer(),
-                 organs.image->GetBufferPointer() + labels.size(),
-                 labels.begin(),
-                 [](float label) { return static_cast<int>(label); });
-  std::map<int, double> best;
+  const auto [ct, organs] = ReadAbdomen(settings.dataFolder);
+  const float * const    first = organs.image->GetBufferPointer();
+  const std::vector<int> labels(first, first + GridOf(ct.image).NumberOfVoxels());
+  std::map<int, double>  best;
   for (const double threshold : { -300.0, -50.0, 0.0, 50.0, 100.0, 150.0, 200.0 }) // HU
   {
     const auto filter = CumulativeHeatDiffusionImageFilter<Image>::New();
@@ -523,12 +484,11 @@ ValidateOrgans(const ValidationSettings & settings, ValidationReport & report)
   CsvTable table({ "organ label", "Dice of the best node" });
   for (const auto & [organ, dice] : best)
   {
-    table.AddRow({ std::to_string(organ), CsvTable::Rounded(dice, 3) });
+    table.AddRow({ std::to_string(organ), Rounded(dice) });
   }
-  report.AddText(
-    "Abdomen CT of TotalSegmentator's tests: the best node per organ over seven narrow windows, chosen with "
-    "knowledge of the organs. Mean Dice " +
-    CsvTable::Rounded(Mean(best), 3) + '.');
+  report.AddText("Abdomen CT of TotalSegmentator's tests: the best node per organ over seven narrow windows, chosen "
+                 "with knowledge of the organs. Mean Dice " +
+                 Rounded(Mean(best)) + '.');
   report.AddRows("organs", table);
 }
 } // namespace
@@ -536,9 +496,8 @@ ValidateOrgans(const ValidationSettings & settings, ValidationReport & report)
 void
 ValidateObjectsOfVolumes(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText(
-    "`CumulativeHeatDiffusion --preset objects`, then `HeatObjects`. Found: an object with a Dice of at least "
-    "0.85. Phantoms of `ShapePhantom`:");
+  report.AddText("`CumulativeHeatDiffusion --preset objects`, then `HeatObjects`. Found: an object with a Dice of at "
+                 "least 0.85. Phantoms of `ShapePhantom`:");
   ValidatePhantoms(settings, report);
   ValidateScenes(settings, report);
   if (!settings.dataFolder.empty() && !settings.quick)

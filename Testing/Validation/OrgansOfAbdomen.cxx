@@ -1,69 +1,18 @@
+#include "Overlaps.h"
+#include "Tables.h"
 #include "ValidationReport.h"
+#include "ValidationVolumes.h"
 
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonHeatClassification.h"
-#include "shapetonSameGrid.h"
-#include "shapetonVolumeReader.h"
-
-#include <map>
-#include <stdexcept>
+#include "shapetonImageGrid.h"
 
 using namespace shapeton;
-
-namespace
-{
-/** Class with the greatest Dice overlap for each organ. */
-struct Overlap
-{
-  double        dice{ 0.0 };
-  unsigned int  label{ 0 };
-  std::uint64_t voxels{ 0 };
-};
-
-std::map<int, Overlap>
-CompareOrgans(const itk::Image<float, 3> * organs, const itk::Image<unsigned char, 3> * labels)
-{
-  std::map<int, std::map<int, double>> shared;
-  std::map<int, double>                organSizes, classSizes;
-  const std::size_t                    voxels = organs->GetLargestPossibleRegion().GetNumberOfPixels();
-  for (std::size_t i = 0; i < voxels; ++i)
-  {
-    const int organ = static_cast<int>(organs->GetBufferPointer()[i]);
-    const int label = labels->GetBufferPointer()[i];
-    shared[organ][label] += 1.0;
-    organSizes[organ] += 1.0;
-    classSizes[label] += 1.0;
-  }
-  std::map<int, Overlap> overlaps;
-  for (const auto & organ : shared)
-  {
-    Overlap & overlap = overlaps[organ.first];
-    overlap.voxels = static_cast<std::uint64_t>(organSizes[organ.first]);
-    for (const auto & count : organ.second)
-    {
-      const double dice = 2.0 * count.second / (organSizes[organ.first] + classSizes[count.first]);
-      if (dice > overlap.dice)
-      {
-        overlap.dice = dice;
-        overlap.label = static_cast<unsigned int>(count.first);
-      }
-    }
-  }
-  overlaps.erase(0);
-  return overlaps;
-}
-} // namespace
 
 void
 ValidateOrgansOfAbdomen(const ValidationSettings & settings, ValidationReport & report)
 {
-  const std::string folder = settings.dataFolder + "/ct/totalsegmentator";
-  const Volume      ct = ReadVolume(folder + "/example_ct.nii.gz");
-  const Volume      organs = ReadVolume(folder + "/example_seg_fast_force_split.nii.gz");
-  if (!HaveSameGrid(ct.image, organs.image))
-  {
-    throw std::runtime_error("the organ labels have another grid than the CT");
-  }
+  const auto [ct, organs] = ReadAbdomen(settings.dataFolder);
   report.AddText("Abdomen CT of TotalSegmentator's tests (122 x 101 x 112 voxels of 3 mm, Apache-2.0) with its organ "
                  "labels. Window -160 to 240 HU, p = 7. Dice: overlap of each organ with its best heat class.");
   for (const std::uint64_t steps :
@@ -79,15 +28,15 @@ ValidateOrgansOfAbdomen(const ValidationSettings & settings, ValidationReport & 
                    " steps: " + std::to_string(classification.classes.size() - 1) + " classes");
     CsvTable            table({ "organ label", "voxels", "best class", "Dice" });
     std::vector<double> dice;
-    for (const auto & organ : CompareOrgans(organs.image, classification.labels))
+    const Overlaps      overlaps = OverlapsOf(organs.image->GetBufferPointer(),
+                                         classification.labels->GetBufferPointer(),
+                                         organs.image->GetLargestPossibleRegion().GetNumberOfPixels());
+    for (const auto & [organ, fit] : BestFits(overlaps))
     {
-      if (organ.second.voxels >= 200)
+      if (organ != 0 && fit.members >= 200.0)
       {
-        dice.push_back(organ.second.dice);
-        table.AddRow({ std::to_string(organ.first),
-                       std::to_string(organ.second.voxels),
-                       std::to_string(organ.second.label),
-                       CsvTable::Rounded(organ.second.dice, 2) });
+        dice.push_back(fit.dice);
+        table.AddRow(Cells() << organ << static_cast<std::uint64_t>(fit.members) << fit.part << Rounded(fit.dice, 2));
       }
     }
     report.AddRows("organs", table);

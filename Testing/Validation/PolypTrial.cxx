@@ -1,4 +1,5 @@
 #include "PolypTrial.h"
+#include "Tables.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,4 +94,40 @@ WilsonLowerBound(int part, int whole)
   constexpr double z = 1.959964;
   const double     n = whole, p = part / n;
   return (p + z * z / (2.0 * n) - z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n))) / (1.0 + z * z / n);
+}
+
+double
+PolypCount::LowerBound() const
+{
+  return WilsonLowerBound(found, present);
+}
+
+PolypCount
+CountFound(const std::vector<PolypExam> & exams, const PolypGroup & group, double score)
+{
+  PolypCount count;
+  for (const PolypExam & exam : exams)
+  {
+    for (const PolypTruth & truth : exam.truths)
+    {
+      if (group.Holds(truth.polyp))
+      {
+        ++count.present;
+        count.found += truth.score >= score ? 1 : 0;
+      }
+    }
+  }
+  return count;
+}
+
+int
+CountFrom(const std::vector<double> & scores, double least)
+{
+  return static_cast<int>(std::count_if(scores.begin(), scores.end(), [&](double score) { return score >= least; }));
+}
+
+std::string
+ShareWithBound(const PolypCount & count)
+{
+  return RatioOf(count.found, count.present) + ", lower 95 % bound " + Rounded(count.LowerBound());
 }

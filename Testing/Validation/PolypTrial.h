@@ -50,6 +50,40 @@ ComparePolyps(const LandmarkCase &                          one,
 std::vector<shapeton::ColonPolyp>
 VisiblePolyps(const shapeton::ColonAnatomy & anatomy);
 
+/** Type and size range of polyps. */
+struct PolypGroup
+{
+  bool   isFlat;
+  double least; ///< mm
+  double below; ///< mm
+
+  bool
+  Holds(const shapeton::ColonPolyp & polyp) const
+  {
+    return (polyp.kind == "flat") == isFlat && polyp.diameter >= least && polyp.diameter < below;
+  }
+};
+
+struct PolypCount
+{
+  int found{ 0 };
+  int present{ 0 };
+
+  double
+  LowerBound() const;
+};
+
+/** Counts the polyps of a group that have a candidate with at least this score. */
+PolypCount
+CountFound(const std::vector<PolypExam> & exams, const PolypGroup & group, double score);
+
+int
+CountFrom(const std::vector<double> & scores, double least);
+
+/** Formats the share found, with its lower 95 % bound. */
+std::string
+ShareWithBound(const PolypCount & count);
+
 /** Lower end of Wilson's two-sided 95 % interval of a share; 0 without samples. */
 double
 WilsonLowerBound(int part, int whole);

@@ -1,5 +1,6 @@
+#include "FigureTools.h"
 #include "GeneratedSurfaces.h"
-#include "ShapetonPictures.h"
+#include "Tables.h"
 #include "ValidationReport.h"
 
 #include "shapetonConformalMapPicture.h"
@@ -44,12 +45,8 @@ DrawPatches(const HandledPatch & pot, double t, const std::string & path)
 {
   const PictureSheet::Layout layout{ 3, 2, 420, 420, false };
   PictureSheet               sheet("Figure 5.4: a patch of a pot with its handle, whole and cut through", layout);
-  SurfaceRenderingOptions    options;
-  options.width = layout.width;
-  options.height = layout.height;
-  options.annotations = false;
-  options.depthShading = 0.0;
-  const SurfaceMesh * const meshes[] = { &pot.surfaces.whole, &pot.surfaces.cut };
+  const auto                 options = ViewOf(layout);
+  const SurfaceMesh * const  meshes[] = { &pot.surfaces.whole, &pot.surfaces.cut };
   for (std::size_t i = 0; i < 2; ++i)
   {
     const SurfaceMesh &     mesh = *meshes[i];
@@ -64,11 +61,11 @@ DrawPatches(const HandledPatch & pot, double t, const std::string & path)
     sheet.Put(0, i, name, DrawPattern(mesh, euclidean.uv, checks, loops, view));
     sheet.Put(1,
               i,
-              "Euclidean, " + name + ", modulus " + CsvTable::Rounded(euclidean.Modulus(), 4),
+              "Euclidean, " + name + ", modulus " + Rounded(euclidean.Modulus(), 4),
               DrawPattern(PlaneOf(mesh, euclidean.uv), euclidean.uv, checks, loops, options));
     sheet.Put(2,
               i,
-              "heat diffusion, " + name + ", modulus " + CsvTable::Rounded(diffusion.Modulus(), 4),
+              "heat diffusion, " + name + ", modulus " + Rounded(diffusion.Modulus(), 4),
               DrawPattern(PlaneOf(mesh, diffusion.uv), diffusion.uv, checks, loops, options));
   }
   sheet.Write(path);
@@ -86,37 +83,24 @@ ValidatePotWithHandle(const ValidationSettings & settings, ValidationReport & re
                  "), and the same patch with the handle cut through along a loop of edges, as in the dissertation. The "
                  "rims of the cut are natural boundaries. Both are mapped to a rectangle with the same four corners. "
                  "Modulus: height over width, geometric mean of the moduli from u and v.\n\n![](figure-5.4.png)");
-  CsvTable            table({ "metric",
-                              "t, mm^2",
-                              "t / h^2",
-                              "with handle",
-                              "gap with handle, %",
-                              "cut through",
-                              "gap cut through, %",
-                              "change, %" });
+  CsvTable            table(Columns(
+    "metric | t, mm^2 | t / h^2 | with handle | gap with handle, % | cut through | gap cut through, % | change, %"));
   std::vector<double> changes;
   for (const double t : { 0.0, 25.0, 50.0, 100.0, 200.0, 400.0, 800.0 })
   {
     const MappedPatch whole = MapPatch(pot.surfaces.whole, pot.corners, t);
     const MappedPatch cut = MapPatch(pot.surfaces.cut, pot.corners, t);
-    const auto        gap = [](const MappedPatch & patch) {
-      return CsvTable::Rounded(100.0 * (patch.modulusU / patch.modulusV - 1.0), 3);
-    };
+    const auto gap = [](const MappedPatch & patch) { return Rounded(100.0 * (patch.modulusU / patch.modulusV - 1.0)); };
     changes.push_back(100.0 * std::abs(cut.Modulus() / whole.Modulus() - 1.0));
-    table.AddRow({ t > 0.0 ? "heat diffusion" : "Euclidean",
-                   t > 0.0 ? CsvTable::Rounded(t, 3) : "",
-                   t > 0.0 ? CsvTable::Rounded(t / (h * h), 3) : "",
-                   CsvTable::Rounded(whole.Modulus(), 5),
-                   gap(whole),
-                   CsvTable::Rounded(cut.Modulus(), 5),
-                   gap(cut),
-                   CsvTable::Rounded(changes.back(), 3) });
+    table.AddRow(Cells() << (t > 0.0 ? "heat diffusion" : "Euclidean") << (t > 0.0 ? Rounded(t) : "")
+                         << (t > 0.0 ? Rounded(t / (h * h)) : "") << Rounded(whole.Modulus(), 5) << gap(whole)
+                         << Rounded(cut.Modulus(), 5) << gap(cut) << Rounded(changes.back()));
   }
   report.AddRows("times", table);
   const double least = *std::min_element(changes.begin() + 1, changes.end());
   report.AddText(
     "At the best time, cutting changes the modulus less in the heat diffusion metric: " +
-    CsvTable::Rounded(least / changes.front(), 2) +
+    Rounded(least / changes.front(), 2) +
     " of the Euclidean change (bound 0.8: " + report.Check(least < 0.8 * changes.front()) +
     "). The gap with the handle is also smaller. The large handle requires times much longer than the square of its "
     "radius, 42 mm^2. Even longer times distort the patch differently with and without the handle.");

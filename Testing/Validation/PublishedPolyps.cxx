@@ -1,5 +1,6 @@
 // Polyp candidates by shapetons (dissertation 3.5.2): few or many visits?
-#include "BoundTable.h"
+#include "Tables.h"
+#include "ValidationReport.h"
 #include "PolypPair.h"
 #include "PolypTrial.h"
 
@@ -49,33 +50,13 @@ Searches()
   };
 }
 
-/** Polyps of at least `leastDiameter` found, flat ones or the others. */
-std::string
-Found(const Search & search, bool isFlat)
-{
-  int found = 0, present = 0;
-  for (const PolypExam & exam : search.exams)
-  {
-    for (const PolypTruth & truth : exam.truths)
-    {
-      if ((truth.polyp.kind == "flat") == isFlat && truth.polyp.diameter >= leastDiameter)
-      {
-        ++present;
-        found += truth.score >= search.score ? 1 : 0;
-      }
-    }
-  }
-  return RatioOf(found, present) + ", lower 95 % bound " + Rounded(WilsonLowerBound(found, present));
-}
-
 double
 FalsePerExam(const Search & search)
 {
   double falses = 0.0;
   for (const PolypExam & exam : search.exams)
   {
-    falses += static_cast<double>(
-      std::count_if(exam.falseScores.begin(), exam.falseScores.end(), [&](double s) { return s >= search.score; }));
+    falses += CountFrom(exam.falseScores, search.score);
   }
   return falses / static_cast<double>(std::max<std::size_t>(1, search.exams.size()));
 }
@@ -85,10 +66,10 @@ void
 ValidatePublishedPolyps(const ValidationSettings & settings, ValidationReport & report)
 {
   report.AddText("First synthetic patient of each preset (" + settings.SeedsInWords() +
-                 "), supine, wall and cleansed CT computed from CT of 1.4 mm. Few visits is the end of the color "
-                 "scale that shows the polyp in Figure 3.10 of the dissertation (blue, see 3.4). Both ends list all "
-                 "their candidates, the default preset those of its default sensitivity. Polyps below 6 mm and in "
-                 "collapsed sections are not counted. Found: see `colon-polyps`.");
+                 "), supine, wall and cleansed CT computed from CT of 1.4 mm. Few visits is the end of the color scale "
+                 "that shows the polyp in Figure 3.10 of the dissertation (blue, see 3.4). Both ends list all their "
+                 "candidates, the default preset those of its default sensitivity. Polyps below 6 mm and in collapsed "
+                 "sections are not counted. Found: see `colon-polyps`.");
   std::vector<Search> searches = Searches();
   for (const std::string & preset : settings.presets)
   {
@@ -103,10 +84,13 @@ ValidatePublishedPolyps(const ValidationSettings & settings, ValidationReport & 
     }
   }
   CsvTable table(
-    { "search", "sessile and pedunculated polyps >= 6 mm found", "flat polyps >= 6 mm found", "false per exam" });
+    Columns("search | sessile and pedunculated polyps >= 6 mm found | flat polyps >= 6 mm found | false per exam"));
   for (const Search & search : searches)
   {
-    table.AddRow({ search.name, Found(search, false), Found(search, true), Rounded(FalsePerExam(search)) });
+    const auto found = [&](bool isFlat) {
+      return ShareWithBound(CountFound(search.exams, { isFlat, leastDiameter, 1000.0 }, search.score));
+    };
+    table.AddRow({ search.name, found(false), found(true), Rounded(FalsePerExam(search)) });
   }
   report.AddTable(table);
 }

@@ -1,3 +1,4 @@
+#include "Tables.h"
 #include "ValidationChart.h"
 #include "ValidationReport.h"
 
@@ -71,7 +72,7 @@ public:
     const Metric metric = MetricOf(m_Mesh, m_Connectivity, distances.edgeLengths);
     const double rms = std::sqrt((metric.lengths.array() / m_Exact.lengths.array() - 1.0).square().mean());
     this->AddRow(std::to_string(pairs),
-                 CsvTable::Rounded(std::exp(-2.0 * spectrum.eigenvalues[pairs - 1] * m_Time), 2),
+                 Rounded(std::exp(-2.0 * spectrum.eigenvalues[pairs - 1] * m_Time), 2),
                  100.0 * rms,
                  metric,
                  table);
@@ -88,14 +89,9 @@ private:
   AddRow(const std::string & pairs, const std::string & last, double rms, const Metric & metric, CsvTable & table) const
   {
     const double histogram = DistanceOfHistograms(metric.quality, m_Exact.quality, m_Mesh.NumberOfFaces());
-    table.AddRow({ CsvTable::Rounded(m_Factor, 3),
-                   CsvTable::Rounded(m_Time, 3),
-                   pairs,
-                   last,
-                   CsvTable::Rounded(rms, 3),
-                   CsvTable::Rounded(100.0 * metric.quality.shareBelowThreshold, 3),
-                   CsvTable::Rounded(histogram, 2),
-                   metric.modulus > 0.0 ? CsvTable::Rounded(metric.modulus / m_Exact.modulus, 4) : "no map" });
+    table.AddRow(Cells() << Rounded(m_Factor) << Rounded(m_Time) << pairs << last << Rounded(rms)
+                         << Rounded(100.0 * metric.quality.shareBelowThreshold) << Rounded(histogram, 2)
+                         << (metric.modulus > 0.0 ? Rounded(metric.modulus / m_Exact.modulus, 4) : "no map"));
   }
 
   const SurfaceMesh &               m_Mesh;
@@ -110,16 +106,14 @@ void
 Explain(const SurfaceMesh & mesh, double h, ValidationReport & report)
 {
   const TriangleQuality inSpace = MeasureTriangleQuality(SidesOfFaces(mesh.V, mesh.F));
-  report.AddText(
-    "Heat diffusion distances of the edges of a tube like a colon (" + std::to_string(mesh.NumberOfFaces()) +
-    " faces, h = " + CsvTable::Rounded(h, 3) +
-    " mm), from the first eigenpairs, compared with those from all eigenpairs (exact). rms: root mean square of the "
-    "relative difference of lengths. Below 0.6: share of triangles with these lengths whose 2r/R is below 0.6 (in "
-    "space " +
-    CsvTable::Rounded(100.0 * inSpace.shareBelowThreshold, 3) +
-    " %). Histogram: L2 distance of the 2r/R histogram (20 bins) from the exact one. Modulus: of the flat colon in "
-    "this "
-    "metric.");
+  report.AddText("Heat diffusion distances of the edges of a tube like a colon (" +
+                 std::to_string(mesh.NumberOfFaces()) + " faces, h = " + Rounded(h) +
+                 " mm), from the first eigenpairs, compared with those from all eigenpairs (exact). rms: root mean "
+                 "square of the relative difference of lengths. Below 0.6: share of triangles with these lengths whose "
+                 "2r/R is below 0.6 (in space " +
+                 Rounded(100.0 * inSpace.shareBelowThreshold) +
+                 " %). Histogram: L2 distance of the 2r/R histogram (20 bins) from the exact one. Modulus: of the flat "
+                 "colon in this metric.");
 }
 } // namespace
 
@@ -137,20 +131,14 @@ ValidateQualityOfMetric(const ValidationSettings & settings, ValidationReport & 
   const SurfaceSpectrum spectrum = ComputeSurfaceSpectrum(solver.Laplacian(), numbers.back());
   const double          h = EdgeLengths(connectivity, mesh.V).mean();
   Explain(mesh, h, report);
-  CsvTable                 table({ "t / h^2",
-                                   "t, mm^2",
-                                   "eigenpairs",
-                                   "exp(-2 lambda t) of the last",
-                                   "rms, %",
-                                   "below 0.6, %",
-                                   "histogram",
-                                   "modulus over exact" });
+  CsvTable table(Columns("t / h^2 | t, mm^2 | eigenpairs | exp(-2 lambda t) of the last | rms, % | below 0.6, % | "
+                         "histogram | modulus over exact"));
   std::vector<ChartSeries> chart;
   double                   last = 0.0;
   for (const double factor : { 2.0, 4.0, 8.0, 16.0, 32.0 })
   {
     const QualityOfTime quality(mesh, solver, factor, h);
-    chart.push_back({ "t = " + CsvTable::Rounded(factor, 2) + " h^2", {} });
+    chart.push_back({ "t = " + Rounded(factor, 2) + " h^2", {} });
     for (const int pairs : numbers)
     {
       last = quality.AddPairs(spectrum, pairs, table);
@@ -159,7 +147,7 @@ ValidateQualityOfMetric(const ValidationSettings & settings, ValidationReport & 
     quality.AddExact(table);
   }
   report.AddRows("eigenpairs", table);
-  report.AddText("Most pairs against exact at t = 32 h^2: rms " + CsvTable::Rounded(last, 2) +
+  report.AddText("Most pairs against exact at t = 32 h^2: rms " + Rounded(last, 2) +
                  ", bound 1e-5: " + report.Check(last <= 1e-5) +
                  ". Few pairs do not resolve the angles around a long tube, which then appears too thin or as a line. "
                  "Long times produce slivers for any number of pairs.\n\n![](flattening-quality.svg)");

@@ -1,12 +1,8 @@
 #include "RandomScenes.h"
 
-#include "shapetonPhiloxStream.h"
-#include "shapetonShapePhantomImageSource.h"
-#include "shapetonVoxelGrid.h"
+#include "SampledScenes.h"
 
-#include "itkCastImageFilter.h"
-
-#include <nlohmann/json.hpp>
+#include "shapetonImageGrid.h"
 
 #include <algorithm>
 #include <array>
@@ -19,40 +15,11 @@ using namespace shapeton;
 namespace
 {
 using Json = nlohmann::ordered_json;
-constexpr double reach = 0.34; ///< centers of objects, in units of the side
-
-class Dice
-{
-public:
-  explicit Dice(unsigned int seed) : m_Stream(seed, 0, 0x4f626a73U) {}
-  double
-  Between(double low, double high)
-  {
-    return low + (high - low) * m_Stream.Unit();
-  }
-  int
-  Count(int low, int high)
-  {
-    return low + m_Stream.Below(high - low + 1);
-  }
-  Json
-  Place()
-  {
-    return Json{ this->Between(-reach, reach), this->Between(-reach, reach), this->Between(-reach, reach) };
-  }
-  Json
-  Turn()
-  {
-    const Json axis{ this->Between(-1.0, 1.0), this->Between(-1.0, 1.0), this->Between(0.1, 1.0) };
-    return Json{ { "axis", axis }, { "angle", this->Between(0.0, 180.0) } };
-  }
-
-private:
-  PhiloxStream m_Stream;
-};
+constexpr double        reach = 0.34;                  ///< centers of objects, in units of the side
+constexpr std::uint32_t purposeOfScenes = 0x4f626a73U; ///< of the random numbers
 
 Json
-Solid(Dice & dice, double size)
+Solid(SceneDice & dice, double size)
 {
   const auto part = [&] { return size * dice.Between(0.5, 1.0); };
   switch (dice.Count(0, 6))
@@ -82,7 +49,7 @@ Solid(Dice & dice, double size)
 class SceneMaker
 {
 public:
-  explicit SceneMaker(unsigned int seed) : m_Dice(seed) {}
+  explicit SceneMaker(unsigned int seed) : m_Dice(seed, purposeOfScenes) {}
 
   Json
   Make()
@@ -116,7 +83,7 @@ private:
     for (int i = 0; i < tries; ++i)
     {
       const double size = m_Dice.Between(0.06, 0.16);
-      const Json   center = m_Dice.Place();
+      const Json   center = m_Dice.Place(reach);
       if (!this->IsFree(center, reachOfSize * size))
       {
         continue;
@@ -184,7 +151,7 @@ private:
     double radius;
   };
 
-  Dice              m_Dice;
+  SceneDice         m_Dice;
   Json              m_Objects = Json::array();
   std::vector<Ball> m_Balls; ///< around the solids
 };
@@ -197,28 +164,15 @@ RandomScene(unsigned int seed)
 }
 
 SceneVolume
-VolumeOf(ShapePhantomImageSource * source)
-{
-  const auto cast = itk::CastImageFilter<itk::Image<short, 3>, itk::Image<float, 3>>::New();
-  cast->SetInput(source->GetOutput());
-  cast->Update();
-  SceneVolume volume{ cast->GetOutput(), source->GetLabelOutput() };
-  volume.labels->DisconnectPipeline();
-  return volume;
-}
-
-SceneVolume
 SampleScene(unsigned int seed, unsigned int side)
 {
-  Dice       dice(seed + 1'000'000);
-  const auto source = ShapePhantomImageSource::New();
-  source->SetScene(RandomScene(seed));
-  source->SetSize(ShapePhantomImageSource::SizeType::Filled(side));
-  source->SetBlur(dice.Between(0.0, 1.0));
-  source->SetNoise(dice.Between(0.0, 80.0));
-  source->SetSeed(seed);
-  source->CenterOutput();
-  return VolumeOf(source);
+  SceneDice           dice(seed + 1'000'000, purposeOfScenes);
+  ShapePhantomOptions options;
+  options.blur = dice.Between(0.0, 1.0);
+  options.noise = dice.Between(0.0, 80.0);
+  options.seed = seed;
+  const auto source = SampledScene(RandomScene(seed), itk::Size<3>::Filled(side), options);
+  return { ToFloat(source->GetOutput()), source->GetLabelOutput() };
 }
 
 namespace
@@ -227,8 +181,7 @@ namespace
 std::map<int, int>
 NestedLabels(const itk::Image<unsigned char, 3> * labels)
 {
-  const auto                   size = labels->GetBufferedRegion().GetSize();
-  const VoxelGrid              grid(static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]));
+  const VoxelGrid              grid = GridOf(labels);
   const unsigned char * const  values = labels->GetBufferPointer();
   std::map<int, std::set<int>> touched;
   for (std::size_t voxel = 0; voxel < grid.NumberOfVoxels(); ++voxel)

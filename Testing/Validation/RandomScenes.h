@@ -2,23 +2,19 @@
 #define RandomScenes_h
 
 #include "shapetonHeatObjects.h"
-#include "shapetonShapePhantomImageSource.h"
+#include "shapetonShapeScene.h"
 
 /** Scene of 4 to 12 objects of random kind, size, place and intensity, some of them overlapping, some chains of bones
  * that nearly touch, some with a core of another intensity. */
 shapeton::ShapeScene
 RandomScene(unsigned int seed);
 
-/** A sampled scene. */
 /** A scene as a volume of side^3 voxels with blur of up to 1 voxel and noise of up to a tenth of the contrast. */
 struct SceneVolume
 {
   itk::Image<float, 3>::Pointer         image;
   itk::Image<unsigned char, 3>::Pointer labels;
 };
-
-SceneVolume
-VolumeOf(shapeton::ShapePhantomImageSource * source);
 
 SceneVolume
 SampleScene(unsigned int seed, unsigned int side);

@@ -1,12 +1,11 @@
 #include "RegistrationTrial.h"
 
-#include "TrueFolds.h"
+#include "Times.h"
 
 #include "shapetonColonLandmarks.h"
 #include "shapetonColonTaeniae.h"
 #include "shapetonExceptions.h"
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -58,6 +57,67 @@ IsBorderPoint(const FlatColonGrid & grid, const Eigen::Vector2d & uv)
   constexpr double close = 15.0; // mm
   return std::min(uv.y(), grid.Circumference() - uv.y()) <= close;
 }
+
+/** True folds of a phantom, to identify detected ones. */
+class TrueFolds
+{
+public:
+  explicit TrueFolds(const ColonAnatomy & anatomy)
+    : m_Folds(anatomy.Folds()), m_Height(PointValues(m_Folds, "crestHeight", "the truth"))
+  {}
+
+  /** Index of the fold with the nearest crest (at least 1 mm above the wall) within 6 mm; -1 if there is
+   * none. */
+  int
+  NearestTo(const Eigen::Vector3d & point) const
+  {
+    constexpr double reach = 6.0; // mm
+    double           least = reach * reach;
+    int              nearest = -1;
+    for (std::size_t f = 0; f < m_Folds.curves.size(); ++f)
+    {
+      for (const int vertex : m_Folds.curves[f])
+      {
+        const double square = (m_Folds.V.row(vertex).transpose() - point).squaredNorm();
+        if (m_Height[vertex] >= 1.0 && square < least)
+        {
+          least = square;
+          nearest = static_cast<int>(f);
+        }
+      }
+    }
+    return nearest;
+  }
+  /** Number of the fold, identical in all positions of one patient. */
+  int
+  NumberOf(int index) const
+  {
+    return this->ValueOf("fold", index);
+  }
+  /** Colon segment, 1 to 6, of the fold with this number. */
+  int
+  SegmentOf(int number) const
+  {
+    for (int index = 0; index < static_cast<int>(m_Folds.curves.size()); ++index)
+    {
+      if (this->NumberOf(index) == number)
+      {
+        return this->ValueOf("segment", index);
+      }
+    }
+    return 0;
+  }
+
+private:
+  int
+  ValueOf(const char * name, int index) const
+  {
+    return static_cast<int>(std::lround(FindSurfaceArray(m_Folds.cellArrays, name)->values(index, 0)));
+  }
+
+  CurveSet        m_Folds;
+  Eigen::VectorXd m_Height;
+};
 
 /** Sets `outcome` of each fold of the source. */
 void
@@ -245,9 +305,9 @@ TryRegistration(const LandmarkExam & first, const LandmarkExam & second, bool ha
   {
     const ColonPosition           source = MakeColonPosition(first, "the first position", hasTrueLandmarks);
     const ColonPosition           target = MakeColonPosition(second, "the second position", hasTrueLandmarks);
-    const auto                    start = std::chrono::steady_clock::now();
+    const Stopwatch               watch;
     const SupineProneRegistration registration = RegisterColonPositions(source, target);
-    score.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    score.seconds = watch.Seconds();
     const std::vector<PointPair>  pairs = TruePairs(*first.anatomy, *second.anatomy);
     const std::vector<PointError> errors = ErrorsOfPoints(registration, registration.map, pairs);
     score.errors = SummaryOf(errors);

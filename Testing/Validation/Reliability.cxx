@@ -1,6 +1,6 @@
 #include "Reliability.h"
 
-#include "BoundTable.h"
+#include "Tables.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ Reliability::Add(const Reliability & other)
   for (std::size_t k = 0; k < m_Classes.size(); ++k)
   {
     const Class & one = other.m_Classes[k];
-    m_Classes[k].confidences.insert(m_Classes[k].confidences.end(), one.confidences.begin(), one.confidences.end());
+    Append(one.confidences, m_Classes[k].confidences);
     m_Classes[k].right += one.right;
     m_Classes[k].squares += one.squares;
   }
@@ -64,10 +64,9 @@ Reliability::Write(const std::string & what, ValidationReport & report) const
   for (std::size_t k = 0; k < m_Classes.size(); ++k)
   {
     const Class & one = m_Classes[k];
-    table.AddRow({ Rounded(m_Borders[k]) + " to " + Rounded(m_Borders[k + 1]),
-                   std::to_string(one.Number()),
-                   one.Number() > 0 ? Rounded(MeanOf(one.confidences)) : "",
-                   one.Number() > 0 ? RatioOf(one.right, one.Number()) : "" });
+    table.AddRow(Cells() << Rounded(m_Borders[k]) + " to " + Rounded(m_Borders[k + 1]) << one.Number()
+                         << (one.Number() > 0 ? Rounded(MeanOf(one.confidences)) : "")
+                         << (one.Number() > 0 ? RatioOf(one.right, one.Number()) : ""));
   }
   report.AddRows("reliability-" + what, table);
 }

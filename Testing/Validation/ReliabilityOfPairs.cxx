@@ -130,16 +130,8 @@ WriteFlagged(const std::string &             preset,
     ofTwoFlagged += !pair.isOnePatient && isFlagged;
   }
   BoundTable table(report, preset == "realistic");
-  table.AddBounded("flagged or rejected pairs of one patient",
-                   "<= " + Rounded(mostWrongly),
-                   RatioOf(ofOneFlagged, ofOne),
-                   {},
-                   ofOne > 0 && ShareOf(ofOneFlagged, ofOne) <= mostWrongly);
-  table.AddBounded("flagged or rejected pairs of two patients",
-                   ">= " + Rounded(leastOfTwo),
-                   RatioOf(ofTwoFlagged, ofTwo),
-                   {},
-                   ofTwo > 0 && ShareOf(ofTwoFlagged, ofTwo) >= leastOfTwo);
+  table.AddShareAtMost("flagged or rejected pairs of one patient", mostWrongly, ofOneFlagged, ofOne);
+  table.AddShareAtLeast("flagged or rejected pairs of two patients", leastOfTwo, ofTwoFlagged, ofTwo);
   table.AddFact("expected calibration error", Rounded(calibrationError));
   table.Write("measures");
 }
@@ -158,15 +150,8 @@ ReliabilityOf(const std::vector<JudgedPair> & pairs)
 void
 WritePairs(const std::vector<JudgedPair> & pairs, ValidationReport & report)
 {
-  CsvTable table({ "pair",
-                   "confidence",
-                   "of one patient",
-                   "matched",
-                   "contradicted",
-                   "energy",
-                   "margin of thirds",
-                   "margin of sense",
-                   "mean error, mm" });
+  CsvTable table(Columns("pair | confidence | of one patient | matched | contradicted | energy | margin of thirds | "
+                         "margin of sense | mean error, mm"));
   for (const JudgedPair & pair : pairs)
   {
     const RegistrationConfidence & c = pair.confidence;
@@ -175,15 +160,10 @@ WritePairs(const std::vector<JudgedPair> & pairs, ValidationReport & report)
       table.AddRow({ pair.name, "refused", "", "", "", "", "", "", "" });
       continue;
     }
-    table.AddRow({ pair.name,
-                   Rounded(c.whole),
-                   Rounded(c.ProbabilityOfOnePatient()),
-                   Rounded(c.matchedShare),
-                   Rounded(c.contradictedShare),
-                   Rounded(c.energy),
-                   Rounded(c.margin),
-                   Rounded(c.senseMargin),
-                   pair.isOnePatient ? Rounded(pair.error) : "" });
+    table.AddRow(Cells() << pair.name << Rounded(c.whole) << Rounded(c.ProbabilityOfOnePatient())
+                         << Rounded(c.matchedShare) << Rounded(c.contradictedShare) << Rounded(c.energy)
+                         << Rounded(c.margin) << Rounded(c.senseMargin)
+                         << (pair.isOnePatient ? Rounded(pair.error) : ""));
   }
   report.AddRows("pairs", table);
 }
@@ -192,13 +172,12 @@ WritePairs(const std::vector<JudgedPair> & pairs, ValidationReport & report)
 void
 ValidateReliabilityOfPairs(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText(
-    "Synthetic patients (" + settings.SeedsInWords() +
-    "), from the true lumen in voxels of 0.8 mm. The supine position of each patient is registered to the prone "
-    "positions of the same patient and of the next two. A pair is correct if both positions are of one patient and the "
-    "mean error is at most 10 mm. A rejected pair has confidence 0. The expected calibration error is the mean "
-    "difference between "
-    "confidence and share of correct pairs within classes of confidence. Only the preset realistic has bounds.");
+  report.AddText("Synthetic patients (" + settings.SeedsInWords() +
+                 "), from the true lumen in voxels of 0.8 mm. The supine position of each patient is registered to the "
+                 "prone positions of the same patient and of the next two. A pair is correct if both positions are of "
+                 "one patient and the mean error is at most 10 mm. A rejected pair has confidence 0. The expected "
+                 "calibration error is the mean difference between confidence and share of correct pairs within "
+                 "classes of confidence. Only the preset realistic has bounds.");
   for (const std::string & preset : settings.presets)
   {
     report.AddText("## Preset " + preset);

@@ -1,4 +1,4 @@
-#include "BoundTable.h"
+#include "Tables.h"
 #include "ShapeCollection.h"
 #include "ValidationReport.h"
 
@@ -91,6 +91,20 @@ Collect(const ValidationSettings & settings)
   return shapes;
 }
 
+/** Whether the nearest original of a signature has this name. */
+bool
+IsNearest(const std::string &                name,
+          const ShapeSignature &             signature,
+          const std::vector<MeasuredShape> & shapes,
+          const Distance &                   distance)
+{
+  const auto nearest =
+    std::min_element(shapes.begin(), shapes.end(), [&](const MeasuredShape & a, const MeasuredShape & b) {
+      return distance(signature, a.original) < distance(signature, b.original);
+    });
+  return nearest->name == name;
+}
+
 /** For each shape, the share of copies whose nearest original is the correct one. */
 std::vector<double>
 NearestIsRight(const std::vector<MeasuredShape> & shapes, const Distance & distance)
@@ -101,11 +115,7 @@ NearestIsRight(const std::vector<MeasuredShape> & shapes, const Distance & dista
     int right = 0;
     for (const ShapeCopy & copy : shape.copies)
     {
-      const auto nearest =
-        std::min_element(shapes.begin(), shapes.end(), [&](const MeasuredShape & a, const MeasuredShape & b) {
-          return distance(copy.signature, a.original) < distance(copy.signature, b.original);
-        });
-      right += nearest->name == shape.name ? 1 : 0;
+      right += IsNearest(shape.name, copy.signature, shapes, distance) ? 1 : 0;
     }
     shares.push_back(ShareOf(right, static_cast<int>(shape.copies.size())));
   }
@@ -170,11 +180,9 @@ ReportMethods(const std::vector<MeasuredShape> & shapes, ValidationReport & repo
   {
     const auto right = NearestIsRight(shapes, method.distance);
     const bool isOurs = method.name == "signature";
-    table.AddRow({ method.name,
-                   MeanWithInterval(right),
-                   isOurs ? "at least 0.95" : "",
-                   isOurs ? report.Check(MeanOf(right) >= 0.95) : "",
-                   MeanWithInterval(AveragePrecisions(shapes, method.distance)) });
+    table.AddRow(Cells() << method.name << MeanWithInterval(right) << (isOurs ? "at least 0.95" : "")
+                         << (isOurs ? report.Check(MeanOf(right) >= 0.95) : "")
+                         << MeanWithInterval(AveragePrecisions(shapes, method.distance)));
   }
   report.AddTable(table);
 }
@@ -205,14 +213,9 @@ ReportKinds(const std::vector<MeasuredShape> & shapes, ValidationReport & report
       int right = 0;
       for (const MeasuredShape & copy : copies)
       {
-        const auto nearest =
-          std::min_element(shapes.begin(), shapes.end(), [&](const MeasuredShape & a, const MeasuredShape & b) {
-            return method.distance(copy.copies[0].signature, a.original) <
-                   method.distance(copy.copies[0].signature, b.original);
-          });
-        right += nearest->name == copy.name ? 1 : 0;
+        right += IsNearest(copy.name, copy.copies[0].signature, shapes, method.distance) ? 1 : 0;
       }
-      cells.push_back(Rounded(ShareOf(right, static_cast<int>(copies.size())), 3));
+      cells.push_back(Rounded(ShareOf(right, static_cast<int>(copies.size()))));
     }
     table.AddRow(cells);
   }
@@ -284,10 +287,9 @@ ReportCalibration(const std::vector<std::pair<double, bool>> & probabilities, Va
   CsvTable table({ "probability", "answers", "its mean", "nearest right" });
   for (int bin = 0; bin < bins; ++bin)
   {
-    table.AddRow({ Rounded(bin / 5.0) + " to " + Rounded((bin + 1) / 5.0),
-                   std::to_string(number[bin]),
-                   number[bin] > 0 ? Rounded(sum[bin] / number[bin]) : "",
-                   number[bin] > 0 ? Rounded(ShareOf(right[bin], number[bin])) : "" });
+    table.AddRow(Cells() << Rounded(bin / 5.0) + " to " + Rounded((bin + 1) / 5.0) << number[bin]
+                         << (number[bin] > 0 ? Rounded(sum[bin] / number[bin]) : "")
+                         << (number[bin] > 0 ? Rounded(ShareOf(right[bin], number[bin])) : ""));
   }
   report.AddText("Brier score of the probability that the nearest shape is correct: " + Rounded(score) + ".");
   report.AddRows("probabilities", table);
@@ -301,11 +303,10 @@ ReportUnknown(const std::vector<MeasuredShape> & shapes, bool quick, ValidationR
   report.AddText("## Unknown shapes\n\nEvery fifth shape is omitted from a database of the originals; the copies of "
                  "all shapes are searched.");
   CsvTable table({ "copies of", "answer", "share", "bound", "" });
-  table.AddRow({ "shapes left out",
-                 "unknown",
-                 MeanWithInterval(answers.unknownOfLeftOut),
-                 quick ? "none for so few shapes" : "at least 0.9",
-                 quick ? "" : report.Check(unknown >= 0.9) });
+  table.AddRow(Cells() << "shapes left out"
+                       << "unknown" << MeanWithInterval(answers.unknownOfLeftOut)
+                       << (quick ? "none for so few shapes" : "at least 0.9")
+                       << (quick ? "" : report.Check(unknown >= 0.9)));
   table.AddRow({ "shapes in the database", "correct name", MeanWithInterval(answers.rightOfEntries), "", "" });
   report.AddTable(table);
   ReportCalibration(answers.probabilities, report);
@@ -327,8 +328,8 @@ ValidateSearchOfShapes(const ValidationSettings & settings, ValidationReport & r
     std::to_string(shapes.size()) + " shapes that were not used for fitting: objects of `ShapePhantom`'s presets, " +
     (settings.dataFolder.empty()
        ? std::string("no real ones (SHAPETON_TEST_DATA_DIR is not set)")
-       : std::string("bones of two feet (CT of the Visible Human Female, above 350 HU, "
-                     "opened by 2 mm), organs of an abdomen (labels of TotalSegmentator's example)")) +
+       : std::string("bones of two feet (CT of the Visible Human Female, above 350 HU, opened by 2 mm), organs of an "
+                     "abdomen (labels of TotalSegmentator's example)")) +
     ", and generated shapes (seeds from 100 on). " + std::to_string(copies) +
     " copies: rotated by 30 degrees; scaled by 0.5 and by 2, with isotropic voxels; resampled to oblique voxels 1.3 x "
     "1.3 x 2.6 times as large; noisy (a fifth of the boundary voxels change sides); and all of these combined, scaled "

@@ -1,16 +1,18 @@
 #include "SeedTrial.h"
+#include "Times.h"
 
 #include "shapetonPhiloxStream.h"
 #include "shapetonSeededHeatSegmentationImageFilter.h"
+#include "shapetonTestImages.h"
 
 #include "itkConfidenceConnectedImageFilter.h"
 #include "itkGradientMagnitudeImageFilter.h"
 #include "itkMorphologicalWatershedFromMarkersImageFilter.h"
 
 #include <cmath>
-#include <ctime>
 
 using namespace shapeton;
+using basetest::NewImageLike;
 
 namespace
 {
@@ -21,16 +23,6 @@ std::size_t
 NumberOfVoxels(const itk::ImageBase<3> * image)
 {
   return image->GetLargestPossibleRegion().GetNumberOfPixels();
-}
-
-SeedImage::Pointer
-EmptyLabels(const itk::ImageBase<3> * grid)
-{
-  const auto labels = SeedImage::New();
-  labels->CopyInformation(grid);
-  labels->SetRegions(grid->GetLargestPossibleRegion());
-  labels->Allocate(true);
-  return labels;
 }
 
 /** Voxels of each label, starting at 1. */
@@ -47,20 +39,6 @@ VoxelsOfLabels(const SeedImage * labels, std::size_t number)
   }
   return voxels;
 }
-
-/** CPU time of this process over all threads. */
-class CpuClock
-{
-public:
-  double
-  Seconds() const
-  {
-    return static_cast<double>(std::clock() - m_Start) / CLOCKS_PER_SEC;
-  }
-
-private:
-  std::clock_t m_Start{ std::clock() };
-};
 } // namespace
 
 DrawnSeeds
@@ -69,7 +47,7 @@ DrawSeeds(const LabeledVolume & volume, int number, unsigned int draw)
   const std::size_t labels = volume.names.size();
   const auto        own = VoxelsOfLabels(volume.truth, labels);
   auto              inner = VoxelsOfLabels(SeedsOfClasses(volume.truth, {}), labels);
-  DrawnSeeds        seeds{ EmptyLabels(volume.truth) };
+  DrawnSeeds        seeds{ NewImageLike<SeedImage>(volume.truth) };
   for (std::size_t label = 0; label < labels; ++label)
   {
     Voxels & voxels = inner[label];
@@ -91,36 +69,36 @@ DrawSeeds(const LabeledVolume & volume, int number, unsigned int draw)
 Segmentation
 SegmentByHeat(const LabeledVolume & volume, const SeedImage * seeds)
 {
-  const CpuClock clock;
-  const auto     filter = SeededHeatSegmentationImageFilter<ImageType>::New();
+  const Stopwatch clock;
+  const auto      filter = SeededHeatSegmentationImageFilter<ImageType>::New();
   filter->SetInput(volume.image);
   filter->SetSeeds(seeds);
   filter->SetIntensityWindow(0.0, 1.0);
   filter->KeepProbabilitiesOff();
   filter->Update();
-  return { filter->GetOutput(), clock.Seconds() };
+  return { filter->GetOutput(), clock.ProcessorSeconds() };
 }
 
 Segmentation
 SegmentByWatershed(const LabeledVolume & volume, const SeedImage * seeds)
 {
-  const CpuClock clock;
-  const auto     gradient = itk::GradientMagnitudeImageFilter<ImageType, ImageType>::New();
+  const Stopwatch clock;
+  const auto      gradient = itk::GradientMagnitudeImageFilter<ImageType, ImageType>::New();
   gradient->SetInput(volume.image);
   const auto watershed = itk::MorphologicalWatershedFromMarkersImageFilter<ImageType, SeedImage>::New();
   watershed->SetInput1(gradient->GetOutput());
   watershed->SetInput2(seeds);
   watershed->MarkWatershedLineOff();
   watershed->Update();
-  return { watershed->GetOutput(), clock.Seconds() };
+  return { watershed->GetOutput(), clock.ProcessorSeconds() };
 }
 
 Segmentation
 SegmentByConfidence(const LabeledVolume & volume, const SeedImage * seeds)
 {
-  const CpuClock     clock;
+  const Stopwatch    clock;
   const std::size_t  number = NumberOfVoxels(seeds);
-  const auto         labels = EmptyLabels(seeds);
+  const auto         labels = NewImageLike<SeedImage>(seeds);
   std::vector<float> distance(number, HUGE_VALF);
   unsigned short     label = 0;
   for (const Voxels & voxels : VoxelsOfLabels(seeds, volume.names.size()))
@@ -150,7 +128,7 @@ SegmentByConfidence(const LabeledVolume & volume, const SeedImage * seeds)
     const unsigned short seed = seeds->GetBufferPointer()[i];
     found = seed != 0 ? seed : std::max<unsigned short>(found, 1);
   }
-  return { labels, clock.Seconds() };
+  return { labels, clock.ProcessorSeconds() };
 }
 
 std::vector<double>

@@ -1,20 +1,21 @@
-#include "BoundTable.h"
+#include "Tables.h"
+#include "SampledScenes.h"
 #include "SeedTrial.h"
 #include "ValidationReport.h"
+#include "ValidationVolumes.h"
 
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 #include "shapetonSeededHeatSolver.h"
-#include "shapetonShapePhantomImageSource.h"
-#include "shapetonVolumeReader.h"
+#include "shapetonTestImages.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <set>
-#include <stdexcept>
 
 using namespace shapeton;
+using basetest::NewImageLike;
 
 namespace
 {
@@ -29,10 +30,7 @@ template <typename TImage>
 ImageType::Pointer
 Windowed(const TImage * image, double lower, double upper)
 {
-  const auto windowed = ImageType::New();
-  windowed->CopyInformation(image);
-  windowed->SetRegions(image->GetLargestPossibleRegion());
-  windowed->Allocate();
+  const auto windowed = NewImageLike<ImageType>(image);
   std::transform(image->GetBufferPointer(),
                  image->GetBufferPointer() + image->GetLargestPossibleRegion().GetNumberOfPixels(),
                  windowed->GetBufferPointer(),
@@ -63,10 +61,7 @@ SetTruth(const TImage * parts, std::size_t leastVoxels, const std::set<int> & wa
     }
     labels[part] = isTaken ? static_cast<unsigned short>(volume.names.size()) : 1;
   }
-  volume.truth = SeedImage::New();
-  volume.truth->CopyInformation(parts);
-  volume.truth->SetRegions(parts->GetLargestPossibleRegion());
-  volume.truth->Allocate();
+  volume.truth = NewImageLike<SeedImage>(parts);
   std::transform(parts->GetBufferPointer(),
                  parts->GetBufferPointer() + number,
                  volume.truth->GetBufferPointer(),
@@ -76,13 +71,10 @@ SetTruth(const TImage * parts, std::size_t leastVoxels, const std::set<int> & wa
 LabeledVolume
 Phantom(const std::string & preset, unsigned int side, double noise, double blur)
 {
-  const auto source = ShapePhantomImageSource::New();
-  source->SetScene(ShapeScene::Load(preset));
-  source->SetSize(itk::Size<3>::Filled(side));
-  source->SetNoise(noise);
-  source->SetBlur(blur);
-  source->CenterOutput();
-  source->Update();
+  ShapePhantomOptions options;
+  options.noise = noise;
+  options.blur = blur;
+  const auto    source = SampledScene(ShapeScene::Load(preset), itk::Size<3>::Filled(side), options);
   LabeledVolume volume;
   volume.name = preset + ", noise " + Rounded(noise) + " HU, blur " + Rounded(blur) + " voxels";
   volume.image = Windowed(source->GetOutput(), 0.0, 1000.0);
@@ -91,16 +83,10 @@ Phantom(const std::string & preset, unsigned int side, double noise, double blur
 }
 
 LabeledVolume
-Abdomen(const std::string & dataFolder, const std::string & name, const std::set<int> & organs)
+LabeledAbdomen(const std::string & dataFolder, const std::string & name, const std::set<int> & organs)
 {
   constexpr std::size_t leastVoxels = 1000;
-  const std::string     folder = dataFolder + "/ct/totalsegmentator";
-  const Volume          ct = ReadVolume(folder + "/example_ct.nii.gz");
-  const Volume          parts = ReadVolume(folder + "/example_seg_fast_force_split.nii.gz");
-  if (!HaveSameGrid(ct.image, parts.image))
-  {
-    throw std::runtime_error("the organ labels have another grid than the CT");
-  }
+  const auto [ct, parts] = ReadAbdomen(dataFolder);
   LabeledVolume volume;
   volume.name = name;
   volume.image = Windowed(ct.image.GetPointer(), -160.0, 240.0);
@@ -227,20 +213,10 @@ RunMethods(const LabeledVolume & volume, const std::map<int, std::vector<DrawnSe
 /** Results of all volumes. */
 struct Results
 {
-  CsvTable              methods{ { "volume",
-                                   "voxels",
-                                   "labels",
-                                   "draws",
-                                   "labels with seeds at the border",
-                                   "seeds of each label",
-                                   "method",
-                                   "mean Dice of the labels",
-                                   "CPU seconds" } };
-  CsvTable              differences{ { "volume",
-                                       "seeded heat",
-                                       "less random walker (scikit-image), at least -0.01",
-                                       "less watershed (ITK), above 0",
-                                       "less confidence connected (ITK), above 0" } };
+  CsvTable methods{ Columns("volume | voxels | labels | draws | labels with seeds at the border | seeds of each label "
+                            "| method | mean Dice of the labels | CPU seconds") };
+  CsvTable differences{ Columns("volume | seeded heat | less random walker (scikit-image), at least -0.01 | less "
+                                "watershed (ITK), above 0 | less confidence connected (ITK), above 0") };
   std::vector<CsvTable> labels;
 };
 
@@ -261,15 +237,11 @@ AddMeans(const LabeledVolume &                          volume,
       const auto     stopped =
         std::count_if(scores.begin(), scores.end(), [](const Score & score) { return !score.hasConverged; });
       const std::string remark = stopped == 0 ? "" : "; " + std::to_string(stopped) + " did not converge";
-      table.AddRow({ volume.name,
-                     voxels,
-                     std::to_string(volume.names.size()),
-                     std::to_string(draws.size()),
-                     std::to_string(draws.front().thinLabels),
-                     std::to_string(number),
-                     method.name,
-                     scores.empty() ? "not run: python3-skimage is missing" : MeanWithInterval(MeanDice(scores)),
-                     scores.empty() ? "" : Rounded(MeanOf(CpuSeconds(scores))) + remark });
+      table.AddRow(
+        Cells() << volume.name << voxels << volume.names.size() << draws.size() << draws.front().thinLabels << number
+                << method.name
+                << (scores.empty() ? "not run: python3-skimage is missing" : MeanWithInterval(MeanDice(scores)))
+                << (scores.empty() ? "" : Rounded(MeanOf(CpuSeconds(scores))) + remark));
     }
   }
 }
@@ -389,15 +361,14 @@ ReportResults(const std::string & data, const Results & results, const std::stri
 void
 ReportMethod(ValidationReport & report)
 {
-  report.AddText(
-    "Seeds are voxels of each label, drawn from the truth eroded by one voxel, or from the whole label if that leaves "
-    "too few. The background is a label with as many seeds. All methods use the same seeds, the same intensities, "
-    "scaled to [0, 1] by a window, and their defaults: seeded heat (p = 100, least weight 0.2); scikit-image's "
-    "`random_walker` (beta 130, mode `cg_j`, tolerance 1e-3; mode `cg_mg` requires pyamg, which Debian 12 lacks); "
-    "ITK's "
-    "`MorphologicalWatershedFromMarkers` on the gradient magnitude; ITK's `ConfidenceConnected` per label (overlaps "
-    "get the label of the nearest mean, the rest is background). Dice: mean over all labels, with the 95 % confidence "
-    "interval over the draws, seeds 1, 2, and so on. CPU seconds: sum over all threads, mean over the draws.");
+  report.AddText("Seeds are voxels of each label, drawn from the truth eroded by one voxel, or from the whole label if "
+                 "that leaves too few. The background is a label with as many seeds. All methods use the same seeds, "
+                 "the same intensities, scaled to [0, 1] by a window, and their defaults: seeded heat (p = 100, least "
+                 "weight 0.2); scikit-image's `random_walker` (beta 130, mode `cg_j`, tolerance 1e-3; mode `cg_mg` "
+                 "requires pyamg, which Debian 12 lacks); ITK's `MorphologicalWatershedFromMarkers` on the gradient "
+                 "magnitude; ITK's `ConfidenceConnected` per label (overlaps get the label of the nearest mean, the "
+                 "rest is background). Dice: mean over all labels, with the 95 % confidence interval over the draws, "
+                 "seeds 1, 2, and so on. CPU seconds: sum over all threads, mean over the draws.");
 }
 
 void
@@ -502,8 +473,8 @@ ReportAgreement(const ValidationSettings & settings, ValidationReport & report)
       continue;
     }
     const double difference = GreatestDifference(volume, seeds, weight, *expected);
-    table.AddRow(
-      { Rounded(weight), Rounded(beta), Rounded(difference), "at most 1e-4", report.Check(difference <= 1e-4) });
+    table.AddRow(Cells() << Rounded(weight) << Rounded(beta) << Rounded(difference) << "at most 1e-4"
+                         << report.Check(difference <= 1e-4));
   }
   report.AddTable(table);
 }
@@ -525,8 +496,11 @@ ValidateSegmentationFromSeeds(const ValidationSettings & settings, ValidationRep
   {
     data += " The abdomen is TotalSegmentator's example (CT, 3 mm, window -160 to 240 HU) with the labels 1 spleen, 2 "
             "and 3 kidneys, 5 liver, 52 aorta; all else is background.";
-    AddVolume(
-      Abdomen(settings.dataFolder, "Five organs of an abdomen", { 1, 2, 3, 5, 52 }), true, settings, report, results);
+    AddVolume(LabeledAbdomen(settings.dataFolder, "Five organs of an abdomen", { 1, 2, 3, 5, 52 }),
+              true,
+              settings,
+              report,
+              results);
   }
   const bool isComplete = !settings.dataFolder.empty() && !settings.quick;
   ReportResults(data,
@@ -542,7 +516,7 @@ ValidateSegmentationOfOrgans(const ValidationSettings & settings, ValidationRepo
 {
   report.AddText("For seeds, methods and measures see [seeded-heat](seeded-heat.md).");
   Results results;
-  AddVolume(Abdomen(settings.dataFolder, "All organs of an abdomen", {}), true, settings, report, results);
+  AddVolume(LabeledAbdomen(settings.dataFolder, "All organs of an abdomen", {}), true, settings, report, results);
   ReportResults("TotalSegmentator's example (CT, 3 mm, window -160 to 240 HU) with all labels of at least 1000 voxels; "
                 "smaller ones are background.",
                 results,

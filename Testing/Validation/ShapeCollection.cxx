@@ -1,14 +1,13 @@
 #include "ShapeCollection.h"
+#include "SampledScenes.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonImageGrid.h"
 #include "shapetonParallelFor.h"
-#include "shapetonPhiloxStream.h"
 #include "shapetonPi.h"
-#include "shapetonShapePhantomImageSource.h"
 #include "shapetonSquaredDistances.h"
+#include "shapetonTestImages.h"
 #include "shapetonVolumeReader.h"
-
-#include <nlohmann/json.hpp>
 
 #include <Eigen/Geometry>
 
@@ -21,15 +20,13 @@ using namespace shapeton;
 namespace
 {
 using Scene = nlohmann::ordered_json;
+constexpr std::uint32_t purposeOfShapes = 0x53687074U; ///< of the random numbers
 
 LabelMap::Pointer
 ImageOf(const VoxelRuns & shape, const itk::ImageBase<3> * grid)
 {
-  const auto image = LabelMap::New();
-  image->CopyInformation(grid);
-  image->SetRegions(grid->GetBufferedRegion());
-  image->Allocate(true);
-  const VoxelGrid places(shape.size[0], shape.size[1], shape.size[2]);
+  const auto      image = basetest::NewImageLike<LabelMap>(grid);
+  const VoxelGrid places = GridOf(grid);
   ForEachRun(shape, [&](std::size_t run, int j, int k) {
     float * row = image->GetBufferPointer() + places.Index(0, j, k);
     std::fill(row + shape.runs[run].begin, row + shape.runs[run].end, 1.0F);
@@ -41,61 +38,18 @@ ImageOf(const VoxelRuns & shape, const itk::ImageBase<3> * grid)
 LabelMap::Pointer
 Sample(const ShapeScene & scene, unsigned int size, unsigned char label)
 {
-  const auto source = ShapePhantomImageSource::New();
-  source->SetScene(scene);
-  ShapePhantomImageSource::SizeType voxels;
-  voxels.Fill(size);
-  source->SetSize(voxels);
-  source->CenterOutput();
-  source->Update();
+  const auto   source = SampledScene(scene, itk::Size<3>::Filled(size));
   const auto * labels = source->GetLabelOutput();
   const auto * values = labels->GetBufferPointer();
-  const int    side = static_cast<int>(size);
-  return ImageOf(CollectRuns(VoxelGrid(side, side, side),
-                             [=](std::size_t i) { return label == 0 ? values[i] != 0 : values[i] == label; }),
-                 labels);
+  return ImageOf(
+    CollectRuns(GridOf(labels), [=](std::size_t i) { return label == 0 ? values[i] != 0 : values[i] == label; }),
+    labels);
 }
 
 // ---- generated shapes ----
 
-/** Random numbers for one shape. */
-class Dice
-{
-public:
-  explicit Dice(unsigned int seed) : m_Stream(seed, 0, 0x53687074U) {}
-  double
-  Between(double low, double high)
-  {
-    return low + (high - low) * m_Stream.Unit();
-  }
-  Scene
-  Direction()
-  {
-    return Scene{ this->Between(-1.0, 1.0), this->Between(-1.0, 1.0), this->Between(0.1, 1.0) };
-  }
-  Scene
-  Turn()
-  {
-    return Scene{ { "axis", this->Direction() }, { "angle", this->Between(0.0, 180.0) } };
-  }
-  /** Random point in a box around the middle. */
-  Scene
-  Place(double reach)
-  {
-    return Scene{ this->Between(-reach, reach), this->Between(-reach, reach), this->Between(-reach, reach) };
-  }
-  int
-  Count(int low, int high)
-  {
-    return low + m_Stream.Below(high - low + 1);
-  }
-
-private:
-  PhiloxStream m_Stream;
-};
-
 Scene
-Ellipsoid(Dice & dice)
+Ellipsoid(SceneDice & dice)
 {
   const double a = dice.Between(0.3, 0.42);
   return Scene{ { { "kind", "ellipsoid" },
@@ -103,7 +57,7 @@ Ellipsoid(Dice & dice)
 }
 
 Scene
-TwistedBox(Dice & dice)
+TwistedBox(SceneDice & dice)
 {
   return Scene{ { { "kind", "box" },
                   { "size", { dice.Between(0.12, 0.25), dice.Between(0.12, 0.3), dice.Between(0.45, 0.7) } },
@@ -111,7 +65,7 @@ TwistedBox(Dice & dice)
 }
 
 Scene
-BentCapsule(Dice & dice)
+BentCapsule(SceneDice & dice)
 {
   return Scene{ { { "kind", "capsule" },
                   { "radius", dice.Between(0.06, 0.1) },
@@ -120,13 +74,13 @@ BentCapsule(Dice & dice)
 }
 
 Scene
-Ring(Dice & dice)
+Ring(SceneDice & dice)
 {
   return Scene{ { { "kind", "torus" }, { "ringRadius", 0.28 }, { "tubeRadius", dice.Between(0.05, 0.16) } } };
 }
 
 Scene
-KnottyTube(Dice & dice)
+KnottyTube(SceneDice & dice)
 {
   Scene points = Scene::array();
   for (int i = dice.Count(4, 7); i > 0; --i)
@@ -137,7 +91,7 @@ KnottyTube(Dice & dice)
 }
 
 Scene
-BallWithBumps(Dice & dice)
+BallWithBumps(SceneDice & dice)
 {
   const double wavelength = dice.Between(0.2, 0.45);
   return Scene{ { { "kind", "sphere" },
@@ -149,7 +103,7 @@ BallWithBumps(Dice & dice)
 }
 
 Scene
-BodyWithLimbs(Dice & dice)
+BodyWithLimbs(SceneDice & dice)
 {
   Scene objects{ { { "kind", "ellipsoid" },
                    { "radii", { dice.Between(0.1, 0.18), dice.Between(0.1, 0.18), dice.Between(0.14, 0.24) } } } };
@@ -165,7 +119,7 @@ BodyWithLimbs(Dice & dice)
 }
 
 Scene
-BoxWithRods(Dice & dice)
+BoxWithRods(SceneDice & dice)
 {
   Scene objects{ { { "kind", "box" },
                    { "size", { dice.Between(0.1, 0.3), dice.Between(0.15, 0.3), dice.Between(0.2, 0.4) } } } };
@@ -183,15 +137,15 @@ BoxWithRods(Dice & dice)
 CollectedShape
 GeneratedShape(unsigned int seed)
 {
-  static const std::vector<std::pair<std::string, std::function<Scene(Dice &)>>> families{
+  static const std::vector<std::pair<std::string, std::function<Scene(SceneDice &)>>> families{
     { "ellipsoid", Ellipsoid },           { "twisted box", TwistedBox },
     { "bent capsule", BentCapsule },      { "ring", Ring },
     { "knotty tube", KnottyTube },        { "ball with bumps", BallWithBumps },
     { "body with limbs", BodyWithLimbs }, { "box with rods", BoxWithRods }
   };
   const auto & [family, make] = families[seed % families.size()];
-  Dice  dice(seed);
-  Scene objects = make(dice);
+  SceneDice dice(seed, purposeOfShapes);
+  Scene     objects = make(dice);
   for (Scene & object : objects)
   {
     object["label"] = 1;
@@ -336,8 +290,7 @@ MiddleOf(const LabelMap * image)
 void
 AddNoise(LabelMap * image, double probability, PhiloxStream & stream)
 {
-  const auto               size = image->GetBufferedRegion().GetSize();
-  const VoxelGrid          grid(size[0], size[1], size[2]);
+  const VoxelGrid          grid = GridOf(image);
   float *                  values = image->GetBufferPointer();
   std::vector<std::size_t> changing;
   for (std::size_t i = 0; i < grid.NumberOfVoxels(); ++i)
@@ -362,8 +315,7 @@ CopyOf(const LabelMap * shape, const CopyPlan & plan, PhiloxStream & stream)
   const Eigen::Matrix3d turn = RandomTurn(plan.degrees, stream);
   const Eigen::Vector3d middle = MiddleOf(shape);
   const auto            copy = ImageForCopy(shape, plan, RandomTurn(plan.slant, stream), middle);
-  const auto            size = copy->GetBufferedRegion().GetSize();
-  const VoxelGrid       grid(size[0], size[1], size[2]);
+  const VoxelGrid       grid = GridOf(copy);
   const Eigen::Matrix3d back = turn.transpose() / plan.scale;
   for (std::size_t i = 0; i < grid.NumberOfVoxels(); ++i)
   {
@@ -427,8 +379,7 @@ BonesOfFeet(const std::string & dataFolder, std::size_t number)
   constexpr float             depth = 2.0F;      // mm: bones are connected by bridges thinner than twice this
   constexpr std::size_t       leastVoxels = 900; // deeper than `depth`
   const Volume                ct = ReadVolume(dataFolder + "/ct/visible-female-ankle");
-  const auto                  size = ct.image->GetBufferedRegion().GetSize();
-  const VoxelGrid             grid(size[0], size[1], size[2]);
+  const VoxelGrid             grid = GridOf(ct.image);
   const std::array<double, 3> spacing{ ct.image->GetSpacing()[0],
                                        ct.image->GetSpacing()[1],
                                        ct.image->GetSpacing()[2] };
@@ -487,7 +438,7 @@ Measure(const CollectedShape & shape, unsigned int seed)
   MeasuredShape measured;
   measured.name = shape.name;
   measured.original = ComputeShapeSignature(VoxelsOfLabel(shape.image, 1), shape.image);
-  PhiloxStream stream(seed, 1, 0x53687074U);
+  PhiloxStream stream(seed, 1, purposeOfShapes);
   for (const CopyPlan & plan : CopyPlans())
   {
     const auto copy = CopyOf(shape.image, plan, stream);

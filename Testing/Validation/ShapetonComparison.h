@@ -3,6 +3,7 @@
 
 #include "ShapetonPictures.h"
 #include "ShapetonTrial.h"
+#include "Tables.h"
 #include "ValidationReport.h"
 
 #include <algorithm>
@@ -35,15 +36,9 @@ struct Comparison
   }
 };
 
-/** Formats a share as "12.3 %". */
-std::string
-Percent(double share);
 /** Formats a value with two decimals. */
 std::string
 Hundredths(double value);
-
-std::vector<std::string>
-Joined(std::vector<std::string> cells, const std::vector<std::string> & more);
 
 /** Values in the order of the keys. */
 std::vector<double>
@@ -54,7 +49,8 @@ std::string
 CaptionOf(const Trial & trial);
 
 /** First columns of all tables of trials. */
-extern const std::vector<std::string> columnsOfTrials;
+inline const std::string columnsOfTrials =
+  "method | shapetons x steps | seconds | coverage | trapped | visits per object voxel";
 std::vector<std::string>
 CellsOf(const TrialVolume & volume, const Trial & trial);
 

@@ -2,6 +2,8 @@
 
 #include "shapetonColorMap.h"
 #include "shapetonHeatAxis.h"
+#include "shapetonQuantiles.h"
+#include "shapetonTestImages.h"
 #include "shapetonVolumeRendering.h"
 
 #include <algorithm>
@@ -26,24 +28,17 @@ ColorOfLevel(unsigned int level)
 /** Whether nearly all values are equal within half a percent; ranks would then show the rounding of a converged
  * field. */
 bool
-IsFlat(std::vector<float> values)
+IsFlat(const std::vector<float> & values)
 {
-  const auto quantile = [&](double share) {
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-  };
-  return values.empty() || quantile(0.99) - quantile(0.01) < 0.005F * quantile(0.99);
+  const float high = LowerQuantile(values, 0.99);
+  return values.empty() || high - LowerQuantile(values, 0.01) < 0.005F * high;
 }
 
 template <typename TLevel>
 itk::Image<unsigned char, 3>::Pointer
 MakeLevels(const TrialVolume & volume, const TLevel & levelOfVoxel)
 {
-  auto levels = itk::Image<unsigned char, 3>::New();
-  levels->CopyInformation(volume.image);
-  levels->SetRegions(volume.image->GetLargestPossibleRegion());
-  levels->Allocate(true);
+  const auto levels = basetest::NewImageLike<itk::Image<unsigned char, 3>>(volume.image);
   for (std::size_t i = 0; i < volume.GetNumberOfVoxels(); ++i)
   {
     if (volume.IsObject(i))
@@ -96,10 +91,7 @@ RenderLevels(const itk::Image<unsigned char, 3> * levels, unsigned int width, un
   {
     lines.push_back({ (level - 0.5) * unit, (level + 0.5) * unit, ColorOfLevel(level), 1.0 });
   }
-  auto field = itk::Image<float, 3>::New();
-  field->CopyInformation(levels);
-  field->SetRegions(levels->GetLargestPossibleRegion());
-  field->Allocate();
+  const auto field = basetest::NewImageLike<itk::Image<float, 3>>(levels);
   std::transform(levels->GetBufferPointer(),
                  levels->GetBufferPointer() + levels->GetLargestPossibleRegion().GetNumberOfPixels(),
                  field->GetBufferPointer(),

@@ -56,33 +56,22 @@ CellsOfVessels(const TrialVolume & volume, const Trial & trial)
   std::vector<std::string> cells, shares;
   for (std::size_t label = 1; label <= 3; ++label)
   {
-    cells.push_back(CsvTable::Rounded(sums[label][1] / sums[label][0] / mean, 3));
+    cells.push_back(Rounded(sums[label][1] / sums[label][0] / mean));
     shares.push_back(Percent(sums[label][2] / sums[label][0]));
   }
   shares.push_back(Percent(1.0 - sums[0][1] / sums[4][1]));
-  return Joined(cells, shares);
+  return Cells() << cells << shares;
 }
 
-const std::vector<std::string> columnsOfVessels{ "start",
-                                                 "distance",
-                                                 "in voxels",
-                                                 "seconds",
-                                                 "thin vessels",
-                                                 "large vessel",
-                                                 "aneurysm",
-                                                 "thin vessels visited",
-                                                 "large vessel visited",
-                                                 "aneurysm visited",
-                                                 "visits in vessels" };
+const std::string columnsOfVessels =
+  "start | distance | in voxels | seconds | thin vessels | large vessel | aneurysm | thin vessels visited | large "
+  "vessel visited | aneurysm visited | visits in vessels";
 
 std::vector<std::string>
 RowOfVessels(const std::string & start, const TrialVolume & volume, double distance, const Trial & trial)
 {
-  return Joined({ start,
-                  CsvTable::Number(distance),
-                  CsvTable::Rounded(StepInVoxels(volume, distance), 3),
-                  CsvTable::Rounded(trial.seconds, 2) },
-                CellsOfVessels(volume, trial));
+  return Cells() << start << distance << Rounded(StepInVoxels(volume, distance)) << Rounded(trial.seconds, 2)
+                 << CellsOfVessels(volume, trial);
 }
 } // namespace
 
@@ -117,7 +106,7 @@ CompareScales(const Comparison & comparison)
       std::vector<std::string> cells{ std::to_string(walk.steps), captions[row] };
       for (const double feature : features)
       {
-        cells.push_back(CsvTable::Rounded(feature / mean, 3));
+        cells.push_back(Rounded(feature / mean));
       }
       ordered = ordered && (row != 2 || column > 0 || std::is_sorted(features.rbegin(), features.rend()));
       table.AddRow(cells);
@@ -126,11 +115,11 @@ CompareScales(const Comparison & comparison)
   }
   comparison.report.AddRows("scales", table);
   comparison.Show(sheet, "figure7.1");
-  comparison.report.AddText(
-    "The published walk shows no corners and edges at any time, as stated in 7.2.1; finally, it has fewer visits there "
-    "than inside. The controlled walk passes through the scales of CHD, "
-    "with corner > edge > face > inside at the first number of steps: " +
-    comparison.report.Check(ordered) + ". Its visits are accumulated over all steps, so they lag behind the heat.");
+  comparison.report.AddText("The published walk shows no corners and edges at any time, as stated in 7.2.1; finally, "
+                            "it has fewer visits there than inside. The controlled walk passes through the scales of "
+                            "CHD, with corner > edge > face > inside at the first number of steps: " +
+                            comparison.report.Check(ordered) +
+                            ". Its visits are accumulated over all steps, so they lag behind the heat.");
 }
 
 void
@@ -146,8 +135,8 @@ CompareDistances(const Comparison & comparison)
     "## Figure 3.7: the distance\n\nThe vessels phantom (thin vessels: radius 5 to 6 voxels) in 256^3 voxels, p = 7.5, "
     "400 steps, 65,000 shapetons, published rule, seed 1. Shapetons start anywhere or in the vessels; the source does "
     "not state which. Mean visits are relative to all voxels. CHD took " +
-    CsvTable::Rounded(heat.seconds, 2) + " s for 100,000 steps.");
-  CsvTable     table(columnsOfVessels);
+    Rounded(heat.seconds, 2) + " s for 100,000 steps.");
+  CsvTable     table(Columns(columnsOfVessels));
   PictureSheet sheet("Figure 3.7: vessels, 256^3, p = 7.5, 65,000 shapetons from the vessels, 400 steps, seed 1",
                      { 1, 5, 185, 200 });
   sheet.Put(0, 0, "CHD, 100,000 steps", RenderLevels(LevelsOf(volume, heat), 185, 200));
@@ -170,9 +159,9 @@ CompareDistances(const Comparison & comparison)
   table.AddRow(RowOfVessels("in the vessels, PathRule::Traversal", volume, 0.05, trial));
   comparison.report.AddRows("distances", table);
   comparison.Show(sheet, "vessels");
-  comparison.report.AddText("Shapetons that start anywhere visit thin vessels as often as the background, at every "
-                            "distance. Shapetons that start in the vessels jump through the walls, more with longer "
-                            "steps, and leave thin vessels first. Figure 3.7 shows "
-                            "this leakage, not scale. With PathRule::Traversal, all shapetons stay inside: " +
-                            comparison.report.Check(CellsOfVessels(volume, trial).back() == Percent(1.0)) + ".");
+  comparison.report.AddText(
+    "Shapetons that start anywhere visit thin vessels as often as the background, at every distance. Shapetons that "
+    "start in the vessels jump through the walls, more with longer steps, and leave thin vessels first. Figure 3.7 "
+    "shows this leakage, not scale. With PathRule::Traversal, all shapetons stay inside: " +
+    comparison.report.Check(CellsOfVessels(volume, trial).back() == Percent(1.0)) + ".");
 }

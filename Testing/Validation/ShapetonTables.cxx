@@ -65,9 +65,9 @@ CoverCube(const TrialVolume & volume, std::uint32_t shapetons)
   {
     std::uint64_t next = step + std::max<std::uint64_t>(1, step / 50);
     next = step < figureSteps ? std::min(next, figureSteps) : next;
-    const std::clock_t start = std::clock();
+    const Stopwatch watch;
     diffusion->Run(next);
-    seconds += ProcessorSeconds(std::clock() - start);
+    seconds += watch.ProcessorSeconds();
     step = next;
     const double coverage = diffusion->GetMeasures().GetCoverage();
     run.stepsToNearly = run.stepsToNearly == 0 && coverage >= 0.99 ? step : run.stepsToNearly;
@@ -125,16 +125,9 @@ TabulateCubeByShapetons(const Comparison & comparison)
                  std::to_string(side / 2) + ") in " + size +
                  "^3 voxels, p = 7, distance 0.01, published rule, seed 1. Steps (to 2 %) until 99 % and 100 % of the "
                  "voxels of the cube were visited. The last column is Figure 3.6.");
-  CsvTable table({ "shapetons",
-                   "ms per step, published",
-                   "ms per step",
-                   "steps, published",
-                   "steps to 99 %",
-                   "steps to 100 %",
-                   "seconds, published",
-                   "seconds to 99 %",
-                   "seconds to 100 %",
-                   "covered after 1,600 steps" });
+  CsvTable table(
+    Columns("shapetons | ms per step, published | ms per step | steps, published | steps to 99 % | steps to 100 % | "
+            "seconds, published | seconds to 99 % | seconds to 100 % | covered after 1,600 steps"));
   for (const CubeRow & row : cubeRows)
   {
     if (settings.quick && row.shapetons < 30000)
@@ -142,16 +135,11 @@ TabulateCubeByShapetons(const Comparison & comparison)
       continue;
     }
     const CubeRun run = CoverCube(volume, row.shapetons);
-    table.AddRow({ std::to_string(row.shapetons),
-                   row.milliseconds,
-                   CsvTable::Rounded(run.millisecondsPerStep, 2),
-                   row.steps,
-                   std::to_string(run.stepsToNearly),
-                   std::to_string(run.stepsToAll),
-                   row.seconds,
-                   CsvTable::Rounded(1e-3 * run.millisecondsPerStep * run.stepsToNearly, 2),
-                   CsvTable::Rounded(1e-3 * run.millisecondsPerStep * run.stepsToAll, 2),
-                   CsvTable::Rounded(100.0 * run.coverageAt1600, 4) + " %" });
+    table.AddRow(Cells() << row.shapetons << row.milliseconds << Rounded(run.millisecondsPerStep, 2) << row.steps
+                         << run.stepsToNearly << run.stepsToAll << row.seconds
+                         << Rounded(1e-3 * run.millisecondsPerStep * run.stepsToNearly, 2)
+                         << Rounded(1e-3 * run.millisecondsPerStep * run.stepsToAll, 2)
+                         << Rounded(100.0 * run.coverageAt1600, 4) + " %");
   }
   report.AddRows("cube", table);
   report.AddText(
@@ -164,21 +152,11 @@ TabulateCubeByShapetons(const Comparison & comparison)
 void
 TabulatePublishedVolumes(const Comparison & comparison)
 {
-  const ValidationSettings &         settings = comparison.settings;
-  ValidationReport &                 report = comparison.report;
-  CsvTable                           table({ "data",
-                                             "size",
-                                             "p",
-                                             "steps of CHD",
-                                             "steps of shapetons",
-                                             "CHD, ms per step, published",
-                                             "CHD, ms per step",
-                                             "shapetons, ms per step, published",
-                                             "shapetons, ms per step",
-                                             "CHD, seconds, published",
-                                             "CHD, seconds",
-                                             "shapetons, seconds, published",
-                                             "shapetons, seconds" });
+  const ValidationSettings & settings = comparison.settings;
+  ValidationReport &         report = comparison.report;
+  CsvTable table(Columns("data | size | p | steps of CHD | steps of shapetons | CHD, ms per step, published | CHD, ms "
+                         "per step | shapetons, ms per step, published | shapetons, ms per step | CHD, seconds, "
+                         "published | CHD, seconds | shapetons, seconds, published | shapetons, seconds"));
   std::array<std::vector<double>, 4> seconds; // CHD, published, shapetons, published
   for (const VolumeRow & row : volumeRows)
   {
@@ -198,27 +176,20 @@ TabulatePublishedVolumes(const Comparison & comparison)
     seconds[2].push_back(walk.seconds);
     seconds[3].push_back(publishedWalkSeconds);
     table.AddRow(
-      { row.name + std::string(real ? "" : " (phantom of this size)"),
-        std::to_string(row.size[0]) + " x " + std::to_string(row.size[1]) + " x " + std::to_string(row.size[2]),
-        CsvTable::Number(row.p),
-        std::to_string(row.heatSteps),
-        std::to_string(row.walkSteps),
-        CsvTable::Number(row.heatMilliseconds),
-        CsvTable::Rounded(1000.0 * heat.seconds / static_cast<double>(heat.steps), 2),
-        CsvTable::Number(row.walkMilliseconds),
-        CsvTable::Rounded(1000.0 * walk.seconds / static_cast<double>(walk.steps), 2),
-        CsvTable::Rounded(publishedHeatSeconds, 3),
-        CsvTable::Rounded(heat.seconds, 3),
-        CsvTable::Rounded(publishedWalkSeconds, 3),
-        CsvTable::Rounded(walk.seconds, 3) });
+      Cells() << row.name + std::string(real ? "" : " (phantom of this size)")
+              << std::to_string(row.size[0]) + " x " + std::to_string(row.size[1]) + " x " + std::to_string(row.size[2])
+              << row.p << row.heatSteps << row.walkSteps << row.heatMilliseconds
+              << Rounded(1000.0 * heat.seconds / static_cast<double>(heat.steps), 2) << row.walkMilliseconds
+              << Rounded(1000.0 * walk.seconds / static_cast<double>(walk.steps), 2) << Rounded(publishedHeatSeconds)
+              << Rounded(heat.seconds) << Rounded(publishedWalkSeconds) << Rounded(walk.seconds));
   }
-  report.AddText("## Table 3.2: published and measured times\n\n65,000 shapetons, distance 0.01, published rule, "
-                 "seed 1. Published times are from a GeForce GTX 480, ours from a CPU. Our CHD evaluates all steps by "
-                 "one Chebyshev expansion; its time per step is the total divided by the steps.");
+  report.AddText("## Table 3.2: published and measured times\n\n65,000 shapetons, distance 0.01, published rule, seed "
+                 "1. Published times are from a GeForce GTX 480, ours from a CPU. Our CHD evaluates all steps by one "
+                 "Chebyshev expansion; its time per step is the total divided by the steps.");
   report.AddRows("published", table);
   const auto range = [&](int i) {
     const auto [least, most] = std::minmax_element(seconds[i].begin(), seconds[i].end());
-    return CsvTable::Rounded(*least, 3) + " to " + CsvTable::Rounded(*most, 3);
+    return Rounded(*least) + " to " + Rounded(*most);
   };
   report.AddText("Seconds, ours and published: CHD " + range(0) + " and " + range(1) + "; shapetons " + range(2) +
                  " and " + range(3) + ".");

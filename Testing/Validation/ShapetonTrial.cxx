@@ -1,12 +1,10 @@
 #include "ShapetonTrial.h"
 
-#include "AdjustedRandIndex.h"
+#include "Overlaps.h"
+#include "SampledScenes.h"
 
 #include "shapetonHeatClassification.h"
-#include "shapetonShapePhantomImageSource.h"
 #include "shapetonVisitDensity.h"
-
-#include "itkCastImageFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,12 +20,6 @@ const WalkRule controlledWalk{ "shapetons, controlled",
                                DirectionSampling::Uniform,
                                PathRule::Traversal,
                                ParticlePlacement::InitialHeat };
-
-double
-ProcessorSeconds(std::clock_t ticks)
-{
-  return static_cast<double>(ticks) / CLOCKS_PER_SEC;
-}
 
 namespace
 {
@@ -84,14 +76,8 @@ Ranks(const std::vector<double> & values)
 TrialVolume
 MakeTrialScene(const std::string & name, const ShapeScene & scene, const itk::Size<3> & size)
 {
-  auto source = ShapePhantomImageSource::New();
-  source->SetScene(scene);
-  source->SetSize(size);
-  source->CenterOutput();
-  auto cast = itk::CastImageFilter<itk::Image<short, 3>, itk::Image<float, 3>>::New();
-  cast->SetInput(source->GetOutput());
-  cast->Update();
-  TrialVolume volume{ name, cast->GetOutput(), source->GetLabelOutput(), 0.0, 1.0 };
+  const auto  source = SampledScene(scene, size);
+  TrialVolume volume{ name, ToFloat(source->GetOutput()), source->GetLabelOutput(), 0.0, 1.0 };
   const auto  end = volume.image->GetBufferPointer() + volume.GetNumberOfVoxels();
   volume.lower = *std::min_element(volume.image->GetBufferPointer(), end);
   volume.upper = *std::max_element(volume.image->GetBufferPointer(), end);
@@ -112,13 +98,13 @@ RunHeat(const TrialVolume & volume, double p, std::uint64_t steps)
   filter->SetP(p);
   filter->SetIntensityWindow(volume.lower, volume.upper);
   filter->SetTimeSteps(steps);
-  const std::clock_t start = std::clock();
+  const Stopwatch watch;
   filter->Update();
   Trial trial;
   trial.method = "CHD";
   trial.settings = std::to_string(steps) + " steps";
   trial.field = filter->GetOutput();
-  trial.seconds = ProcessorSeconds(std::clock() - start);
+  trial.seconds = watch.ProcessorSeconds();
   trial.steps = steps;
   return trial;
 }
@@ -140,12 +126,12 @@ RunShapetons(const TrialVolume & volume, double p, const WalkRule & rule, const 
   {
     filter->SetMaskImage(volume.labels);
   }
-  const std::clock_t start = std::clock();
+  const Stopwatch watch;
   filter->Update();
   Trial trial;
   trial.method = rule.name + (settings.startInObjects ? ", from the objects" : "");
   trial.settings = std::to_string(settings.shapetons) + " x " + std::to_string(settings.steps);
-  trial.seconds = ProcessorSeconds(std::clock() - start);
+  trial.seconds = watch.ProcessorSeconds();
   trial.visits = filter->GetOutput();
   trial.field = NormalizeVisits(trial.visits);
   trial.steps = settings.steps;
@@ -207,15 +193,10 @@ CompareClasses(const TrialVolume & volume, const Trial & trial)
 {
   const HeatClassification classification =
     trial.visits ? ClassifyVisits(trial.visits, trial.field) : ClassifyHeat(trial.field);
-  std::map<int, std::map<int, double>> shared;
-  for (std::size_t i = 0; i < volume.GetNumberOfVoxels(); ++i)
-  {
-    if (const int object = volume.labels->GetBufferPointer()[i])
-    {
-      shared[object][classification.labels->GetBufferPointer()[i]] += 1.0;
-    }
-  }
-  return { classification.classes.size() - 1, AdjustedRandIndex(shared) };
+  Overlaps overlaps = OverlapsOf(
+    volume.labels->GetBufferPointer(), classification.labels->GetBufferPointer(), volume.GetNumberOfVoxels());
+  overlaps.erase(0);
+  return { classification.classes.size() - 1, AdjustedRandIndex(overlaps) };
 }
 
 double

@@ -1,12 +1,13 @@
 #ifndef ShapetonTrial_h
 #define ShapetonTrial_h
 
+#include "Times.h"
+
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonParticleDiffusionImageFilter.h"
 #include "shapetonParticlePreset.h"
 #include "shapetonShapeScene.h"
 
-#include <ctime>
 #include <map>
 #include <string>
 #include <vector>
@@ -62,10 +63,6 @@ struct WalkSettings
   bool          startInObjects{ false }; ///< start in labeled voxels; by default anywhere
 };
 
-/** CPU time of all cores, which, unlike wall time, hardly depends on other load. */
-double
-ProcessorSeconds(std::clock_t ticks);
-
 /** Result of one method on a volume. */
 struct Trial
 {
@@ -73,7 +70,7 @@ struct Trial
   std::string                           settings;
   itk::Image<float, 3>::Pointer         field;          ///< heat, or visits divided by the greatest number of visits
   itk::Image<std::uint32_t, 3>::Pointer visits;         ///< null for heat
-  double                                seconds{ 0.0 }; ///< see ProcessorSeconds()
+  double                                seconds{ 0.0 }; ///< see Stopwatch::ProcessorSeconds()
   std::uint64_t                         steps{ 0 };
   shapeton::ParticleMeasures            measures; ///< of shapetons
 };

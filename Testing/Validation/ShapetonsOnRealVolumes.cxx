@@ -1,7 +1,8 @@
 // CHD and shapetons on real volumes.
 #include "ShapetonComparison.h"
 
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
+#include "shapetonTestImages.h"
 #include "shapetonVolumeReader.h"
 
 #include "itkRegionOfInterestImageFilter.h"
@@ -78,9 +79,7 @@ LoadTrialVolume(const Comparison & comparison, const RealCase & real)
     {
       throw std::runtime_error(real.labels + " has another grid than " + real.file);
     }
-    volume.labels = itk::Image<unsigned char, 3>::New();
-    volume.labels->SetRegions(labels->GetLargestPossibleRegion());
-    volume.labels->Allocate();
+    volume.labels = basetest::NewImageLike<itk::Image<unsigned char, 3>>(labels);
     std::transform(labels->GetBufferPointer(),
                    labels->GetBufferPointer() + volume.GetNumberOfVoxels(),
                    volume.labels->GetBufferPointer(),
@@ -134,32 +133,27 @@ CompareReal(const Comparison & comparison, const RealCase & real)
                             " x " + std::to_string(size[2]) + " voxels, window " + CsvTable::Number(real.lower) +
                             " to " + CsvTable::Number(real.upper) + ", p = " + CsvTable::Number(real.p) +
                             ", distance " + CsvTable::Number(real.distance) + ", seed 1.");
-  CsvTable                 table(Joined(columnsOfTrials,
-                        { "rank correlation with the first row, voxels",
-                                          "the same, blocks of 4^3 voxels",
-                                          "rank correlation of organ means",
-                                          "variance between organs",
-                                          "adjusted Rand index" }));
+  CsvTable                 table(Columns(columnsOfTrials +
+                         " | rank correlation with the first row, voxels | the same, blocks of 4^3 voxels | rank "
+                                         "correlation of organ means | variance between organs | adjusted Rand index"));
   std::vector<std::string> trapped, ranks;
   for (const Trial * trial : std::array<const Trial *, 4>{ &trials[0], &final, &trials[1], &trials[2] })
   {
-    auto cells = Joined(CellsOf(volume, *trial),
-                        { Hundredths(RankCorrelationOfFields(volume, trials[0].field, trial->field, 1)),
-                          Hundredths(RankCorrelationOfFields(volume, trials[0].field, trial->field, 4)) });
-    trapped.push_back(cells[columnsOfTrials.size() - 2]);
-    ranks.push_back(cells[columnsOfTrials.size()]);
+    const auto own = CellsOf(volume, *trial);
+    ranks.push_back(Hundredths(RankCorrelationOfFields(volume, trials[0].field, trial->field, 1)));
+    trapped.push_back(own[4]);
+    Cells cells;
+    cells << own << ranks.back() << Hundredths(RankCorrelationOfFields(volume, trials[0].field, trial->field, 4));
     if (volume.labels)
     {
       const double organs =
         RankCorrelation(Values(MeansOfObjects(volume, trials[0].field)), Values(MeansOfObjects(volume, trial->field)));
-      cells = Joined(cells,
-                     { Hundredths(organs),
-                       Percent(VarianceBetweenObjects(volume, trial->field)),
-                       Hundredths(CompareClasses(volume, *trial).adjustedRand) });
+      cells << Hundredths(organs) << Percent(VarianceBetweenObjects(volume, trial->field))
+            << Hundredths(CompareClasses(volume, *trial).adjustedRand);
     }
     else
     {
-      cells.resize(cells.size() + 3);
+      cells << std::vector<std::string>(3);
     }
     table.AddRow(cells);
   }
@@ -197,8 +191,7 @@ const std::vector<RealCase> realCases = {
     { { 0.5, 0.5 } },
     "CHD shows hot bones and a warm body that cools towards its border. The published walk shows homogeneous tissue: "
     "visits accumulate in fat, muscle and bladder, and are rare in bones, bowel and other regions with many edges. The "
-    "controlled "
-    "walk shows bones and bowel walls. None of them segments organs." },
+    "controlled walk shows bones and bowel walls. None of them segments organs." },
   { "ankle",
     "CT of the feet (Visible Human Female, cropped)",
     "ct/visible-female-ankle",
@@ -244,27 +237,19 @@ CompareEngineByP(const Comparison & comparison)
   const TrialVolume         volume{
     "engine", ReadVolume(comparison.settings.dataFolder + "/volumes/engine.nii.gz").image, nullptr, 0.0, 255.0
   };
-  comparison.report.AddText(
-    "## Figure 3.8: p on the engine\n\n256 x 256 x 128 voxels, distance 0.05, 1,300 steps, 65,000 "
-    "shapetons, published rule, seed 1; CHD 52,000 steps (Table 3.2).");
-  CsvTable     table(Joined({ "p", "CHD, seconds" },
-                        { "shapetons, seconds",
-                              "coverage",
-                              "trapped",
-                              "rank correlation with CHD, voxels",
-                              "rank correlation, blocks of 4^3 voxels" }));
+  comparison.report.AddText("## Figure 3.8: p on the engine\n\n256 x 256 x 128 voxels, distance 0.05, 1,300 steps, "
+                            "65,000 shapetons, published rule, seed 1; CHD 52,000 steps (Table 3.2).");
+  CsvTable     table(Columns("p | CHD, seconds | shapetons, seconds | coverage | trapped | rank correlation with CHD, "
+                             "voxels | rank correlation, blocks of 4^3 voxels"));
   PictureSheet sheet("Figure 3.8: engine, distance 0.05, 65,000 shapetons, seed 1", { 2, 4, 160, 134 });
   for (std::size_t i = 0; i < steepness.size(); ++i)
   {
     const Trial heat = RunHeat(volume, steepness[i], comparison.settings.quick ? 1000 : 52000);
     const Trial walk = RunShapetons(volume, steepness[i], publishedWalk, comparison.Walk(65000, 0.05, 1300));
-    table.AddRow({ CsvTable::Number(steepness[i]),
-                   CsvTable::Rounded(heat.seconds, 2),
-                   CsvTable::Rounded(walk.seconds, 2),
-                   Percent(walk.measures.GetCoverage()),
-                   Percent(walk.measures.trappedShapetons / 65000.0),
-                   Hundredths(RankCorrelationOfFields(volume, heat.field, walk.field, 1)),
-                   Hundredths(RankCorrelationOfFields(volume, heat.field, walk.field, 4)) });
+    table.AddRow(Cells() << steepness[i] << Rounded(heat.seconds, 2) << Rounded(walk.seconds, 2)
+                         << Percent(walk.measures.GetCoverage()) << Percent(walk.measures.trappedShapetons / 65000.0)
+                         << Hundredths(RankCorrelationOfFields(volume, heat.field, walk.field, 1))
+                         << Hundredths(RankCorrelationOfFields(volume, heat.field, walk.field, 4)));
     const std::string caption = ", p = " + CsvTable::Number(steepness[i]) + ", ";
     sheet.Put(0, i, "CHD" + caption + "52,000 steps", RenderLevels(LevelsOf(volume, heat), 160, 134, 210));
     sheet.Put(1, i, "shapetons" + caption + "1,300", RenderLevels(LevelsOf(volume, walk), 160, 134, 210));

@@ -1,5 +1,6 @@
+#include "FigureTools.h"
 #include "GeneratedSurfaces.h"
-#include "ShapetonPictures.h"
+#include "Tables.h"
 #include "ValidationReport.h"
 
 #include "shapetonConformalMapPicture.h"
@@ -12,23 +13,12 @@ using namespace shapeton;
 
 namespace
 {
-SurfaceRenderingOptions
-View(const PictureSheet::Layout & layout)
-{
-  SurfaceRenderingOptions options;
-  options.width = layout.width;
-  options.height = layout.height;
-  options.annotations = false;
-  options.depthShading = 0.0;
-  return options;
-}
-
 void
 DrawFace(const SurfaceMesh & mesh, const ConformalMap & map, const std::string & path)
 {
   const PictureSheet::Layout layout{ 3, 3, 360, 360, false };
   PictureSheet               sheet("Figure 5.3: a face with three holes", layout);
-  const auto                 options = View(layout);
+  const auto                 options = ViewOf(layout);
   const auto                 checks = PolarCheckerboard(36);
   const auto                 uv = FlatCoordinates(map.flat, "the map");
   const HolomorphicForm      form = HolomorphicFormsOf(map).front();
@@ -98,14 +88,9 @@ AddMaps(const std::string &     metric,
     const double circles = DeviationFromCircles(map, places);
     const double gap = slit.modulusU / slit.modulusV - 1.0;
     largest = { { std::max(largest[0], gap), std::max(largest[1], periods), std::max(largest[2], circles) } };
-    table.AddRow({ metric,
-                   std::to_string(slit.inner + 1),
-                   CsvTable::Rounded(slit.modulusU, 5),
-                   CsvTable::Rounded(slit.modulusV, 5),
-                   CsvTable::Rounded(100.0 * gap, 2),
-                   CsvTable::Rounded(periods, 1),
-                   CsvTable::Rounded(circles, 1),
-                   report.Check(gap > 0.0 && gap < mostGap && periods < 1e-9 && circles < 1e-12) });
+    table.AddRow(Cells() << metric << slit.inner + 1 << Rounded(slit.modulusU, 5) << Rounded(slit.modulusV, 5)
+                         << Rounded(100.0 * gap, 2) << Rounded(periods, 1) << Rounded(circles, 1)
+                         << report.Check(gap > 0.0 && gap < mostGap && periods < 1e-9 && circles < 1e-12));
   }
 }
 } // namespace
@@ -122,12 +107,12 @@ ValidateSlitMapsOfFace(const ValidationSettings & settings, ValidationReport & r
   const ConformalMap        euclidean = MapConformally(mesh, options, "the face");
   options.edgeLengths = ComputeHeatDiffusionMetric(mesh, t).edgeLengths;
   const ConformalMap diffusion = MapConformally(mesh, options, "the face");
-  report.AddText("A head defined by a formula, with open eyes and mouth, cut off at the back: " +
-                 std::to_string(mesh.NumberOfFaces()) + " faces, " + std::to_string(euclidean.loops.size()) +
-                 " boundaries. Slit maps in the Euclidean metric (figure) and in the heat diffusion metric, t = 8 h^2 "
-                 "= " +
-                 CsvTable::Rounded(t, 3) + " mm^2.\n\n![](figure-5.3.png)");
-  const std::string     most = CsvTable::Rounded(100.0 * mostGap, 1) + " %";
+  report.AddText(
+    "A head defined by a formula, with open eyes and mouth, cut off at the back: " +
+    std::to_string(mesh.NumberOfFaces()) + " faces, " + std::to_string(euclidean.loops.size()) +
+    " boundaries. Slit maps in the Euclidean metric (figure) and in the heat diffusion metric, t = 8 h^2 = " +
+    Rounded(t) + " mm^2.\n\n![](figure-5.3.png)");
+  const std::string     most = Rounded(100.0 * mostGap, 1) + " %";
   CsvTable              table({ "metric",
                                 "inner circle",
                                 "modulus from u",
@@ -139,21 +124,17 @@ ValidateSlitMapsOfFace(const ValidationSettings & settings, ValidationReport & r
   std::array<double, 3> largest{};
   AddMaps("Euclidean", euclidean, mostGap, table, largest, report);
   AddMaps("heat diffusion", diffusion, mostGap, table, largest, report);
-  report.AddText("Largest gap: " + CsvTable::Rounded(100.0 * largest[0], 2) + " % (bound " + most +
-                 "); error of the periods: " + CsvTable::Rounded(largest[1], 1) +
-                 " turns (1e-9); deviation of boundaries from circles: " + CsvTable::Rounded(largest[2], 1) +
-                 " (1e-12).");
+  report.AddText("Largest gap: " + Rounded(100.0 * largest[0], 2) + " % (bound " + most +
+                 "); error of the periods: " + Rounded(largest[1], 1) +
+                 " turns (1e-9); deviation of boundaries from circles: " + Rounded(largest[2], 1) + " (1e-12).");
   report.AddRows("maps", table);
   CsvTable distortion({ "metric", "dilatation, median", "95 %", "99 %", "flips", "at slits", "none elsewhere" });
   for (const ConformalMap * map : { &euclidean, &diffusion })
   {
-    distortion.AddRow({ map == &euclidean ? "Euclidean" : "heat diffusion",
-                        CsvTable::Rounded(map->dilatation.median, 4),
-                        CsvTable::Rounded(map->dilatation.p95, 4),
-                        CsvTable::Rounded(map->dilatation.p99, 4),
-                        std::to_string(map->flips),
-                        std::to_string(map->flipsAtSlits),
-                        report.Check(map->flips == map->flipsAtSlits) });
+    distortion.AddRow(Cells() << (map == &euclidean ? "Euclidean" : "heat diffusion")
+                              << Rounded(map->dilatation.median, 4) << Rounded(map->dilatation.p95, 4)
+                              << Rounded(map->dilatation.p99, 4) << map->flips << map->flipsAtSlits
+                              << report.Check(map->flips == map->flipsAtSlits));
   }
   report.AddText("Distortion of slit map 2 in each metric; flips are allowed only at slits:");
   report.AddRows("distortion", distortion);

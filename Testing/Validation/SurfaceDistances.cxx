@@ -1,8 +1,8 @@
 #include "SurfaceDistances.h"
-#include "BoundTable.h"
+#include "Tables.h"
 
 #include "shapetonExceptions.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 #include "shapetonSquaredDistances.h"
 
 #include <algorithm>
@@ -13,13 +13,6 @@ using namespace shapeton;
 
 namespace
 {
-VoxelGrid
-GridOf(const LumenMask * mask)
-{
-  const itk::Size<3> size = mask->GetLargestPossibleRegion().GetSize();
-  return { static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) };
-}
-
 /** 0 for voxels of the surface, 1 for all others. */
 std::vector<unsigned char>
 OutsideSurface(const LumenMask * mask)
@@ -72,7 +65,7 @@ MeasureSurfaceDistances(const LumenMask * first, const LumenMask * second)
     distances.average = distances.hausdorff95 = std::numeric_limits<double>::infinity();
     return distances;
   }
-  distances.hausdorff95 = std::max(Percentile(ofA, 0.95), Percentile(ofB, 0.95));
+  distances.hausdorff95 = std::max(LowerQuantile(ofA, 0.95), LowerQuantile(ofB, 0.95));
   ofA.insert(ofA.end(), ofB.begin(), ofB.end());
   distances.average = MeanOf(ofA);
   return distances;

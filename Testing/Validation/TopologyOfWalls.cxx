@@ -1,5 +1,7 @@
 #include "LandmarkTrial.h"
 #include "RegistrationTrial.h"
+#include "Tables.h"
+#include "Times.h"
 #include "ValidationReport.h"
 
 #include "shapetonColonFlattening.h"
@@ -12,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <functional>
 
 using namespace shapeton;
@@ -46,7 +47,7 @@ Try(const Colon & colon, std::size_t position, WallTopology topology)
 {
   ValidationReport::Progress("flattening-topology: " + colon.name + ", " + colon.positions[position] + ", " +
                              WordOf(&ColonWallOptions::topology, topology));
-  const std::clock_t start = std::clock();
+  const Stopwatch    watch;
   ColonModelSettings settings;
   settings.topology = topology;
   ColonModel model = colon.models[position](settings);
@@ -62,35 +63,16 @@ Try(const Colon & colon, std::size_t position, WallTopology topology)
     trial.flattening = FlattenColon(std::move(model.wall.simplified), "the wall", options);
     trial.exam.flat = trial.flattening.map.flat;
   }
-  trial.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  trial.seconds = watch.ProcessorSeconds();
   return trial;
 }
 
 CsvTable
 EmptyTable()
 {
-  return CsvTable({ "colon",
-                    "position",
-                    "topology",
-                    "genus before / on the map",
-                    "processor, s",
-                    "modulus U",
-                    "modulus V",
-                    "dilatation in space 50 / 95 / 99 %",
-                    "above 2 / 3, %",
-                    "cut off, %",
-                    "flips",
-                    "flips away",
-                    "0 away",
-                    "folds",
-                    "taeniae",
-                    "disagreement, %" });
-}
-
-std::string
-Number(double value, int digits = 3)
-{
-  return CsvTable::Rounded(value, digits);
+  return CsvTable(Columns("colon | position | topology | genus before / on the map | processor, s | modulus U | "
+                          "modulus V | dilatation in space 50 / 95 / 99 % | above 2 / 3, % | cut off, % | flips | "
+                          "flips away | 0 away | folds | taeniae | disagreement, %"));
 }
 
 /** Share of the wall faces with a larger dilatation in space, percent; flipped faces count. */
@@ -121,18 +103,18 @@ CellsOf(const Trial & trial, ValidationReport & report)
   const DistortionQuantiles quantiles =
     QuantilesOfDilatation(flattening.distortionInSpace, FacesOfCaps(flattening.surface));
   return { std::to_string(trial.genus) + " / " + std::to_string(flattening.genusAfter),
-           Number(trial.seconds, 2),
-           Number(flattening.map.modulusU, 4),
-           Number(flattening.map.modulusV, 4),
-           Number(quantiles.median) + " / " + Number(quantiles.p95) + " / " + Number(quantiles.p99),
-           Number(ShareAbove(flattening, 2.0)) + " / " + Number(ShareAbove(flattening, 3.0)),
-           Number(100.0 * flattening.cutOffAreaFraction, 2),
+           Rounded(trial.seconds, 2),
+           Rounded(flattening.map.modulusU, 4),
+           Rounded(flattening.map.modulusV, 4),
+           Rounded(quantiles.median) + " / " + Rounded(quantiles.p95) + " / " + Rounded(quantiles.p99),
+           Rounded(ShareAbove(flattening, 2.0)) + " / " + Rounded(ShareAbove(flattening, 3.0)),
+           Rounded(100.0 * flattening.cutOffAreaFraction, 2),
            std::to_string(flattening.distortion.flips),
            std::to_string(flattening.flipsAwayFromHandles),
            report.Check(flattening.flipsAwayFromHandles == 0),
            std::to_string(FindHaustralFolds(flat).folds.size()),
            std::to_string(landmarks.taeniae.taeniae.size()),
-           Number(100.0 * landmarks.taeniae.disagreeingShare, 2) };
+           Rounded(100.0 * landmarks.taeniae.disagreeingShare, 2) };
 }
 
 /** Adds a wall; an exception is a failed check. */
@@ -166,17 +148,8 @@ AddTrial(const Colon & colon, std::size_t position, WallTopology topology, CsvTa
 CsvTable
 EmptyPairTable()
 {
-  return CsvTable({ "colon",
-                    "topology",
-                    "error, mean, mm",
-                    "95 %",
-                    "right / found / common fold pairs",
-                    "matched, %",
-                    "contradicted, %",
-                    "residual, mm",
-                    "flips",
-                    "confidence",
-                    "map exists" });
+  return CsvTable(Columns("colon | topology | error, mean, mm | 95 % | right / found / common fold pairs | matched, % "
+                          "| contradicted, % | residual, mm | flips | confidence | map exists"));
 }
 
 /** Errors exist only with a truth, shares and residuals only without. */
@@ -190,14 +163,14 @@ CellsOfPair(const std::array<Trial, 2> & trials)
     {
       throw InputError(score.failure);
     }
-    return { Number(score.errors.Mean()),
-             Number(score.errors.Percentile95()),
+    return { Rounded(score.errors.Mean()),
+             Rounded(score.errors.Percentile95()),
              std::to_string(score.right) + " / " + std::to_string(score.pairs) + " / " + std::to_string(score.common),
              "",
              "",
              "",
              std::to_string(score.flips),
-             Number(score.confidence, 2) };
+             Rounded(score.confidence, 2) };
   }
   const SupineProneRegistration registration =
     RegisterColonPositions(MakeColonPosition(trials[0].exam, "the first position", false),
@@ -206,11 +179,11 @@ CellsOfPair(const std::array<Trial, 2> & trials)
   return { "",
            "",
            "",
-           Number(100.0 * confidence.matchedShare),
-           Number(100.0 * confidence.contradictedShare, 2),
-           Number(confidence.residual),
+           Rounded(100.0 * confidence.matchedShare),
+           Rounded(100.0 * confidence.contradictedShare, 2),
+           Rounded(confidence.residual),
            std::to_string(registration.figures.flips),
-           Number(confidence.whole, 2) };
+           Rounded(confidence.whole, 2) };
 }
 
 void
@@ -289,14 +262,14 @@ ValidateTopologyOfWalls(const ValidationSettings & settings, ValidationReport & 
   else
   {
     report.AddText(
-      "The wall with each `--topology` of `VirtualColonoscopy`: `repaired` in the lumen (default), `denoised` by "
-      "loops on the simplified surface (dissertation 5.3.2), `raw` with its handles, as chapter 5 flattens it. Real "
-      "colons and a synthetic patient (CT of 1.4 mm voxels) whose loops touch in 8 places. Loops, cut and the check "
-      "of the centerline were changed after failures on the real colons and on seed 100: these rows are development "
-      "data. All maps use the default metric. Flips away: farther than 3 rings from a handle; bound 0. Above 2 / 3: "
-      "share of the faces with a larger dilatation in space, or flipped. Disagreement: share of the length on which "
-      "the two methods for taeniae differ by more than 10 mm. Processor time: from CT or mask to the map, all "
-      "threads; for phantoms it includes making the CT. Folds are not split along taeniae.");
+      "The wall with each `--topology` of `VirtualColonoscopy`: `repaired` in the lumen (default), `denoised` by loops "
+      "on the simplified surface (dissertation 5.3.2), `raw` with its handles, as chapter 5 flattens it. Real colons "
+      "and a synthetic patient (CT of 1.4 mm voxels) whose loops touch in 8 places. Loops, cut and the check of the "
+      "centerline were changed after failures on the real colons and on seed 100: these rows are development data. All "
+      "maps use the default metric. Flips away: farther than 3 rings from a handle; bound 0. Above 2 / 3: share of the "
+      "faces with a larger dilatation in space, or flipped. Disagreement: share of the length on which the two methods "
+      "for taeniae differ by more than 10 mm. Processor time: from CT or mask to the map, all threads; for phantoms it "
+      "includes making the CT. Folds are not split along taeniae.");
   }
   std::vector<Colon> colons;
   for (const unsigned int seed : settings.Seeds(1))
@@ -326,8 +299,7 @@ ValidateTopologyOfWalls(const ValidationSettings & settings, ValidationReport & 
     }
   }
   report.AddTable(walls);
-  report.AddText(
-    "Registration of the two positions. The truth of the phantoms are corresponding points of the wall that "
-    "are visible in both positions. The masks have no truth: only the agreement of their folds.");
+  report.AddText("Registration of the two positions. The truth of the phantoms are corresponding points of the wall "
+                 "that are visible in both positions. The masks have no truth: only the agreement of their folds.");
   report.AddTable(pairs);
 }

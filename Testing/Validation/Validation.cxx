@@ -34,101 +34,69 @@ const std::vector<Area> areas = {
   { "graph-embedding", "Validation of graph embeddings" },
 };
 
+/** Properties of parts. */
+constexpr unsigned int needsData = 1;
+constexpr unsigned int isLong = 2; ///< left out with --quick
+
 struct Part
 {
-  std::string                                                         area;
-  std::string                                                         name;
-  std::string                                                         title;
-  std::function<void(const ValidationSettings &, ValidationReport &)> run;
-  bool                                                                needsData;
-  bool                                                                hasQuick{ true };
+  std::string                     area;
+  std::string                     name;
+  std::string                     title;
+  std::function<ValidationOfPart> run;
+  unsigned int                    properties{ 0 };
 };
 
 const std::vector<Part> parts = {
-  { "heat", "heat-accuracy", "Accuracy of the heat", ValidateAccuracyOfHeat, false },
-  { "heat", "heat-shapes", "Heat of known shapes", ValidateHeatOfShapes, false },
-  { "heat", "heat-figures", "Figures 2.4, 2.5 and 2.7 of the dissertation", ValidateFiguresOfChapter2, false },
-  { "heat", "heat-classes", "Classes of phantoms with noise", ValidateClassesOfPhantoms, false },
-  { "heat", "heat-organs", "Heat classes and organs of a real abdomen", ValidateOrgansOfAbdomen, true },
-  { "heat", "heat-objects", "Objects from heat", ValidateObjectsOfVolumes, false },
-  { "shape-search", "shape-search", "Shape retrieval by signature", ValidateSearchOfShapes, false },
-  { "seeded-heat",
-    "seeded-heat",
-    "Labels from seeds compared with other methods",
-    ValidateSegmentationFromSeeds,
-    false },
+  { "heat", "heat-accuracy", "Accuracy of the heat", ValidateAccuracyOfHeat },
+  { "heat", "heat-shapes", "Heat of known shapes", ValidateHeatOfShapes },
+  { "heat", "heat-figures", "Figures 2.4, 2.5 and 2.7 of the dissertation", ValidateFiguresOfChapter2 },
+  { "heat", "heat-classes", "Classes of phantoms with noise", ValidateClassesOfPhantoms },
+  { "heat", "heat-organs", "Heat classes and organs of a real abdomen", ValidateOrgansOfAbdomen, needsData },
+  { "heat", "heat-objects", "Objects from heat", ValidateObjectsOfVolumes },
+  { "shape-search", "shape-search", "Shape retrieval by signature", ValidateSearchOfShapes },
+  { "seeded-heat", "seeded-heat", "Labels from seeds compared with other methods", ValidateSegmentationFromSeeds },
   { "seeded-heat",
     "seeded-heat-organs",
     "All organs from seeds compared with other methods",
     ValidateSegmentationOfOrgans,
-    true,
-    false },
-  { "shapetons", "shapeton-comparison", "CHD or shapetons?", ValidateComparisonOfShapetons, false },
-  { "shapetons", "shapeton-objects", "Objects by shapetons", ValidateObjectsByShapetons, false },
-  { "shapetons", "shapeton-walk", "Scale and time of shapetons", ValidateWalkOfShapetons, false },
-  { "flattening", "flattening-metric", "Accuracy of the heat diffusion metric", ValidateAccuracyOfMetric, false },
-  { "flattening", "flattening-accuracy", "Accuracy of flat colons", ValidateAccuracyOfFlattening, false },
-  { "flattening",
-    "flattening-distances",
-    "Figure 5.2: geodesic and diffusion distance",
-    ValidateDistancesOfHands,
-    false },
-  { "flattening", "flattening-slits", "Figure 5.3: a face with three holes", ValidateSlitMapsOfFace, false },
-  { "flattening", "flattening-handle", "Figure 5.4: a pot with and without its handle", ValidatePotWithHandle, false },
-  { "flattening", "flattening-colon", "Figure 5.5: a flat colon with handles", ValidateFlatColonWithHandles, false },
-  { "flattening",
-    "flattening-quality",
-    "Eigenpairs and times of the heat diffusion metric",
-    ValidateQualityOfMetric,
-    false },
-  { "flattening",
-    "flattening-topology",
-    "Walls with and without their handles",
-    ValidateTopologyOfWalls,
-    false,
-    false },
-  { "colon-surfaces", "colon-surfaces", "Surface and centerline of synthetic colons", ValidateColonSurfaces, false },
-  { "colon-surfaces", "colon-noise", "Synthetic colons in strong noise", ValidateColonNoise, false, false },
-  { "colon-surfaces",
-    "colon-surfaces-fine",
-    "Synthetic colons in fine voxels",
-    ValidateColonSurfacesFine,
-    false,
-    false },
-  { "colon-surfaces",
-    "colon-catheters",
-    "Rectal catheters of synthetic patients",
-    ValidateColonCatheters,
-    false,
-    false },
-  { "colon-landmarks",
-    "colon-landmarks",
-    "Folds, taeniae and flexures of synthetic colons",
-    ValidateColonLandmarks,
-    false },
+    needsData | isLong },
+  { "shapetons", "shapeton-comparison", "CHD or shapetons?", ValidateComparisonOfShapetons },
+  { "shapetons", "shapeton-objects", "Objects by shapetons", ValidateObjectsByShapetons },
+  { "shapetons", "shapeton-walk", "Scale and time of shapetons", ValidateWalkOfShapetons },
+  { "flattening", "flattening-metric", "Accuracy of the heat diffusion metric", ValidateAccuracyOfMetric },
+  { "flattening", "flattening-accuracy", "Accuracy of flat colons", ValidateAccuracyOfFlattening },
+  { "flattening", "flattening-distances", "Figure 5.2: geodesic and diffusion distance", ValidateDistancesOfHands },
+  { "flattening", "flattening-slits", "Figure 5.3: a face with three holes", ValidateSlitMapsOfFace },
+  { "flattening", "flattening-handle", "Figure 5.4: a pot with and without its handle", ValidatePotWithHandle },
+  { "flattening", "flattening-colon", "Figure 5.5: a flat colon with handles", ValidateFlatColonWithHandles },
+  { "flattening", "flattening-quality", "Eigenpairs and times of the heat diffusion metric", ValidateQualityOfMetric },
+  { "flattening", "flattening-topology", "Walls with and without their handles", ValidateTopologyOfWalls, isLong },
+  { "colon-surfaces", "colon-surfaces", "Surface and centerline of synthetic colons", ValidateColonSurfaces },
+  { "colon-surfaces", "colon-noise", "Synthetic colons in strong noise", ValidateColonNoise, isLong },
+  { "colon-surfaces", "colon-surfaces-fine", "Synthetic colons in fine voxels", ValidateColonSurfacesFine, isLong },
+  { "colon-surfaces", "colon-catheters", "Rectal catheters of synthetic patients", ValidateColonCatheters, isLong },
+  { "colon-landmarks", "colon-landmarks", "Folds, taeniae and flexures of synthetic colons", ValidateColonLandmarks },
   { "colon-landmarks",
     "colon-landmarks-ct",
     "Folds, taeniae and flexures from CT",
     ValidateColonLandmarksFromCt,
-    false,
-    false },
+    isLong },
   { "colon-registration",
     "colon-registration",
     "Supine and prone: one map between two positions",
-    ValidateColonRegistration,
-    false },
+    ValidateColonRegistration },
   { "colon-registration",
     "colon-registration-ct",
     "Supine and prone from CT",
     ValidateColonRegistrationFromCt,
-    false,
-    false },
-  { "colon-registration", "colon-pairs", "Confidence of pairs of positions", ValidateReliabilityOfPairs, false, false },
-  { "colon-polyps", "colon-polyps", "Polyp candidates of synthetic colons", ValidateColonPolyps, false },
-  { "colon-polyps", "colon-polyps-ct", "Polyp candidates from CT", ValidateColonPolypsFromCt, false, false },
-  { "colon-polyps", "colon-polyps-published", "Polyp candidates by shapetons", ValidatePublishedPolyps, false, false },
-  { "published-results", "published-results", "Colon tools beside published results", ValidatePublishedResults, false },
-  { "graph-embedding", "graph-embedding", "Embeddings of graphs", ValidateGraphEmbedding, false },
+    isLong },
+  { "colon-registration", "colon-pairs", "Confidence of pairs of positions", ValidateReliabilityOfPairs, isLong },
+  { "colon-polyps", "colon-polyps", "Polyp candidates of synthetic colons", ValidateColonPolyps },
+  { "colon-polyps", "colon-polyps-ct", "Polyp candidates from CT", ValidateColonPolypsFromCt, isLong },
+  { "colon-polyps", "colon-polyps-published", "Polyp candidates by shapetons", ValidatePublishedPolyps, isLong },
+  { "published-results", "published-results", "Colon tools beside published results", ValidatePublishedResults },
+  { "graph-embedding", "graph-embedding", "Embeddings of graphs", ValidateGraphEmbedding },
 };
 
 const Area &
@@ -173,6 +141,16 @@ struct Request
 /** Reads the value of an option; returns false if it is invalid. */
 using Taker = std::function<bool(const std::string &, Request &)>;
 
+template <typename TNumber>
+Taker
+NumberAbove0(TNumber ValidationSettings::*number)
+{
+  return [number](const std::string & value, Request & request) {
+    request.settings.*number = static_cast<TNumber>(std::max(0, std::atoi(value.c_str())));
+    return request.settings.*number > 0;
+  };
+}
+
 const std::map<std::string, Taker> takers = {
   { "--output",
     [](const std::string & value, Request & request) {
@@ -184,26 +162,10 @@ const std::map<std::string, Taker> takers = {
       request.results = value;
       return !value.empty();
     } },
-  { "--patients",
-    [](const std::string & value, Request & request) {
-      request.settings.patients = std::atoi(value.c_str());
-      return request.settings.patients > 0;
-    } },
-  { "--firstSeed",
-    [](const std::string & value, Request & request) {
-      request.settings.firstSeed = static_cast<unsigned int>(std::max(0, std::atoi(value.c_str())));
-      return request.settings.firstSeed > 0;
-    } },
-  { "--draws",
-    [](const std::string & value, Request & request) {
-      request.settings.draws = std::atoi(value.c_str());
-      return request.settings.draws > 0;
-    } },
-  { "--seedsOfLabel",
-    [](const std::string & value, Request & request) {
-      request.settings.seedsOfLabel = std::atoi(value.c_str());
-      return request.settings.seedsOfLabel > 0;
-    } },
+  { "--patients", NumberAbove0(&ValidationSettings::patients) },
+  { "--firstSeed", NumberAbove0(&ValidationSettings::firstSeed) },
+  { "--draws", NumberAbove0(&ValidationSettings::draws) },
+  { "--seedsOfLabel", NumberAbove0(&ValidationSettings::seedsOfLabel) },
   { "--preset",
     [](const std::string & value, Request & request) {
       request.settings.presets.assign(1, value);
@@ -276,12 +238,13 @@ Run(const Request & request)
   unsigned int done = 0;
   for (const Part & part : parts)
   {
-    if ((!request.wanted.empty() && request.wanted != part.name) || (request.settings.quick && !part.hasQuick))
+    if ((!request.wanted.empty() && request.wanted != part.name) ||
+        (request.settings.quick && (part.properties & isLong) != 0))
     {
       continue;
     }
     ++done;
-    if (part.needsData && request.settings.dataFolder.empty())
+    if ((part.properties & needsData) != 0 && request.settings.dataFolder.empty())
     {
       std::printf("%-16s skipped: SHAPETON_TEST_DATA_DIR is not set\n", part.name.c_str());
       continue;
@@ -306,8 +269,7 @@ main(int argc, char * argv[])
   if (!Parse({ argv + 1, argv + argc }, request))
   {
     return Fail("usage: Validation [--quick] [--patients N] [--firstSeed N] [--preset NAME] [--draws N] "
-                "[--seedsOfLabel N] [--output FOLDER] [--results FOLDER] "
-                "[PART], PART one of " +
+                "[--seedsOfLabel N] [--output FOLDER] [--results FOLDER] [PART], PART one of " +
                 PartNames());
   }
   if (const char * const folder = std::getenv("SHAPETON_TEST_DATA_DIR"))

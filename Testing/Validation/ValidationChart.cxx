@@ -1,4 +1,5 @@
 #include "ValidationChart.h"
+#include "Tables.h"
 
 #include "shapetonCsvTable.h"
 
@@ -10,8 +11,6 @@
 
 namespace
 {
-using shapeton::CsvTable;
-
 constexpr double left = 80, right = 600, top = 20, bottom = 400;
 
 /** Logarithmic axis: maps powers of ten around the values to positions on the page. */
@@ -40,15 +39,15 @@ struct Axis
 std::string
 Text(double x, double y, const std::string & anchor, const std::string & text, const std::string & more = "")
 {
-  return "<text x=\"" + CsvTable::Rounded(x, 5) + "\" y=\"" + CsvTable::Rounded(y, 5) + "\" text-anchor=\"" + anchor +
-         "\"" + more + ">" + text + "</text>\n";
+  return "<text x=\"" + Rounded(x, 5) + "\" y=\"" + Rounded(y, 5) + "\" text-anchor=\"" + anchor + "\"" + more + ">" +
+         text + "</text>\n";
 }
 
 std::string
 Line(double x1, double y1, double x2, double y2, const std::string & color)
 {
-  return "<line x1=\"" + CsvTable::Rounded(x1, 5) + "\" y1=\"" + CsvTable::Rounded(y1, 5) + "\" x2=\"" +
-         CsvTable::Rounded(x2, 5) + "\" y2=\"" + CsvTable::Rounded(y2, 5) + "\" stroke=\"" + color + "\"/>\n";
+  return "<line x1=\"" + Rounded(x1, 5) + "\" y1=\"" + Rounded(y1, 5) + "\" x2=\"" + Rounded(x2, 5) + "\" y2=\"" +
+         Rounded(y2, 5) + "\" stroke=\"" + color + "\"/>\n";
 }
 
 /** Grid lines at 1, 2 and 5 times each power of ten. */
@@ -70,8 +69,8 @@ Grid(const Axis & x, const Axis & y)
         }
         const double place = axis.Place(value);
         svg += isX ? Line(place, top, place, bottom, "#ddd") : Line(left, place, right, place, "#ddd");
-        svg += isX ? Text(place, bottom + 18, "middle", CsvTable::Number(value))
-                   : Text(left - 8, place + 4, "end", CsvTable::Number(value));
+        svg += isX ? Text(place, bottom + 18, "middle", shapeton::CsvTable::Number(value))
+                   : Text(left - 8, place + 4, "end", shapeton::CsvTable::Number(value));
       }
     }
   }
@@ -106,8 +105,8 @@ WriteLogarithmicChart(const std::string &              path,
     std::string       points;
     for (const auto & point : series[i].points)
     {
-      const std::string px = CsvTable::Rounded(x.Place(point.first), 5);
-      const std::string py = CsvTable::Rounded(y.Place(point.second), 5);
+      const std::string px = Rounded(x.Place(point.first), 5);
+      const std::string py = Rounded(y.Place(point.second), 5);
       points += px + "," + py + " ";
       svg += "<circle cx=\"" + px + "\" cy=\"" + py + "\" r=\"4\" fill=\"" + color + "\"/>\n";
     }

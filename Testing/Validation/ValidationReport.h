@@ -124,73 +124,17 @@ struct ValidationSettings
   std::string              outputFolder{ "." }; ///< folder of the pictures of Documentation/validation
   std::string              pictureFolder;       ///< folder of pictures in Documentation/pictures
 };
-void
-ValidateAccuracyOfHeat(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateHeatOfShapes(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateFiguresOfChapter2(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateClassesOfPhantoms(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateOrgansOfAbdomen(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateComparisonOfShapetons(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateObjectsByShapetons(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateWalkOfShapetons(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateSearchOfShapes(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateObjectsOfVolumes(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateSegmentationFromSeeds(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateSegmentationOfOrgans(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateAccuracyOfMetric(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateAccuracyOfFlattening(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateDistancesOfHands(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateSlitMapsOfFace(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidatePotWithHandle(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateFlatColonWithHandles(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateQualityOfMetric(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateTopologyOfWalls(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateColonSurfaces(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateColonLandmarks(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateColonLandmarksFromCt(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateColonRegistration(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateColonRegistrationFromCt(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateColonCatheters(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateReliabilityOfPairs(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateColonPolyps(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateColonPolypsFromCt(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidatePublishedPolyps(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateColonNoise(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateColonSurfacesFine(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidatePublishedResults(const ValidationSettings & settings, ValidationReport & report);
-void
-ValidateGraphEmbedding(const ValidationSettings & settings, ValidationReport & report);
+
+/** A part of the validation, which adds its results to the report. */
+using ValidationOfPart = void(const ValidationSettings & settings, ValidationReport & report);
+ValidationOfPart ValidateAccuracyOfHeat, ValidateHeatOfShapes, ValidateFiguresOfChapter2, ValidateClassesOfPhantoms,
+  ValidateOrgansOfAbdomen, ValidateComparisonOfShapetons, ValidateObjectsByShapetons, ValidateWalkOfShapetons,
+  ValidateSearchOfShapes, ValidateObjectsOfVolumes, ValidateSegmentationFromSeeds, ValidateSegmentationOfOrgans,
+  ValidateAccuracyOfMetric, ValidateAccuracyOfFlattening, ValidateDistancesOfHands, ValidateSlitMapsOfFace,
+  ValidatePotWithHandle, ValidateFlatColonWithHandles, ValidateQualityOfMetric, ValidateTopologyOfWalls,
+  ValidateColonSurfaces, ValidateColonLandmarks, ValidateColonLandmarksFromCt, ValidateColonRegistration,
+  ValidateColonRegistrationFromCt, ValidateColonCatheters, ValidateReliabilityOfPairs, ValidateColonPolyps,
+  ValidateColonPolypsFromCt, ValidatePublishedPolyps, ValidateColonNoise, ValidateColonSurfacesFine,
+  ValidatePublishedResults, ValidateGraphEmbedding;
 
 #endif

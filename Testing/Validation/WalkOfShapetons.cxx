@@ -1,4 +1,5 @@
 // Open question 7.2.1 of the dissertation: the relation between the number of shapeton steps and scale.
+#include "Tables.h"
 #include "ValidationChart.h"
 #include "ValidationReport.h"
 #include "ValidationVolumes.h"
@@ -142,8 +143,7 @@ struct Percent
     const MeanInterval interval(squares);
     const auto         root = [&](double value) { return 100.0 * std::sqrt(std::max(0.0, value)) / whole; };
     value = root(interval.mean);
-    text = CsvTable::Rounded(value, 3) + " [" + CsvTable::Rounded(root(interval.lower), 3) + ", " +
-           CsvTable::Rounded(root(interval.upper), 3) + "]";
+    text = Rounded(value) + " [" + Rounded(root(interval.lower)) + ", " + Rounded(root(interval.upper)) + "]";
   }
   double      value;
   std::string text;
@@ -159,10 +159,9 @@ VarianceOfStep(double stepInVoxels)
 void
 SpreadOfTheWalk(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText(
-    "## Variance of a step\n\nTraversal with uniform directions and without walls: variance of the "
-    "displacement along an axis per step, compared with the closed form of EquivalentHeatTimeSteps(). Four "
-    "steps from one voxel of 64^3; bound of each deviation: five standard errors.");
+  report.AddText("## Variance of a step\n\nTraversal with uniform directions and without walls: variance of the "
+                 "displacement along an axis per step, compared with the closed form of EquivalentHeatTimeSteps(). "
+                 "Four steps from one voxel of 64^3; bound of each deviation: five standard errors.");
   CsvTable            table({ "step a, voxels", "closed form", "measured per step", "standard error", "" });
   const std::uint32_t shapetons = settings.quick ? 20000 : 500000;
   constexpr double    steps = 4;
@@ -187,11 +186,8 @@ SpreadOfTheWalk(const ValidationSettings & settings, ValidationReport & report)
       }
     }
     const double error = std::sqrt((fourths - squares * squares) / (3.0 * shapetons)) / steps;
-    table.AddRow({ CsvTable::Number(a),
-                   CsvTable::Rounded(VarianceOfStep(a), 5),
-                   CsvTable::Rounded(squares / steps, 5),
-                   CsvTable::Rounded(error, 2),
-                   report.Check(std::abs(squares / steps - VarianceOfStep(a)) < 5.0 * error) });
+    table.AddRow(Cells() << a << Rounded(VarianceOfStep(a), 5) << Rounded(squares / steps, 5) << Rounded(error, 2)
+                         << report.Check(std::abs(squares / steps - VarianceOfStep(a)) < 5.0 * error));
   }
   report.AddRows("steps", table);
 }
@@ -247,21 +243,16 @@ DeviationFromHeat(const ValidationSettings & settings, const Walk & walk, bool h
 void
 BiasOfTheWalk(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText(
-    "## Deviation from heat\n\nClosed objects of 12^3 voxels: 'soft', with weights strictly between 0 "
-    "and 1 (about .1 and .98, p = 2), and 'walls', with weights 0 and 1 only. Shapetons placed by initial heat walk by "
-    "traversal. Deviation: root mean square of expected visits minus the mean heat at the same times, both relative to "
-    "their means, in percent of the standard deviation of the heat. Products of the deviations of two seeds cancel "
-    "sampling errors. Duration: about 33 time steps of 1/12.");
+  report.AddText("## Deviation from heat\n\nClosed objects of 12^3 voxels: 'soft', with weights strictly between 0 and "
+                 "1 (about .1 and .98, p = 2), and 'walls', with weights 0 and 1 only. Shapetons placed by initial "
+                 "heat walk by traversal. Deviation: root mean square of expected visits minus the mean heat at the "
+                 "same times, both relative to their means, in percent of the standard deviation of the heat. Products "
+                 "of the deviations of two seeds cancel sampling errors. Duration: about 33 time steps of 1/12.");
   const std::vector<double> lengths =
     settings.quick ? std::vector<double>{ 2.0, 0.5 } : std::vector<double>{ 4.0, 2.0, 1.5, 1.0, 0.7, 0.5, 0.25, 0.1 };
-  const double             duration = 2.75;
-  CsvTable                 table({ "step a, voxels",
-                                   "steps",
-                                   "uniform directions, soft, %",
-                                   "uniform directions, walls, %",
-                                   "by solid angle, soft, %",
-                                   "by solid angle, walls, %" });
+  const double duration = 2.75;
+  CsvTable     table(Columns("step a, voxels | steps | uniform directions, soft, % | uniform directions, walls, % | by "
+                             "solid angle, soft, % | by solid angle, walls, %"));
   std::vector<ChartSeries> series = {
     { "uniform, soft", {} }, { "uniform, walls", {} }, { "solid angle, soft", {} }, { "solid angle, walls", {} }
   };
@@ -403,7 +394,7 @@ struct StateOfCube
       means[i] = MeanInterval(values[i]).mean;
       cells.push_back(MeanWithInterval(values[i]));
     }
-    cells.push_back(CsvTable::Rounded(correlation, 3));
+    cells.push_back(Rounded(correlation));
   }
 
   double                   correlation;
@@ -422,11 +413,10 @@ void
 ScaleOfStates(const ValidationSettings & settings, ValidationReport & report)
 {
   report.AddText(
-    "## Scale by time: figure 7.1\n\nThe cube of figure 2.4, side 40 in 64^3 voxels, p = 7, steps of 2/3 voxel. "
-    "Visits near corners, edges and faces (2 voxels deep) and around the center, and their correlation over the cube "
-    "with the mean heat of the steps up to t. The numbers of steps of the walks correspond to the spread of t time "
-    "steps of heat: t / "
-    "2 by traversal, 1.125 t by endpoints, where a step has the variance a^2 / 3.");
+    "## Scale by time: figure 7.1\n\nThe cube of figure 2.4, side 40 in 64^3 voxels, p = 7, steps of 2/3 voxel. Visits "
+    "near corners, edges and faces (2 voxels deep) and around the center, and their correlation over the cube with the "
+    "mean heat of the steps up to t. The numbers of steps of the walks correspond to the spread of t time steps of "
+    "heat: t / 2 by traversal, 1.125 t by endpoints, where a step has the variance a^2 / 3.");
   const test::Volume               volume = Cube(64, cubeSide);
   const Mask                       domain = MaskOf(volume);
   const std::vector<std::uint64_t> times =
@@ -443,7 +433,7 @@ ScaleOfStates(const ValidationSettings & settings, ValidationReport & report)
     std::vector<std::string> row = { std::to_string(times[i]), "heat" };
     for (const double value : heat)
     {
-      row.push_back(CsvTable::Rounded(value, 4));
+      row.push_back(Rounded(value, 4));
     }
     row.insert(row.end(), { "1", "" });
     table.AddRow(row);
@@ -535,17 +525,14 @@ UniformPlacement(const ValidationSettings & settings, ValidationReport & report)
       const bool uniform = sampling == DirectionSampling::Uniform;
       (uniform ? largestOfUniform : smallestOfOthers) =
         uniform ? std::max(largestOfUniform, deviation.value) : std::min(smallestOfOthers, deviation.value);
-      table.AddRow({ path == PathRule::Traversal ? "traversal" : "endpoint",
-                     NameOf(sampling),
-                     deviation.text,
-                     MeanWithInterval(layers[0]),
-                     MeanWithInterval(layers[1]),
-                     report.Check(uniform ? deviation.value < 2.0 : deviation.value > 4.0) });
+      table.AddRow(Cells() << (path == PathRule::Traversal ? "traversal" : "endpoint") << NameOf(sampling)
+                           << deviation.text << MeanWithInterval(layers[0]) << MeanWithInterval(layers[1])
+                           << report.Check(uniform ? deviation.value < 2.0 : deviation.value > 4.0));
     }
   }
   report.AddRows("uniform", table);
-  report.AddText("Largest with uniform directions: " + CsvTable::Rounded(largestOfUniform, 3) +
-                 " % (bound 2 %). Smallest with other directions: " + CsvTable::Rounded(smallestOfOthers, 3) +
+  report.AddText("Largest with uniform directions: " + Rounded(largestOfUniform) +
+                 " % (bound 2 %). Smallest with other directions: " + Rounded(smallestOfOthers) +
                  " % (bound 4 %). A walk with a symmetric transition matrix keeps a uniform density, so uniform "
                  "placement shows nothing. All contrast of the published process is caused by its directions, which "
                  "point away from walls: both sides of a wall are visited less, regardless of the object's shape.");
@@ -652,19 +639,11 @@ AddObjects(const test::Volume &         volume,
     const double difference = MeanInterval(b).mean - mean;
     checks.push_back(walk.path == PathRule::Traversal ? report.Check(std::abs(difference) < 5.0 * error) : "");
     largest = std::max(largest, std::abs(difference));
-    table.AddRow({ walk.name,
-                   name,
-                   MeanWithInterval(a),
-                   MeanWithInterval(b),
-                   MeanWithInterval(Differences(b, a)),
-                   checks.back(),
-                   between.text });
+    table.AddRow(Cells() << walk.name << name << MeanWithInterval(a) << MeanWithInterval(b)
+                         << MeanWithInterval(Differences(b, a)) << checks.back() << between.text);
   }
-  summary.AddRow({ walk.name,
-                   CsvTable::Rounded(largest, 4),
-                   checks.front().empty() ? "" : "five standard errors",
-                   ResultOf(checks),
-                   between.text });
+  summary.AddRow(Cells() << walk.name << Rounded(largest, 4) << (checks.front().empty() ? "" : "five standard errors")
+                         << ResultOf(checks) << between.text);
 }
 
 void
@@ -677,13 +656,12 @@ ResolutionOfTheResult(const ValidationSettings & settings, ValidationReport & re
   const std::uint64_t steps = settings.quick ? 20 : 200;
   const std::uint32_t shapetons = settings.quick ? 10000 : 65536;
   const unsigned int  seeds = settings.quick ? 2 : 6;
-  report.AddText(
-    "## Resolution of the volume\n\nA ball, a box and a thin plate in 32^3 voxels, and the same with each voxel cut "
-    "into 4^3; distance .05 (1.6 and 6.4 voxels), " +
-    std::to_string(steps) +
-    " steps, p = 7. Difference: change of the visits per mm^3 of an object, relative to the mean of the volume. "
-    "Standard deviation: of the change of the expected visits of coarse voxels, in percent of that of the coarse "
-    "visits.");
+  report.AddText("## Resolution of the volume\n\nA ball, a box and a thin plate in 32^3 voxels, and the same with each "
+                 "voxel cut into 4^3; distance .05 (1.6 and 6.4 voxels), " +
+                 std::to_string(steps) +
+                 " steps, p = 7. Difference: change of the visits per mm^3 of an object, relative to the mean of the "
+                 "volume. Standard deviation: of the change of the expected visits of coarse voxels, in percent of "
+                 "that of the coarse visits.");
   CsvTable table({ "walk", "object", "32^3", "128^3", "difference", "", "standard deviation between them, %" });
   CsvTable summary({ "walk", "largest difference of an object", "bound", "", "standard deviation between them, %" });
   for (const Walk & walk : { likeHeat, solidAngle, published, repaired })

@@ -6,7 +6,7 @@
 #include "shapetonAutomaticParameters.h"
 #include "shapetonExceptions.h"
 #include "shapetonHeatSeeds.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 #include "shapetonSeededHeatSegmentationImageFilter.h"
 
 #include <atomic>

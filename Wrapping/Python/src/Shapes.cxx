@@ -3,7 +3,7 @@
 #include "Options.h"
 
 #include "shapetonExceptions.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 #include "shapetonShapeDatabase.h"
 
 namespace shapeton::python

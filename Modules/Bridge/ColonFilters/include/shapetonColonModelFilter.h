@@ -4,7 +4,7 @@
 #include "shapetonColonLumenOptionsMethods.h"
 #include "shapetonColonModel.h"
 #include "shapetonColonWallOptionsMethods.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 #include "shapetonStageFilter.h"
 
 #include "itkImageToMeshFilter.h"

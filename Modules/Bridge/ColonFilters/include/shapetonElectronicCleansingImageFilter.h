@@ -2,7 +2,7 @@
 #define shapetonElectronicCleansingImageFilter_h
 
 #include "shapetonElectronicCleansing.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 #include "shapetonStageFilter.h"
 
 #include "itkImageToImageFilter.h"

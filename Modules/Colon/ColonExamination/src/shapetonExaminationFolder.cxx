@@ -7,7 +7,7 @@
 #include "shapetonParallelFor.h"
 #include "shapetonPolypSearch.h"
 #include "shapetonReadImage.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonVolume.h"
 

@@ -3,6 +3,7 @@
 #include "shapetonCenterlineShape.h"
 #include "shapetonExceptions.h"
 #include "shapetonFlatSurface.h"
+#include "shapetonQuantiles.h"
 #include "shapetonSurfaceConnectivity.h"
 
 #include <algorithm>
@@ -18,13 +19,6 @@ constexpr double greatestShareOutside = 0.1;
 /** Lower bound of the wall radius, mm. */
 constexpr double leastRadius = 8.0;
 constexpr double pixelSize = 2.0; // mm; sufficient for the center of the tube
-
-double
-Median(std::vector<double> values)
-{
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
 
 /** Fit of a line to the columns assigned to its points. */
 struct MatchQuality
@@ -52,7 +46,7 @@ QualityOf(const FlatColonAxis & axis, const CenterlineMatch & match)
     all += length;
     outside += distances.back() > std::max(axis.radii[column], leastRadius) ? length : 0.0;
   }
-  return { all > 0.0 ? outside / all : 1.0, Median(distances) };
+  return { all > 0.0 ? outside / all : 1.0, UpperMedian(distances) };
 }
 
 /** Median distance of the points of the line from the nearest column center, mm. */
@@ -64,7 +58,7 @@ MedianDistanceOfLine(const FlatColonAxis & axis, const VertexMatrix & points)
   {
     distances.push_back(std::sqrt((axis.centers.rowwise() - points.row(i)).rowwise().squaredNorm().minCoeff()));
   }
-  return Median(distances);
+  return UpperMedian(distances);
 }
 
 CurveSet

@@ -1,5 +1,6 @@
 #include "shapetonPelvis.h"
 
+#include "shapetonQuantiles.h"
 #include "shapetonVoxelRuns.h"
 
 #include <algorithm>
@@ -291,8 +292,7 @@ FrontAbove(const std::vector<std::vector<double>> & layers, int crest, int numbe
     const auto front = FrontBehind(layers[k], std::numeric_limits<double>::lowest());
     fronts.insert(fronts.end(), front ? 1 : 0, front.value_or(0.0));
   }
-  std::sort(fronts.begin(), fronts.end());
-  return fronts.empty() ? std::numeric_limits<double>::lowest() : fronts[fronts.size() / 2];
+  return fronts.empty() ? std::numeric_limits<double>::lowest() : UpperMedian(std::move(fronts));
 }
 
 /** The most prominent point of the front edge of the spine, followed downward from the crests. Bowel with contrast

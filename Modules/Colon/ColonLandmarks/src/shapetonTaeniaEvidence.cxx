@@ -3,6 +3,7 @@
 #include "shapetonFlatColonAxis.h"
 #include "shapetonGaussianWeights.h"
 #include "shapetonPi.h"
+#include "shapetonQuantiles.h"
 #include "shapetonSmoothedRows.h"
 #include "shapetonWallBetweenFolds.h"
 
@@ -85,10 +86,8 @@ BoundWhatSpeaksAgainst(TaeniaEvidence & evidence)
 {
   for (auto row = evidence.cost.begin(); row != evidence.cost.end(); row += anglesAround)
   {
-    std::vector<float> sorted(row, row + anglesAround);
-    const auto         median = sorted.begin() + anglesAround / 2;
-    std::nth_element(sorted.begin(), median, sorted.end());
-    std::transform(row, row + anglesAround, row, [median = *median](float cost) {
+    const float median = UpperMedian(std::vector<float>(row, row + anglesAround));
+    std::transform(row, row + anglesAround, row, [median](float cost) {
       const double beside = cost - median;
       return static_cast<float>(beside > 0.0 ? mostAgainst * std::tanh(beside / mostAgainst) : beside);
     });

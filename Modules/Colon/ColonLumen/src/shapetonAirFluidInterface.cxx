@@ -1,6 +1,7 @@
 #include "shapetonAirFluidInterface.h"
 
 #include "shapetonParallelFor.h"
+#include "shapetonQuantiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -224,15 +225,14 @@ LevelSurface::Collect(const VoxelValues &                hu,
 }
 
 void
-LevelSurface::MeasureBlur(std::vector<double> & shares)
+LevelSurface::MeasureBlur(const std::vector<double> & shares)
 {
   constexpr std::size_t leastRises = 50;
   if (shares.size() < leastRises)
   {
     return;
   }
-  std::nth_element(shares.begin(), shares.begin() + shares.size() / 2, shares.end());
-  const double median = shares[shares.size() / 2];
+  const double median = UpperMedian(shares);
   double       low = LowestBlur;
   double       high = HighestBlur;
   // Bisection for the sigma whose rise over the step that contains the crossing equals the median. The crossing is

@@ -69,7 +69,7 @@ private:
   bool
   Crossing(const VoxelValues & hu, std::size_t voxel, double half, double & depth, double & rise) const;
   void
-  MeasureBlur(std::vector<double> & shares);
+  MeasureBlur(const std::vector<double> & shares);
 
   const ColonGrid &                m_Grid;
   const GravitySteps &             m_Fall;

@@ -1,5 +1,6 @@
 #include "shapetonCatheterSearch.h"
 
+#include "shapetonQuantiles.h"
 #include "shapetonTubeBores.h"
 
 #include <algorithm>
@@ -38,14 +39,6 @@ constexpr Margin ShareMargin{ 0.9, 0.1 };      // of the rays, in 6 mm of sectio
 constexpr Margin NarrowestMargin{ 1.0, 0.25 }; // mm, radius of the bore
 constexpr Margin WidestMargin{ 4.5, -0.75 };   // mm
 
-double
-Percentile(std::vector<double> values, double share)
-{
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::lround(share * (values.size() - 1)));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 /** Sections with a sufficient fraction of enclosed rays, in descending order. */
 std::vector<const TubeSection *>
 EnclosedSections(const std::vector<TubeSection> & sections)
@@ -80,8 +73,8 @@ MeasureWall(const std::vector<const TubeSection *> & enclosed, CatheterTube & tu
       }
     }
   }
-  tube.outerRadius = MedianOf(outer);
-  tube.wallHU = MedianOf(hu);
+  tube.outerRadius = UpperMedian(outer);
+  tube.wallHU = UpperMedian(hu);
 }
 
 /** Range of consecutive sections; the last is excluded. */
@@ -165,7 +158,7 @@ TubeOf(const std::vector<TubeSection> & sections)
     return tube;
   }
   const auto radii = MeasuredAlong(sections, even, [](const TubeSection & s) { return s.BoreRadius(); });
-  tube.boreRadius = MedianOf(radii);
+  tube.boreRadius = UpperMedian(radii);
   const Stretch whole = AcrossHoles(sections, even, tube.boreRadius);
   tube.sections.assign(sections.begin() + whole.first, sections.begin() + whole.last);
   const auto enclosed = EnclosedSections(tube.sections);
@@ -177,8 +170,8 @@ TubeOf(const std::vector<TubeSection> & sections)
   CatheterEvidence & e = tube.evidence;
   e.length = static_cast<double>(even.Length());
   constexpr double upper = 0.8, lower = 0.2; // quantiles
-  e.boreSpread = Percentile(radii, upper) - Percentile(radii, lower);
-  e.ovality = MedianOf(MeasuredAlong(sections, even, [](const TubeSection & s) { return s.Ovality(); }));
+  e.boreSpread = NearestQuantile(radii, upper) - NearestQuantile(radii, lower);
+  e.ovality = UpperMedian(MeasuredAlong(sections, even, [](const TubeSection & s) { return s.Ovality(); }));
   e.enclosedLength = static_cast<double>(enclosed.size());
   e.enclosedShare = enclosed[std::min<std::size_t>(EnclosedMargin.limit, enclosed.size()) - 1]->EnclosedShare();
   e.confidence = std::min({ LengthMargin.Of(e.length),

@@ -2,6 +2,7 @@
 
 #include "shapetonDisjointSets.h"
 #include "shapetonInterruption.h"
+#include "shapetonQuantiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -147,10 +148,8 @@ public:
     {
       values.push_back(m_Field.hu[p]);
     }
-    const auto middle = values.begin() + values.size() / 2;
-    std::nth_element(values.begin(), middle, values.end());
     const auto & t = m_Field.evidence.thresholds;
-    return std::abs(*middle - t.fluid) <= SimilarFluid * (t.fluid - t.tissue);
+    return std::abs(UpperMedian(std::move(values)) - t.fluid) <= SimilarFluid * (t.fluid - t.tissue);
   }
 
   /** Openings to the pieces of the lumen that are large enough. */

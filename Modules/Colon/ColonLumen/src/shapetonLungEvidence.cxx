@@ -1,6 +1,7 @@
 #include "shapetonLungEvidence.h"
 
 #include "shapetonParallelFor.h"
+#include "shapetonQuantiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -148,9 +149,7 @@ RoomAir(const ColonGrid & grid, const VoxelValues & hu, const GasOfVolume & gas)
   {
     return air;
   }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return std::clamp<double>(*middle, air, brightestAir);
+  return std::clamp<double>(UpperMedian(std::move(values)), air, brightestAir);
 }
 
 /** Block statistics of a piece. */
@@ -200,9 +199,7 @@ LungSearch::Measure(int piece) const
   }
   if (!shares.means.empty())
   {
-    const auto middle = shares.means.begin() + static_cast<std::ptrdiff_t>(shares.means.size() / 2);
-    std::nth_element(shares.means.begin(), middle, shares.means.end());
-    evidence.excess = *middle - m_Air;
+    evidence.excess = UpperMedian(shares.means) - m_Air;
   }
   return evidence;
 }

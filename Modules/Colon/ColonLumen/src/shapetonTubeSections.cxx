@@ -2,6 +2,7 @@
 
 #include "shapetonGaussianWeights.h"
 #include "shapetonPi.h"
+#include "shapetonQuantiles.h"
 
 #include <Eigen/Geometry>
 
@@ -184,18 +185,6 @@ CrossLayer(const CatheterRegion & region, const OutwardRay & ray, double inner, 
 }
 
 double
-MedianOf(std::vector<double> values)
-{
-  if (values.empty())
-  {
-    return 0.0;
-  }
-  const auto middle = values.begin() + values.size() / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-double
 CatheterRegion::ValueAt(const Eigen::Vector3d & position) const
 {
   const Eigen::Vector3d voxel = grid.VoxelOf(position);
@@ -304,7 +293,7 @@ TubeSection::BoreRadius() const
       radii.push_back(ray.inner);
     }
   }
-  return MedianOf(std::move(radii));
+  return UpperMedian(std::move(radii));
 }
 
 double

@@ -110,10 +110,6 @@ CrossLayer(const CatheterRegion & region, const OutwardRay & ray, double inner, 
 /** One section per point of an axis, centered in the bore. */
 std::vector<TubeSection>
 MeasureSections(const CatheterRegion & region, BoreAxis axis);
-
-/** Median of an odd number of values; 0 if empty. */
-double
-MedianOf(std::vector<double> values);
 } // namespace shapeton
 
 #endif

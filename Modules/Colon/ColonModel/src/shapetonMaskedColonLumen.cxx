@@ -2,6 +2,7 @@
 
 #include "shapetonColonGravity.h"
 #include "shapetonExceptions.h"
+#include "shapetonQuantiles.h"
 
 #include "itkImageRegionConstIterator.h"
 #include "itkImageRegionConstIteratorWithIndex.h"
@@ -117,15 +118,6 @@ ChooseGravity(const std::vector<PieceSums> & sums, const std::string & position,
   lumen.warnings.push_back("no patient position is given and the lumen contains no fluid; supine is assumed");
 }
 
-/** \pre `values` is not empty. */
-double
-MedianOf(std::vector<float> & values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /** Intensities of pure gas and fluid, from voxels at least 2 mm and 1.5 voxels deep. */
 void
 MeasureThresholds(const itk::Image<float, 3> * ct, const LumenDistanceImage * distance, ColonLumen & lumen)
@@ -152,14 +144,14 @@ MeasureThresholds(const itk::Image<float, 3> * ct, const LumenDistanceImage * di
   }
   ColonThresholds & thresholds = lumen.thresholds;
   thresholds.tissue = TypicalTissue;
-  thresholds.gas = MedianOf(gas);
+  thresholds.gas = UpperMedian(std::move(gas));
   thresholds.gasBoundary = 0.5 * (thresholds.gas + thresholds.tissue);
   thresholds.gasSeed = GasSeedOfTissue * thresholds.tissue + GasSeedOfGas * thresholds.gas;
   fluid.erase(std::remove_if(fluid.begin(), fluid.end(), [](float v) { return v < LeastOfFluid; }), fluid.end());
   lumen.isTagged = fluid.size() >= LeastFluidVoxels;
   if (lumen.isTagged)
   {
-    thresholds.fluid = MedianOf(fluid);
+    thresholds.fluid = UpperMedian(std::move(fluid));
     thresholds.fluidBoundary = 0.5 * (thresholds.fluid + thresholds.tissue);
     thresholds.fluidSeed = thresholds.tissue + FluidSeedShare * (thresholds.fluid - thresholds.tissue);
   }

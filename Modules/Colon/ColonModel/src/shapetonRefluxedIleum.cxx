@@ -1,5 +1,6 @@
 #include "shapetonArcLengthField.h"
 #include "shapetonPaddedVoxels.h"
+#include "shapetonQuantiles.h"
 #include "shapetonTerminalIleum.h"
 
 #include <algorithm>
@@ -34,15 +35,6 @@ constexpr double ValveReach = 60.0;
 constexpr double ValveLength = 30.0;
 constexpr double WiderThanIleum = 1.3; // radius of the cecum relative to the median of the ileum
 constexpr double PlaceStep = 5.0;      // mm between tried places
-
-/** The value that this share of the values does not exceed. */
-double
-Quantile(std::vector<double> values, double share)
-{
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 /** Inscribed radii along a line. */
 class Caliber
@@ -79,9 +71,9 @@ public:
     {
       return false;
     }
-    const double ileum = std::max(Quantile(first, 0.5), Quantile(after, 0.5));
-    return Quantile(after, MostOfIleum) <= WidestIleum && ileum <= WidestIleum &&
-           ileum <= NarrowerThanColon * Quantile(before, 0.5);
+    const double ileum = std::max(LowerQuantile(first, 0.5), LowerQuantile(after, 0.5));
+    return LowerQuantile(after, MostOfIleum) <= WidestIleum && ileum <= WidestIleum &&
+           ileum <= NarrowerThanColon * LowerQuantile(before, 0.5);
   }
 
   bool
@@ -100,7 +92,7 @@ public:
   ValveAfter(double arcLength) const
   {
     const double last = std::min(arcLength + ValveReach, this->End() - LeastIleum);
-    const double wide = WiderThanIleum * Quantile(this->Radii(last, this->End()), 0.5);
+    const double wide = WiderThanIleum * LowerQuantile(this->Radii(last, this->End()), 0.5);
     Eigen::Index cecum = this->PointAt(arcLength);
     for (Eigen::Index i = cecum; m_ArcLengths[i] < last; ++i)
     {
@@ -181,7 +173,7 @@ public:
     for (CecalPouch & pouch : pouches)
     {
       if (pouch.depth >= LeastPouchDepth && voxelMl * static_cast<double>(pouch.arcLengths.size()) >= LeastPouchMl &&
-          m_Caliber.IsNarrowFrom(m_Caliber.ValveAfter(Quantile(pouch.arcLengths, 0.5))) &&
+          m_Caliber.IsNarrowFrom(m_Caliber.ValveAfter(LowerQuantile(pouch.arcLengths, 0.5))) &&
           (!largest || pouch.arcLengths.size() > largest->arcLengths.size()))
       {
         largest = std::move(pouch);
@@ -269,7 +261,7 @@ FindRefluxedIleum(const LumenMask * labels, const CurveSet & centerline)
   {
     return std::nullopt;
   }
-  const double  valve = caliber.ValveAfter(Quantile(pouch->arcLengths, 0.5));
+  const double  valve = caliber.ValveAfter(LowerQuantile(pouch->arcLengths, 0.5));
   TerminalIleum ileum = search.IleumBehind(valve, *pouch);
   ileum.mouth = centerline.V.row(caliber.PointAt(valve));
   ileum.length = caliber.End() - valve;

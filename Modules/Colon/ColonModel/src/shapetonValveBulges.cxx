@@ -1,4 +1,5 @@
 #include "shapetonPi.h"
+#include "shapetonQuantiles.h"
 #include "shapetonValveBulges.h"
 
 #include "shapetonPrincipalAxes.h"
@@ -198,13 +199,7 @@ AttenuationOf(const CecalRegion & region, const std::vector<SurfaceVoxel> & part
       }
     }
   }
-  if (values.empty())
-  {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return values.empty() ? std::numeric_limits<double>::quiet_NaN() : UpperMedian(std::move(values));
 }
 
 ValveBulge

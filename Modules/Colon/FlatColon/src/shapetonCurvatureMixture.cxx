@@ -1,5 +1,7 @@
 #include "shapetonCurvatureMixture.h"
 
+#include "shapetonQuantiles.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,14 +39,6 @@ struct Samples
   std::vector<double> areas;
 };
 
-double
-Percentile(std::vector<double> values, double share)
-{
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
 Samples
 TakeSamples(const FoldPicture & picture)
 {
@@ -58,7 +52,7 @@ TakeSamples(const FoldPicture & picture)
       samples.areas.push_back(picture.AreaOf(pixel));
     }
   }
-  const double most = samples.areas.empty() ? 0.0 : greatestArea * Percentile(samples.areas, 0.5);
+  const double most = samples.areas.empty() ? 0.0 : greatestArea * LowerQuantile(samples.areas, 0.5);
   for (double & area : samples.areas)
   {
     area = std::min(area, most);
@@ -170,9 +164,9 @@ FitCurvatureMixture(const FoldPicture & picture)
     return mixture;
   }
   const double half = std::max(leastDeviation, 0.5 * Deviation(samples.values));
-  mixture.wall = { Percentile(samples.values, startOfWall.quantile), half, startOfWall.share };
-  mixture.uneven = { Percentile(samples.values, startOfUneven.quantile), half, startOfUneven.share };
-  mixture.fold = { Percentile(samples.values, startOfFold.quantile), half, startOfFold.share };
+  mixture.wall = { LowerQuantile(samples.values, startOfWall.quantile), half, startOfWall.share };
+  mixture.uneven = { LowerQuantile(samples.values, startOfUneven.quantile), half, startOfUneven.share };
+  mixture.fold = { LowerQuantile(samples.values, startOfFold.quantile), half, startOfFold.share };
   bool isAlive = true;
   for (int round = 0; round < rounds && isAlive; ++round)
   {

@@ -1,6 +1,7 @@
 #include "shapetonFoldCrest.h"
 
 #include "shapetonPrincipalAxes.h"
+#include "shapetonQuantiles.h"
 
 #include <Eigen/Dense>
 
@@ -157,9 +158,7 @@ private:
     {
       values.push_back(this->ValueAt(place));
     }
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(0.6 * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
+    return LowerQuantile(std::move(values), 0.6);
   }
 
   /** The first and last positions on the plateau. */

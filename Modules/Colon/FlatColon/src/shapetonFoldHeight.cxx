@@ -1,5 +1,7 @@
 #include "shapetonFoldHeight.h"
 
+#include "shapetonQuantiles.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -117,8 +119,6 @@ HeightOfFold(const FlatColonGrid & grid, const FoldPicture & picture, const Fold
   {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  const auto place = heights.begin() + static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(heights.size() - 1));
-  std::nth_element(heights.begin(), place, heights.end());
-  return *place;
+  return LowerQuantile(std::move(heights), 0.9);
 }
 } // namespace shapeton

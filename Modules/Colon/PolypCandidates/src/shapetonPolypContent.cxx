@@ -1,6 +1,7 @@
 #include "shapetonPolypContent.h"
 
 #include "shapetonCandidateList.h"
+#include "shapetonQuantiles.h"
 
 #include "itkLinearInterpolateImageFunction.h"
 
@@ -159,9 +160,7 @@ ValuesAwayFromLumen(std::vector<InnerPoint> points, double distance)
 double
 Quantile(const std::vector<double> & sorted, double share)
 {
-  return sorted.empty()
-           ? std::numeric_limits<double>::quiet_NaN()
-           : sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(share * static_cast<double>(sorted.size())))];
+  return sorted.empty() ? std::numeric_limits<double>::quiet_NaN() : SortedQuantile(sorted, share);
 }
 
 double

@@ -1,6 +1,7 @@
 #include "shapetonRegistrationErrors.h"
 
 #include "shapetonFlatColonLocator.h"
+#include "shapetonQuantiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +20,9 @@ MeanOf(const std::vector<double> & values)
 }
 
 double
-Quantile(std::vector<double> values, double share)
+Quantile(const std::vector<double> & values, double share)
 {
-  if (values.empty())
-  {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * (values.size() - 1.0) + 0.5)];
+  return values.empty() ? std::numeric_limits<double>::quiet_NaN() : NearestQuantile(values, share);
 }
 } // namespace
 

@@ -2,6 +2,7 @@
 
 #include "shapetonFlatColonLocator.h"
 #include "shapetonPi.h"
+#include "shapetonQuantiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -142,8 +143,7 @@ MedianOffset(const std::vector<double> & turns, const std::vector<double> & firs
   {
     offsets.push_back(turns[i] - first[i] - std::floor(turns[i] - first[i]));
   }
-  std::nth_element(offsets.begin(), offsets.begin() + offsets.size() / 2, offsets.end());
-  return offsets[offsets.size() / 2];
+  return UpperMedian(std::move(offsets));
 }
 } // namespace
 

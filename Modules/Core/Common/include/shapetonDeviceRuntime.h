@@ -96,7 +96,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t WorthPinning = std::size_t{ 4 } << 20;
+  static constexpr std::size_t WorthPinning = std::size_t{ 4 } << 20; // bytes; smaller copies are not pinned; chosen
 
   void * m_Pages{ nullptr };
 };
@@ -225,7 +225,7 @@ Uploaded(const T * values, std::size_t number)
 }
 
 #if defined(__CUDACC__)
-constexpr unsigned int ThreadsInBlock = 256;
+constexpr unsigned int ThreadsInBlock = 256;     // a power of two, for the reduction; chosen
 constexpr unsigned int BlocksOfReduction = 2048; ///< more than any GPU runs concurrently
 
 template <typename TBody>

@@ -11,7 +11,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr auto Never = MessageChannel::Clock::time_point::max() - std::chrono::hours(1);
+constexpr auto Never =
+  MessageChannel::Clock::time_point::max() - std::chrono::hours(1); // early enough for additions to a time point
 
 /** The services of this program. */
 ContainedServices &

@@ -10,8 +10,8 @@ namespace shapeton
 namespace
 {
 constexpr const char * const narrowSpace = "\u202F"; // non-breaking
-constexpr int                mostPlacesLeft = 15;
-constexpr int                mostPlacesRight = 6;
+constexpr int                mostPlacesLeft = 15;    // decimal places; numbers with more have an exponent
+constexpr int                mostPlacesRight = 6;    // decimal places; numbers with more have an exponent
 
 bool
 IsDigit(char c)

@@ -8,7 +8,7 @@ namespace FrontKernels
 {
 namespace
 {
-constexpr int lanes = SHAPETON_VECTOR_BYTES / 8;
+constexpr int lanes = SHAPETON_VECTOR_BYTES / 8; // double numbers of a vector
 /** Tile size in vectors x columns: there are 16 registers, 32 with AVX-512. */
 constexpr int realVectors = SHAPETON_VECTOR_BYTES > 16 ? 3 : 2;
 constexpr int realColumns = SHAPETON_VECTOR_BYTES > 32 ? 8 : 4;

@@ -17,7 +17,7 @@ namespace shapeton
  * and ends with its root. */
 struct Supernodes
 {
-  static constexpr int maximalWidth = 48;
+  static constexpr int maximalWidth = 48; // columns; chosen, bounds the dense work on one panel
 
   /** `order`: see OrderOfElimination(). */
   Supernodes(std::vector<int> order, const std::vector<std::array<int, 2>> & edges);

@@ -3,7 +3,8 @@
 #include "shapetonExceptions.h"
 #include "shapetonParallelFor.h"
 #include "shapetonPi.h"
-#include "shapetonSameGrid.h"
+#include "shapetonQuantiles.h"
+#include "shapetonImageGrid.h"
 #include "shapetonStableRegions.h"
 
 #include <algorithm>
@@ -174,9 +175,7 @@ private:
     }
     if (!ratios.empty())
     {
-      const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-      std::nth_element(ratios.begin(), middle, ratios.end());
-      object.contrast = *middle;
+      object.contrast = UpperMedian(std::move(ratios));
     }
     constexpr double perFaces = 2.0 / 3.0; // a ball has 1.5 times its surface as faces of voxels
     constexpr double ofBall = 36.0 * Pi;   // surface^3 / volume^2

@@ -2,7 +2,7 @@
 
 #include "shapetonExceptions.h"
 #include "shapetonParallelFor.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 #include "shapetonWindowMerge.h"
 
 #include <algorithm>

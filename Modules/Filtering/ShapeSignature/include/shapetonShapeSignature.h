@@ -33,8 +33,8 @@ namespace shapeton
  * \ingroup ShapetonShapeSignature */
 struct ShapetonShapeSignature_EXPORT ShapeSignature
 {
-  static constexpr std::size_t NumberOfTimes = 25;
-  static constexpr std::size_t NumberOfEigenvalues = 20;
+  static constexpr std::size_t NumberOfTimes = 25;       // of each curve
+  static constexpr std::size_t NumberOfEigenvalues = 20; // of the spectrum
   /** Radius of the ball of the same volume, in voxels of the grid that signatures are computed on. */
   static constexpr double RadiusInVoxels = 16.0;
   /** Smallest number of voxels for which a signature is computed. */

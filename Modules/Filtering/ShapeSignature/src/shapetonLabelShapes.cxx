@@ -1,6 +1,7 @@
 #include "shapetonLabelShapes.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonImageGrid.h"
 #include "shapetonNumberText.h"
 
 #include <cmath>
@@ -10,14 +11,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr int MostLabels = 65536;
-
-VoxelGrid
-GridOf(const LabelMap * labels)
-{
-  const auto size = labels->GetBufferedRegion().GetSize();
-  return VoxelGrid(static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]));
-}
+constexpr int MostLabels = 65536; // of unsigned 16-bit label maps
 
 /** The runs with this label. */
 VoxelRuns

@@ -11,7 +11,7 @@ namespace shapeton
 namespace
 {
 constexpr int ApplicationId = 0x53687074; // "Shpt"
-constexpr int SchemaVersion = 1;
+constexpr int SchemaVersion = 1;          // increased when tables change
 
 const std::string schema = "CREATE TABLE shape ("
                            "  id INTEGER PRIMARY KEY,"

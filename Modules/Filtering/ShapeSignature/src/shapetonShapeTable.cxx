@@ -11,6 +11,7 @@ namespace shapeton
 {
 namespace
 {
+/** Columns of the table. */
 constexpr const char * LabelColumn = "label";
 constexpr const char * ComponentColumn = "component";
 constexpr const char * VoxelsColumn = "voxels";

@@ -58,7 +58,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t BlockSize = 1 << 20;
+  static constexpr std::size_t BlockSize = 1 << 20; // bytes written at once; chosen
 
   void
   Flush()

@@ -105,7 +105,7 @@ DifferencesBetween(const GraphFigures & a, const GraphFigures & b)
 
 namespace
 {
-constexpr int roundsOfRefinement = 4;
+constexpr int roundsOfRefinement = 4; // chosen; bounds the time
 
 /** Refines node colors of both graphs by their neighborhoods; equal colors mean equal neighborhoods. */
 class Refinement

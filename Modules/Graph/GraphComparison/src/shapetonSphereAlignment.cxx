@@ -39,8 +39,8 @@ using Vector4 = Eigen::Vector4d;
 using Matrix4 = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-constexpr int    motionSteps = 30;
-constexpr double smallestStep = 1e-13;
+constexpr int    motionSteps = 30;     // chosen; the most iterations
+constexpr double smallestStep = 1e-13; // near the rounding error; ends the iteration
 // Distances below this threshold (radians) have equal weight.
 constexpr double leastDistance = 1e-6;
 constexpr double longestStep = 0.3;

@@ -16,7 +16,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN(); // no result
 
 /** Hyperbolic radius of the circle of the root if the circle of the apex is the ideal boundary. The dual map is packed,
  * because horocycles are circles of faces there: the nodes adjacent to the apex. */

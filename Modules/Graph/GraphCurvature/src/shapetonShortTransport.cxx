@@ -15,7 +15,8 @@ constexpr int Hub = 2;
 constexpr int FirstSupply = 3;
 
 constexpr int          LongestDistance = 3; // between neighbors of adjacent nodes
-constexpr std::int64_t Unlimited = std::numeric_limits<std::int64_t>::max() / 4;
+constexpr std::int64_t Unlimited =
+  std::numeric_limits<std::int64_t>::max() / 4; // a capacity whose sums do not overflow
 } // namespace
 
 void

@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr std::int64_t unlimited = std::numeric_limits<std::int64_t>::max() / 8;
+constexpr std::int64_t unlimited = std::numeric_limits<std::int64_t>::max() / 8; // a count whose sums do not overflow
 
 /** Counts cycles by walks from their lowest node. */
 class CycleCount

@@ -15,7 +15,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr std::uint32_t annealingPurpose = 0x6E05A1;
+constexpr std::uint32_t annealingPurpose = 0x6E05A1; // of the random numbers
 // Exponents of successive searches. Sparse graphs of large genus need low exponents, complete graphs high ones: K15
 // reaches its genus of 11 only with 16. With 0 (all corners equal) a quarter more handles remain.
 constexpr int lastExponents[] = { 8, 16, 12, 6 };

@@ -11,8 +11,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr std::uint32_t startPurpose = 0x5E4501;
-constexpr std::uint32_t stepPurpose = 0x5E4502;
+constexpr std::uint32_t startPurpose = 0x5E4501; // of the random numbers: first places
+constexpr std::uint32_t stepPurpose = 0x5E4502;  // of the random numbers: moves
 // Turning margin beyond the area, as a fraction of its side.
 constexpr double margin = 0.1;
 // Mean charge lost per step in the network, and charge gained per step when charging.

@@ -9,9 +9,9 @@ namespace shapeton
 {
 namespace
 {
-constexpr int          roundsAtOnce = 4;
-constexpr int          mostRounds = 32;
-constexpr std::int64_t mostStepsOfSearch = 20000000;
+constexpr int          roundsAtOnce = 4;             // of refinement between two counts; chosen
+constexpr int          mostRounds = 32;              // of refinement; chosen
+constexpr std::int64_t mostStepsOfSearch = 20000000; // chosen; bounds the time
 
 std::uint64_t
 Mix(std::uint64_t x)

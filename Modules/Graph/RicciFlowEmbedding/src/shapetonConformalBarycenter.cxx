@@ -11,8 +11,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr int    mostBoosts = 200;
-constexpr double wantedOffset = 1e-14;
+constexpr int    mostBoosts = 200;     // chosen; the most iterations
+constexpr double wantedOffset = 1e-14; // of the barycenter from the center, radii of the sphere
 /** Maximum boost of one step, in units of the speed of light. */
 constexpr double fastest = 0.6;
 

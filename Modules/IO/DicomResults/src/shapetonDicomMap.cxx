@@ -3,7 +3,7 @@
 #include "shapetonDicomFrames.h"
 #include "shapetonDicomResultObject.h"
 #include "shapetonExceptions.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 
 #include <algorithm>
 

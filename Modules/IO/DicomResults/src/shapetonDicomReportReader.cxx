@@ -14,7 +14,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr int DeepestTree = 64;
+constexpr int DeepestTree = 64; // levels; chosen, bounds the recursion for malformed reports
 
 /** A content item with coordinates, as stored in the file, and what its measurement group states. */
 struct Graphic

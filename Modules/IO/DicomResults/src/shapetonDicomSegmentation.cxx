@@ -5,7 +5,7 @@
 #include "shapetonDicomResultObject.h"
 #include "shapetonDicomText.h"
 #include "shapetonExceptions.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 
 #include <Eigen/Core>
 

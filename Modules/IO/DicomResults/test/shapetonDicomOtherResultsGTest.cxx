@@ -4,7 +4,7 @@
 #include "shapetonDicomResultsTesting.h"
 #include "shapetonDicomSegmentationReader.h"
 #include "shapetonFileBytes.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 
 #include <array>
 #include <cstdlib>

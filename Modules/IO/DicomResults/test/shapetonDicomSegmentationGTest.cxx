@@ -1,7 +1,7 @@
 #include "shapetonDicomResultsTesting.h"
 #include "shapetonDicomSegmentationReader.h"
 #include "shapetonFileBytes.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 
 #include <filesystem>
 #include <functional>

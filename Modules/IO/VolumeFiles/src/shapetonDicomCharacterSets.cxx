@@ -16,7 +16,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr char Escape = '\x1b';
+constexpr char Escape = '\x1b'; // starts the escape sequences of ISO 2022
 
 /** "100" for "ISO_IR 100", "ISO 2022 IR 100" and misspellings like "ISO_IR_100"; other terms are unchanged. */
 std::string

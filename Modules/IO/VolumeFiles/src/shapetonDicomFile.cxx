@@ -208,7 +208,7 @@ struct AcquisitionKey
 
 const DcmTagKey noAttribute(0xFFFF, 0xFFFF);
 
-constexpr unsigned int ImageTypeKey = 5;
+constexpr unsigned int ImageTypeKey = 5; // place of the image type in acquisitionKeys
 
 const AcquisitionKey acquisitionKeys[DicomFrame::NumberOfAcquisitionKeys] = {
   { DCM_AcquisitionNumber, DCM_FrameContentSequence, DCM_FrameAcquisitionNumber },

@@ -1,6 +1,7 @@
 #include "shapetonDicomSeriesGeometry.h"
 
 #include "shapetonPi.h"
+#include "shapetonQuantiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,25 +10,13 @@ namespace shapeton
 {
 namespace
 {
-constexpr double RelativeTolerance = 0.01;
+constexpr double RelativeTolerance = 0.01; // of the spacing
 constexpr double AbsoluteTolerance = 0.01; // mm
 constexpr double LargestTolerance = 0.1;   // of the spacing
 constexpr double SmallestDistance = 0.001; // mm
 
 /** This many consecutive wide distances, if equal, indicate a change of the spacing rather than missing slices. */
 constexpr unsigned int RunOfChangedSpacing = 3;
-
-double
-Median(std::vector<double> values)
-{
-  if (values.empty())
-  {
-    return 0.0;
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double
 UsualDistance(const std::vector<SlicePlace> & slices)
@@ -41,7 +30,7 @@ UsualDistance(const std::vector<SlicePlace> & slices)
       distances.push_back(distance);
     }
   }
-  return Median(distances);
+  return UpperMedian(std::move(distances));
 }
 
 /** The first slice at each position. */

@@ -19,7 +19,7 @@ using Row = std::vector<std::string>;
 // Tolerance of 5 degrees to name an axis after a body axis.
 constexpr double AxisCosine = 0.9962;
 
-constexpr std::size_t LongestFileList = 20;
+constexpr std::size_t LongestFileList = 20; // names listed; chosen
 
 std::string
 PlaneOf(const DicomSeries & series)

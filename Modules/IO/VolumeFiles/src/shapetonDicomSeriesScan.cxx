@@ -20,8 +20,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr double EqualCosineTolerance = 1e-4;
-constexpr double PixelSpacingTolerance = 1e-4;
+constexpr double EqualCosineTolerance = 1e-4;  // chosen; rounding of written direction cosines
+constexpr double PixelSpacingTolerance = 1e-4; // of the first spacing; chosen, rounding of written spacings
 
 /** A slice to be assigned to a series; `frame` is null if the image has no valid frame. */
 struct Item

@@ -25,8 +25,8 @@ namespace
 {
 using ShortImage = itk::Image<short, 3>;
 
-constexpr int rescaleIntercept = -1024;
-constexpr int largestValue = 31743;
+constexpr int rescaleIntercept = -1024; // HU of the stored value 0
+constexpr int largestValue = 31743;     // HU; see PhantomImageSource
 
 // Number of Unicode characters of a UTF-8 text.
 std::size_t

@@ -35,6 +35,7 @@ struct Layout
 {
   int magic, dim, datatype, pixdim, voxelOffset, slope, units, qformCode, sformCode, quaternion, srow;
 };
+// By nifti1.h and nifti2.h.
 constexpr Layout Nifti1Layout{ 344, 40, 70, 76, 108, 112, 123, 252, 254, 256, 280 };
 constexpr Layout Nifti2Layout{ 4, 16, 12, 104, 168, 176, 500, 344, 348, 352, 400 };
 

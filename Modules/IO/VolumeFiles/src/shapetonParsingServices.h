@@ -7,6 +7,7 @@
 
 namespace shapeton
 {
+/** Names of the services of ShapetonFileParser. */
 constexpr const char * DicomHeaderService = "DicomHeader";
 constexpr const char * DicomPixelService = "DicomPixels";
 constexpr const char * ImageFileService = "ImageFile";

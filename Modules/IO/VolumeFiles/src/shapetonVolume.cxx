@@ -1,7 +1,7 @@
 #include "shapetonVolume.h"
 
 #include "shapetonExceptions.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-const std::string prefixOfSeries = "seriesInstanceUID:";
+const std::string prefixOfSeries = "seriesInstanceUID:"; // of the identity of a DICOM series
 }
 
 std::string

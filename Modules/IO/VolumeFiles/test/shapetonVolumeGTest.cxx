@@ -1,6 +1,6 @@
 #include "shapetonExceptions.h"
 #include "shapetonImageFile.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 #include "shapetonTestFolder.h"
 #include "shapetonVolumeWriter.h"
 #include "shapetonTestImages.h"

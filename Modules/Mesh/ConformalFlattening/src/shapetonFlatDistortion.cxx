@@ -3,6 +3,7 @@
 #include "shapetonExactOrientation.h"
 #include "shapetonExceptions.h"
 #include "shapetonPi.h"
+#include "shapetonQuantiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double qualityThreshold = 0.6;
+constexpr double qualityThreshold = 0.6; // of 2r/R; the threshold of the dissertation, see TriangleQuality
 
 /** 16 times the squared area in Kahan's ordering, which is accurate for needles; 0 if the sides do not form a triangle.
  */
@@ -66,17 +67,6 @@ Dilatation(const FaceMatrix &       F,
   }
   const double half = std::max(1.0, sum / (4.0 * flatArea));
   return half + std::sqrt(half * half - 1.0);
-}
-
-double
-Quantile(const std::vector<double> & sorted, double p)
-{
-  if (sorted.empty())
-  {
-    return 0.0;
-  }
-  const auto place = static_cast<std::size_t>(p * static_cast<double>(sorted.size()));
-  return sorted[std::min(place, sorted.size() - 1)];
 }
 } // namespace
 
@@ -202,7 +192,10 @@ QuantilesOfDilatation(const FlatDistortion & distortion, const std::vector<char>
   }
   std::sort(values.begin(), values.end());
   constexpr double high = 0.95, highest = 0.99;
-  return { Quantile(values, 0.5), Quantile(values, high), Quantile(values, highest), static_cast<int>(values.size()) };
+  return { SortedQuantile(values, 0.5),
+           SortedQuantile(values, high),
+           SortedQuantile(values, highest),
+           static_cast<int>(values.size()) };
 }
 
 Eigen::VectorXd

@@ -10,6 +10,7 @@ namespace shapeton
 {
 namespace
 {
+/** Arrays of a flat surface. */
 constexpr const char * uvName = "uv";
 constexpr const char * sourceName = "sourcePointId";
 constexpr const char * circumferenceName = "circumference";

@@ -12,8 +12,8 @@ namespace shapeton
 namespace
 {
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int    mostFlipRounds = 20;
-constexpr double root2 = 1.41421356237309504880;
+constexpr int    mostFlipRounds = 20;            // chosen; bounds the time
+constexpr double root2 = 1.41421356237309504880; // ratio of sizes in the criterion of Liepa (2003)
 
 double
 Cotangent(const Eigen::Vector3d & apex, const Eigen::Vector3d & a, const Eigen::Vector3d & b)

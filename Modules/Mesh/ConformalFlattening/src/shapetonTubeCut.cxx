@@ -1,5 +1,6 @@
 #include "shapetonTubeCut.h"
 
+#include "shapetonQuantiles.h"
 #include "shapetonSurfaceLocator.h"
 #include "shapetonExceptions.h"
 
@@ -248,11 +249,10 @@ DistancesFromCurve(const SurfaceMesh &                  mesh,
     }
     sources.push_back(nearest);
   }
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  if (!(*middle <= farFromSurface))
+  const double median = UpperMedian(std::move(distances));
+  if (!(median <= farFromSurface))
   {
-    throw InputError("most of the curve to cut along is " + std::to_string(*middle) +
+    throw InputError("most of the curve to cut along is " + std::to_string(median) +
                      " mm or more from the surface; use a curve on the surface, in LPS and mm");
   }
   return DistancesAlongEdges(graph, lengths, sources);

@@ -15,6 +15,7 @@ namespace shapeton
 {
 namespace
 {
+/** Arrays of the wall with the vertices of its ends. */
 constexpr const char * rectumName = "rectumLoop";
 constexpr const char * cecumName = "cecumLoop";
 

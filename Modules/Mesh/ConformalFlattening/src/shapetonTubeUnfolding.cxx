@@ -15,8 +15,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr int mostCuts = 5; // maximum number of removals
-constexpr int ringsAroundHandle = 3;
+constexpr int mostCuts = 5;          // maximum number of removals
+constexpr int ringsAroundHandle = 3; // of faces; flips within them are attributed to the handle
 /** With handles, the number of maps without fewer flips before another remedy is tried. Flips come and go there, as the
  * folds of handles change with the weights. */
 constexpr int          mostInVain = 2;

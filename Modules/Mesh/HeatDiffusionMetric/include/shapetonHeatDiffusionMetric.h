@@ -47,9 +47,9 @@ struct HeatDiffusionMetric
 class ShapetonHeatDiffusionMetric_EXPORT HeatDiffusionMetricSolver
 {
 public:
-  static constexpr int leastPoles = 3;
-  static constexpr int defaultPoles = 6;
-  static constexpr int mostPoles = 8;
+  static constexpr int leastPoles = 3;   // pairs for which poles are tabulated
+  static constexpr int defaultPoles = 6; // pairs; more accurate than 8 on Talbot's contour
+  static constexpr int mostPoles = 8;    // pairs for which poles are tabulated
 
   explicit HeatDiffusionMetricSolver(SurfaceLaplacian laplacian);
 

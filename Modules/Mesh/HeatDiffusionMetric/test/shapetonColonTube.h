@@ -258,13 +258,13 @@ inline ColonTube
 MakeColonTube(const ColonTubeOptions & options)
 {
   using namespace colontube;
-  const double     circumference = 2.0 * pi * options.radius;
-  const double     rowsPerEdge = 2.0 / std::sqrt(3.0);
-  const double     edge = std::sqrt(2.0 * rowsPerEdge * circumference * options.length / options.faces);
-  const Grid       grid{ std::max(3, static_cast<int>(std::lround(circumference / edge))),
-                   std::max(1, static_cast<int>(std::lround(options.length * rowsPerEdge / edge))) };
-  const Centerline centerline(options.length);
-  ColonTube        tube;
+  const double          circumference = 2.0 * pi * options.radius;
+  const double          rowsPerEdge = 2.0 / std::sqrt(3.0);
+  const double          edge = std::sqrt(2.0 * rowsPerEdge * circumference * options.length / options.faces);
+  const colontube::Grid grid{ std::max(3, static_cast<int>(std::lround(circumference / edge))),
+                              std::max(1, static_cast<int>(std::lround(options.length * rowsPerEdge / edge))) };
+  const Centerline      centerline(options.length);
+  ColonTube             tube;
   tube.mesh.V.resize(static_cast<Eigen::Index>(grid.around) * (grid.along + 1), 3);
   tube.narrowestRadius = options.radius;
   for (int row = 0; row <= grid.along; ++row)

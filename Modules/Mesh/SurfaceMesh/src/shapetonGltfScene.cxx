@@ -15,10 +15,10 @@ namespace shapeton
 {
 namespace
 {
-constexpr std::uint32_t Magic = 0x46546C67; // "glTF"
-constexpr std::uint32_t JsonChunk = 0x4E4F534A;
-constexpr std::uint32_t BinaryChunk = 0x004E4942;
-constexpr int           DeepestNode = 1000;
+constexpr std::uint32_t Magic = 0x46546C67;       // "glTF"
+constexpr std::uint32_t JsonChunk = 0x4E4F534A;   // "JSON", little-endian
+constexpr std::uint32_t BinaryChunk = 0x004E4942; // "BIN", little-endian
+constexpr int           DeepestNode = 1000;       // levels; chosen, bounds the recursion for malformed files
 
 const char * const Truncated = "truncated: the file ends within its data";
 const char * const Again = "copy or write the file again";

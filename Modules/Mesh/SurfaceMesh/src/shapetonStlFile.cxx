@@ -9,9 +9,9 @@ namespace shapeton
 {
 namespace
 {
-constexpr std::size_t HeaderSize = 80;
-constexpr std::size_t FirstTriangle = HeaderSize + 4;
-constexpr std::size_t TriangleSize = 50;
+constexpr std::size_t HeaderSize = 80;                // bytes of a binary file
+constexpr std::size_t FirstTriangle = HeaderSize + 4; // after the number of triangles, 4 bytes
+constexpr std::size_t TriangleSize = 50;              // bytes: normal, three corners, attribute
 
 bool
 SaysRas(const std::string & header)

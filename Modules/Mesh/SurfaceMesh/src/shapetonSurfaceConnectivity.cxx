@@ -40,7 +40,7 @@ Accumulate(std::vector<int> & counts)
   }
 }
 
-constexpr int VerticesOfBlock = 8192;
+constexpr int VerticesOfBlock = 8192; // of a parallel task; chosen
 
 /** A side of a face, from its lower vertex to the other one; corner k is its start or end. */
 struct Side

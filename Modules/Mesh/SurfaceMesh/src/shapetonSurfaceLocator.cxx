@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr int FacesOfLeaf = 4;
+constexpr int FacesOfLeaf = 4; // of the tree; chosen
 
 int
 NumberOfNodes(int faces)

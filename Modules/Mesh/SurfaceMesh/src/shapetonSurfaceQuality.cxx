@@ -1,6 +1,7 @@
 #include "shapetonSurfaceQuality.h"
 #include "shapetonParallelFor.h"
 #include "shapetonPi.h"
+#include "shapetonQuantiles.h"
 #include "shapetonSurfaceFormats.h"
 #include "shapetonTriangleShape.h"
 
@@ -259,19 +260,11 @@ StatisticsOf(std::vector<double> values)
   {
     return statistics;
   }
-  const auto at = [&](double fraction) {
-    const double place = fraction * static_cast<double>(values.size() - 1);
-    const auto   below = values.begin() + static_cast<std::ptrdiff_t>(place);
-    std::nth_element(values.begin(), below, values.end());
-    const double low = *below;
-    const double high = below + 1 < values.end() ? *std::min_element(below + 1, values.end()) : low;
-    return low + (place - std::floor(place)) * (high - low);
-  };
   statistics.minimum = *std::min_element(values.begin(), values.end());
   constexpr double percent = 0.01;
-  statistics.percentile1 = at(percent);
-  statistics.median = at(0.5);
-  statistics.percentile99 = at(1.0 - percent);
+  statistics.percentile1 = InterpolatedQuantile(values, percent);
+  statistics.median = InterpolatedQuantile(values, 0.5);
+  statistics.percentile99 = InterpolatedQuantile(values, 1.0 - percent);
   statistics.maximum = *std::max_element(values.begin(), values.end());
   return statistics;
 }

@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr std::size_t MostLines = 10;
+constexpr std::size_t MostLines = 10; // of each list; chosen
 
 /** Nine digits: the last digits of a double depend on the math library. */
 Json

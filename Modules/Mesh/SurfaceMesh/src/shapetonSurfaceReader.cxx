@@ -17,9 +17,9 @@ namespace shapeton
 {
 namespace
 {
-constexpr double      LeastExtent = 5.0; // mm
-constexpr double      GreatestExtent = 5000.0;
-constexpr std::size_t LongestList = 12;
+constexpr double      LeastExtent = 5.0;       // mm
+constexpr double      GreatestExtent = 5000.0; // mm; larger surfaces are implausible
+constexpr std::size_t LongestList = 12;        // names in a message; chosen
 
 double
 MillimetersOf(SurfaceUnit unit)

@@ -18,12 +18,12 @@ namespace shapeton
 {
 namespace
 {
-constexpr double LongestOfTarget = 4.0 / 3.0;
-constexpr double ShortestOfTarget = 4.0 / 5.0;
-constexpr double BoundaryDeviationOfTarget = 0.05;
-constexpr double LeastNormalProduct = 0.5;
-constexpr double MostCosine = 0.99; // of the smallest angle after a flip
-constexpr double MostFaces = 1e8;
+constexpr double LongestOfTarget = 4.0 / 3.0;      // longer edges are split (Botsch and Kobbelt 2004)
+constexpr double ShortestOfTarget = 4.0 / 5.0;     // shorter edges are collapsed (Botsch and Kobbelt 2004)
+constexpr double BoundaryDeviationOfTarget = 0.05; // of moved boundaries; chosen
+constexpr double LeastNormalProduct = 0.5;         // cosine of 60 degrees: normals may not turn more
+constexpr double MostCosine = 0.99;                // of the smallest angle after a flip
+constexpr double MostFaces = 1e8;                  // chosen; bounds the memory
 
 class Remesher
 {

@@ -8,7 +8,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr std::size_t LongestQuotation = 40;
+constexpr std::size_t LongestQuotation = 40; // characters in a message; chosen
 
 bool
 IsBlank(char c)

@@ -18,7 +18,7 @@ namespace shapeton
 namespace
 {
 constexpr std::size_t  BestCompression = 10000; // lzma
-constexpr int          DeepestElement = 50;
+constexpr int          DeepestElement = 50;     // levels; chosen, bounds the recursion for malformed files
 constexpr const char * Blanks = " \t\r\n";
 
 std::string

@@ -12,8 +12,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr int mostSteps = 200; // 5 to 40 are usual
-constexpr int mostHalvings = 40;
+constexpr int mostSteps = 200;   // 5 to 40 are usual
+constexpr int mostHalvings = 40; // of a step; chosen, 2^-40 of it has no effect
 /** Largest change of u in one step, that is, of the logarithm of a length. Longer steps start far from the region where
  * the quadratic model holds, and cause many flips. From 2 to 10 the number of steps hardly changes. */
 constexpr double longestStep = 5.0;

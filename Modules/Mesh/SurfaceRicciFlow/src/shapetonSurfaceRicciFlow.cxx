@@ -20,7 +20,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double curvatureTolerance = RicciTolerance{}.accepted;
+constexpr double curvatureTolerance = RicciTolerance{}.accepted; // radians
 /** Approximate fraction of the run time completed after the flow. */
 constexpr double shareOfFlow = 0.9;
 /** Curvatures below this are flat (radians). */

@@ -19,6 +19,7 @@ struct BoneTissue
   double thickness;
   double marrow;
 };
+// Chosen from typical anatomy; not fitted.
 constexpr BoneTissue archBone{ 2.5, 450.0 };
 constexpr BoneTissue processBone{ 1.2, 350.0 };
 constexpr BoneTissue vertebraBone{ 1.5, 190.0 };

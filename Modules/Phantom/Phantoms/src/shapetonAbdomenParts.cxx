@@ -38,6 +38,7 @@ struct TrunkSection
   double halfWidth;
   double halfDepth;
 };
+// Chosen; the trunk of an adult.
 constexpr TrunkSection skinSection{ 12.0, 172.0, 130.0 };
 constexpr TrunkSection muscleSection{ 12.0, 158.0, 116.0 };
 constexpr TrunkSection cavitySection{ 6.0, 147.0, 101.0 };

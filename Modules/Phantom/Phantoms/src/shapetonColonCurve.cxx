@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr double c_CellSize = 8.0;
+constexpr double c_CellSize = 8.0; // mm, of the search grid; chosen for speed
 constexpr double c_Apart = 40.0;   // mm along the curve between two stretches
 constexpr double c_NoTurn = 1e-24; // squared difference of unit tangents that is a rounding error
 

@@ -71,7 +71,7 @@ public:
   void
   BuildGrid(const std::vector<double> & reach);
 
-  static constexpr int MostNear = 4;
+  static constexpr int MostNear = 4; // stretches; chosen
   struct Near
   {
     int                          count;

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr int    c_Segments = 6;
+constexpr int    c_Segments = 6;            // rectum to cecum
 constexpr int    c_AscendingColon = 5;      // number of the segment
 constexpr double c_RoomAroundIleum = 8.0;   // mm
 constexpr double c_ShortestCurve = 15.0;    // mm, of a segment
@@ -26,12 +26,12 @@ constexpr double c_CecumByGravity = 0.4;    // relative to the move of the cecum
 constexpr double c_CaliberVariation = 0.11; // of the radius
 constexpr double c_Contraction = 0.42;      // of the radius, in contracted stretches of the sigmoid
 constexpr double c_LooseContraction = 0.35; // value of the noise at which a contraction starts
-constexpr double c_FullContraction = 0.9;
-constexpr double c_CanalEnd = 22.0;     // mm from the anal verge
-constexpr double c_AmpullaBegin = 55.0; // mm from the anal verge
-constexpr double c_Sag = 20.0;          // mm of mobile stretches along gravity
-constexpr double c_MobileShift = 13.0;  // mm of mobile stretches in random directions
-constexpr double c_FixedShift = 3.0;    // mm of all stretches, from the end of the ampulla
+constexpr double c_FullContraction = 0.9;   // value of the noise at which it is complete
+constexpr double c_CanalEnd = 22.0;         // mm from the anal verge
+constexpr double c_AmpullaBegin = 55.0;     // mm from the anal verge
+constexpr double c_Sag = 20.0;              // mm of mobile stretches along gravity
+constexpr double c_MobileShift = 13.0;      // mm of mobile stretches in random directions
+constexpr double c_FixedShift = 3.0;        // mm of all stretches, from the end of the ampulla
 
 // Thickness (mm) of the septa at contacts.
 constexpr DrawnRange c_Septa{ 1.0, 2.5 };

@@ -21,7 +21,7 @@ namespace
 using RegionType = itk::ImageRegion<3>;
 using ImageType = ColonPhantomImageSource::ImageType;
 
-constexpr itk::SizeValueType tileSide = 32;
+constexpr itk::SizeValueType tileSide = 32; // voxels; chosen for speed
 
 /** Effect of a reconstruction kernel on blur and noise. */
 struct Kernel

@@ -171,8 +171,8 @@ DrawShape(ColonPhantomParameters & p)
 {
   static constexpr double shortest[] = { 150, 350, 220, 550, 180, 60 };
   static constexpr double longest[] = { 180, 1200, 330, 1150, 330, 95 };
-  static constexpr double narrowest[] = { 36, 24, 26, 32, 42, 50 };
-  static constexpr double widest[] = { 54, 36, 44, 54, 68, 78 };
+  static constexpr double narrowest[] = { 36, 24, 26, 32, 42, 50 }; // mm, diameter
+  static constexpr double widest[] = { 54, 36, 44, 54, 68, 78 };    // mm, diameter
   Draw                    length(p, Group::Lengths);
   Draw                    caliber(p, Group::Caliber);
   // Half of the range from narrow to wide is drawn per patient, half per segment.

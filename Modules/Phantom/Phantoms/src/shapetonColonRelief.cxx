@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr int    c_RowsPerStep = 2;
+constexpr int    c_RowsPerStep = 2;          // of the curve
 constexpr double c_CollapseEnd = 15.0;       // mm
 constexpr double c_ClosedCanal = 20.0;       // mm of the anal canal without a catheter
 constexpr double c_HighestFold = 0.6;        // of the radius, so that no fold blocks the lumen
@@ -63,8 +63,8 @@ public:
   }
 
 private:
-  static constexpr double c_Knot = 4.0;
-  static constexpr int    c_Columns = 32;
+  static constexpr double c_Knot = 4.0;   // mm along the colon
+  static constexpr int    c_Columns = 32; // around the colon
   int                     m_Rows;
   std::vector<float>      m_Values;
 };

@@ -20,7 +20,7 @@ struct ReliefValue
 /** The crest of a fold in a position. */
 struct FoldCourse
 {
-  static constexpr int    Knots = 40;
+  static constexpr int    Knots = 40; // of a crest; chosen
   static constexpr double End = 1.12; ///< limit of u beyond which the fold vanishes
 
   double angle;
@@ -47,7 +47,7 @@ ColonTwist(const ColonPlan & plan, const ColonPhantomParameters & parameters);
 class ColonRelief
 {
 public:
-  static constexpr int Angles = 128;
+  static constexpr int Angles = 128; // of the grid; chosen
 
   /** Without a curve the colon is straight; with a curve, the wall avoids the center of sharp bends. */
   ColonRelief(const ColonPlan & plan, const ColonPhantomParameters & parameters, const ColonCurve * curve);

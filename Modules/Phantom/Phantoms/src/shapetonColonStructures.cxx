@@ -28,11 +28,11 @@ namespace
 using Eigen::Vector3d;
 using PointType = PhantomBody::PointType;
 
-constexpr double fatIntensity = -110.0;
-constexpr double behindBase = 3.0;     // mm; depth of the lips behind the wall
-constexpr double flaskSlope = 1.5;     // at the junction of neck and sac
-constexpr double stoolIntoWall = 0.35; // mm; half a cell, so that no gas appears between stool and wall
-constexpr double lipsSlope = 4.0;      // the distance to half ellipsoids may be too large by this factor
+constexpr double fatIntensity = -110.0; // HU
+constexpr double behindBase = 3.0;      // mm; depth of the lips behind the wall
+constexpr double flaskSlope = 1.5;      // at the junction of neck and sac
+constexpr double stoolIntoWall = 0.35;  // mm; half a cell, so that no gas appears between stool and wall
+constexpr double lipsSlope = 4.0;       // the distance to half ellipsoids may be too large by this factor
 
 Vector3d
 PlaceOf(const PointType & p)

@@ -25,8 +25,8 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr int c_Block = 8;
-constexpr int c_SlabBlocks = 2;
+constexpr int c_Block = 8;      // voxels; blocks far from the wall have one value
+constexpr int c_SlabBlocks = 2; // blocks contoured at once; chosen, bounds the memory
 
 class WallExtractor
 {

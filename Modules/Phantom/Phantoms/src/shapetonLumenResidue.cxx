@@ -17,7 +17,7 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr int    attempts = 60;
+constexpr int    attempts = 60;       // chosen; bounds the time
 constexpr double leastRadius = 8.0;   // mm, minimum radius of a lumen with residue
 constexpr double intoWall = 0.35;     // mm; half a cell, so that no gas appears between stool and wall
 constexpr double adherentShare = 0.3; // fraction of the stool that adheres to the wall in all positions

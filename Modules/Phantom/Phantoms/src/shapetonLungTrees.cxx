@@ -11,9 +11,9 @@ using PointType = PhantomBody::PointType;
 using VectorType = itk::Vector<double, 3>;
 using Iterator = std::vector<PointType>::iterator;
 
-constexpr double branchingExponent = 2.8;
-constexpr double taper = 0.92;   // radius at the end of a branch / mean radius; 1 / taper at its start
-constexpr double tipTaper = 0.6; // the last branches are thinner at their ends
+constexpr double branchingExponent = 2.8; // radius^x of a vessel is the sum of those of its branches; Murray: 3
+constexpr double taper = 0.92;            // radius at the end of a branch / mean radius; 1 / taper at its start
+constexpr double tipTaper = 0.6;          // the last branches are thinner at their ends
 
 PointType
 CenterOf(Iterator first, Iterator last)

@@ -25,8 +25,8 @@ constexpr double fissure = 0.4;       // thickness, mm; appears as a thin, faint
 constexpr double forestReach = 6.0;   // mm; distances to airways and vessels are exact up to this value
 constexpr double lungFromColon = 8.0; // mm between colon and lungs
 
-const PointType lowCorner = MakePoint(-150.0, -102.0, 60.0);
-const PointType highCorner = MakePoint(150.0, 120.0, 352.0);
+const PointType lowCorner = MakePoint(-150.0, -102.0, 60.0); // mm, of a box around the lungs
+const PointType highCorner = MakePoint(150.0, 120.0, 352.0); // mm
 
 enum class Stream : std::uint32_t
 {
@@ -77,7 +77,7 @@ class Lobes
 public:
   static constexpr double slope = 1.25; // sum of the gradients of waves and planes
 
-  static constexpr int count = 5;
+  static constexpr int count = 5; // of lobes
 
   // Distance (mm) above (in front of) the oblique fissure of the side.
   static double
@@ -122,7 +122,7 @@ public:
   Lobe(const PhantomSolid & lungs, int number)
   {
     const auto outline = [number](const PointType & p) {
-      const double side = number < 3 ? p[0] : -p[0];
+      const double side = number < 3 ? p[0] : -p[0]; // of the lattice of random values; a power of two
       const double oblique = AboveOblique(p);
       if (number == 2 || number == 4)
       {

@@ -23,12 +23,12 @@ constexpr double behindWall = 3.0;    // mm, start of the widening of the slit
 constexpr double widening = 10.0;     // mm, length of the widening
 constexpr double tightestBend = 11.0; // mm, radius
 constexpr double closed = -0.3;       // mm, half width of a slit without a lumen
-constexpr int    mostWays = 60;
-constexpr double spineRadius = 30.0; // mm
-constexpr double halfSpace = 150.0;  // mm from the middle of the abdomen along the body
-constexpr double noTurn = 1e-6;      // sine of an angle too small to turn
-constexpr double turnShare = 0.3;    // of the angle to the desired direction, in a step
-constexpr double openShare = 0.8;    // of the valves between equal contents
+constexpr int    mostWays = 60;       // tried; chosen
+constexpr double spineRadius = 30.0;  // mm
+constexpr double halfSpace = 150.0;   // mm from the middle of the abdomen along the body
+constexpr double noTurn = 1e-6;       // sine of an angle too small to turn
+constexpr double turnShare = 0.3;     // of the angle to the desired direction, in a step
+constexpr double openShare = 0.8;     // of the valves between equal contents
 
 constexpr DrawnRange fluidOfIleum{ 250.0, 750.0 }; // HU
 constexpr DrawnRange slitOfIleum{ 1.0, 3.0 };      // mm

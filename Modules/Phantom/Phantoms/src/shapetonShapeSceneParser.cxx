@@ -13,11 +13,11 @@ namespace shapeton
 {
 namespace
 {
-constexpr double      largestLength = 1e6;
-constexpr double      lowestIntensity = -1024.0;
-constexpr double      highestIntensity = 31743.0;
-constexpr std::size_t mostObjects = 10000;
-constexpr std::size_t mostPoints = 10000;
+constexpr double      largestLength = 1e6;        // mm; chosen
+constexpr double      lowestIntensity = -1024.0;  // HU, see PhantomImageSource
+constexpr double      highestIntensity = 31743.0; // HU
+constexpr std::size_t mostObjects = 10000;        // chosen; bounds the time
+constexpr std::size_t mostPoints = 10000;         // of an object; chosen
 
 // A value of the document with its path for messages.
 class Node

@@ -14,14 +14,14 @@ namespace
 using PointType = PhantomBody::PointType;
 using VectorType = itk::Vector<double, 3>;
 
-constexpr int    numberOfLoops = 90;
-constexpr double stepLength = 11.0; // mm
-constexpr double cellSide = 4.0;    // mm
-constexpr int    cellsOfBlock = 4;  // cells
-constexpr double reach = 6.0;       // mm around the loops; maximum distance
-constexpr double cellMargin = 26.0; // mm around the region of the axes; more than the widest loop and `reach`
-constexpr double flatness = 0.7;    // loops run less toward front and back
-constexpr double noGas = 1e9;       // mm, a level above all loops
+constexpr int    numberOfLoops = 90; // chosen
+constexpr double stepLength = 11.0;  // mm
+constexpr double cellSide = 4.0;     // mm
+constexpr int    cellsOfBlock = 4;   // cells
+constexpr double reach = 6.0;        // mm around the loops; maximum distance
+constexpr double cellMargin = 26.0;  // mm around the region of the axes; more than the widest loop and `reach`
+constexpr double flatness = 0.7;     // loops run less toward front and back
+constexpr double noGas = 1e9;        // mm, a level above all loops
 
 constexpr DrawnRange loopRadius{ 10.0, 14.0 }; // mm
 // HU of the content of a loop.

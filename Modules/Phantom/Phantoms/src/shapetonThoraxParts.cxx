@@ -13,19 +13,19 @@ namespace
 {
 using PointType = PhantomBody::PointType;
 
-constexpr double fat = -105.0; // HU
-constexpr double muscle = 55.0;
-constexpr double blood = 42.0;
-constexpr double esophagusIntensity = 35.0;
-constexpr double diaphragm = 3.0;       // thickness of the diaphragm, mm
-constexpr double vesselFat = 3.5;       // thickness of the fat around the great vessels, mm
-constexpr double heartFat = 5.0;        // thickness of the fat around the heart, mm
-constexpr double skinOfShoulders = 2.0; // thickness, mm
-constexpr double shoulderFat = 12.0;    // depth of the muscles of shoulders and neck below the skin, mm
-constexpr double trunkFat = 14.0;       // depth of the muscles of the trunk below the skin, mm
-constexpr double shoulderBase = 215.0;  // z (mm) above which shoulders replace the wall of the abdomen
-constexpr double chestBase = 60.0;      // z (mm) of the lower end of the chest
-constexpr double capBase = 170.0;       // z (mm) above which the rib cage narrows; above the default field of view
+constexpr double fat = -105.0;              // HU
+constexpr double muscle = 55.0;             // HU
+constexpr double blood = 42.0;              // HU
+constexpr double esophagusIntensity = 35.0; // HU
+constexpr double diaphragm = 3.0;           // thickness of the diaphragm, mm
+constexpr double vesselFat = 3.5;           // thickness of the fat around the great vessels, mm
+constexpr double heartFat = 5.0;            // thickness of the fat around the heart, mm
+constexpr double skinOfShoulders = 2.0;     // thickness, mm
+constexpr double shoulderFat = 12.0;        // depth of the muscles of shoulders and neck below the skin, mm
+constexpr double trunkFat = 14.0;           // depth of the muscles of the trunk below the skin, mm
+constexpr double shoulderBase = 215.0;      // z (mm) above which shoulders replace the wall of the abdomen
+constexpr double chestBase = 60.0;          // z (mm) of the lower end of the chest
+constexpr double capBase = 170.0;           // z (mm) above which the rib cage narrows; above the default field of view
 
 PhantomSolid
 Union(const std::vector<PhantomSolid> & solids)

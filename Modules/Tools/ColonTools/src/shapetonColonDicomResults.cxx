@@ -8,7 +8,7 @@
 #include "shapetonExceptions.h"
 #include "shapetonPicture.h"
 #include "shapetonReadImage.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 
 #include "itkPNGImageIO.h"
 

@@ -17,6 +17,7 @@ namespace shapeton
 {
 namespace
 {
+/** Labels after those of gas and fluid, 1 and 2. */
 constexpr unsigned short ileumLabel = 3;
 constexpr unsigned short foldLabel = 4;
 

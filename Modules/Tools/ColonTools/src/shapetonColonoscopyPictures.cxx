@@ -21,7 +21,7 @@ const RGBColor endColor = MakeColor(240, 240, 240);
 const RGBColor foldColor = MakeColor(20, 130, 60);
 const RGBColor residueColor = MakeColor(240, 200, 0);
 
-constexpr double opacityOfGlass = 0.3;
+constexpr double opacityOfGlass = 0.3; // chosen by eye
 /** Radii of tubes and balls, mm. */
 constexpr double radiusOfTaeniae = 1.6;
 constexpr double radiusOfLoops = 1.6;

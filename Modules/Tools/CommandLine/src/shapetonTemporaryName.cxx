@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-const std::string mark = ".part";
+const std::string mark = ".part"; // in the names of unfinished files
 
 // Process numbers are only unique within one process namespace of one host. The state of a run on another host that
 // shares the folder is unknown.

@@ -8,7 +8,9 @@
 #include "shapetonTransferFunctionPicture.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 namespace shapeton
@@ -58,46 +60,103 @@ Combined(Facts facts, const Facts & more)
   return facts;
 }
 
-/** Components are computed for heat only. */
-bool
-IsHeat(const ShapeQuantity & quantity)
+std::string
+TextOf(const Json & value, int digits)
 {
-  return quantity.greatestVisits == 0;
+  return value.is_string()          ? value.get<std::string>()
+         : !value.is_number_float() ? std::to_string(value.get<std::uint64_t>())
+         : digits > 0               ? CsvTable::Rounded(value, digits)
+                                    : CsvTable::Number(value);
 }
 
-/** The table for readers: rounded, with volumes in ml. */
-CsvTable
-ReadableClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity)
+/** A column of classes. */
+struct ClassColumn
 {
-  std::vector<std::string> columns = {
-    "class",  "color",      quantity.name + " from", "to", "mean " + quantity.name, "color of that " + quantity.name,
-    "voxels", "volume, ml", "share of the border"
+  std::string                            name; ///< in report.json and classes.csv; empty: only in the table for readers
+  std::string                            heading; ///< in the table for readers
+  std::function<Json(const HeatClass &)> value;
+  int                                    digits{ 0 }; ///< in classes.csv; 0: all
+  std::function<std::string(const Json &)> shown{ [](const Json & value) { return TextOf(value, 4); } };
+};
+using ClassColumns = std::vector<ClassColumn>;
+
+/** The columns, in the order of the table for readers. Components are computed for heat only. */
+ClassColumns
+ColumnsOfClasses(const HeatAxis & axis, const ShapeQuantity & quantity)
+{
+  const auto shortly = [](const Json & value) { return TextOf(value, 2); };
+  const auto grouped = [](const Json & value) { return GroupedDigits(value); };
+  const auto named = [](const Json & label) { return label == 0 ? "background" : TextOf(label, 0); };
+  const auto milliliters = [](const Json & volume) { return CsvTable::Rounded(volume.get<double>() / 1000.0, 4); };
+  const auto unless0 = [](const Json & value) { return value == 0.0 ? "" : TextOf(value, 4); };
+  const auto colored = [](const HeatClass & c, const RGBColor & color) -> Json {
+    return c.label == 0 ? "" : HexOf(color);
   };
-  Append(columns,
-         IsHeat(quantity) ? std::vector<std::string>{ "coherence", "closed components", "scale-normalized heat" }
-                          : std::vector<std::string>{ "mean number of visits" });
-  CsvTable table(columns);
+  const std::string title = quantity.GetTitle();
+  ClassColumns      columns = {
+         { "label", "class", [](const HeatClass & c) { return c.label; }, 0, named },
+    { "", "color", [=](const HeatClass & c) { return colored(c, ClassColor(c.label)); } },
+    { "lower" + title, quantity.name + " from", [](const HeatClass & c) { return c.lowerHeat; } },
+    { "upper" + title, "to", [](const HeatClass & c) { return c.upperHeat; } },
+    { "mean" + title, "mean " + quantity.name, [](const HeatClass & c) { return c.meanHeat; } },
+    { "color",
+      "color of that " + quantity.name,
+      [=, &axis](const HeatClass & c) { return colored(c, axis.ColorOf(c.meanHeat)); } },
+    { "voxels", "voxels", [](const HeatClass & c) { return c.voxels; }, 0, grouped },
+    { "volume", "volume, ml", [](const HeatClass & c) { return c.volume; }, 0, milliliters },
+    { "borderShare", "share of the border", [](const HeatClass & c) { return c.borderShare; }, 6, shortly }
+  };
+  if (quantity.kind == ShapeQuantity::Kind::Heat)
+  {
+    columns.push_back({ "coherence", "coherence", [](const HeatClass & c) { return c.coherence; }, 6, shortly });
+    columns.push_back({ "components", "closed components", [](const HeatClass & c) { return c.components; } });
+    columns.push_back(
+      { "normalizedHeat", "scale-normalized heat", [](const HeatClass & c) { return c.normalizedHeat; }, 0, unless0 });
+  }
+  else
+  {
+    columns.push_back({ "meanVisits",
+                        "mean number of visits",
+                        [greatest = quantity.greatestVisits](const HeatClass & c) { return c.meanHeat * greatest; },
+                        6 });
+  }
+  return columns;
+}
+
+/** The columns of a file, in which some are the last ones. */
+ClassColumns
+FileColumns(const HeatAxis & axis, const ShapeQuantity & quantity, const std::vector<std::string> & last)
+{
+  ClassColumns columns = ColumnsOfClasses(axis, quantity);
+  columns.erase(columns.begin() + 1); // without a name
+  for (const std::string & name : last)
+  {
+    std::stable_partition(
+      columns.begin(), columns.end(), [&](const ClassColumn & column) { return column.name != name; });
+  }
+  return columns;
+}
+
+/** A table with the heading and the text of each column. */
+template <typename TText>
+CsvTable
+TableOf(const std::vector<HeatClass> & classes,
+        const ClassColumns &           columns,
+        std::string ClassColumn::*heading,
+        const TText &             text)
+{
+  std::vector<std::string> headings;
+  for (const ClassColumn & column : columns)
+  {
+    headings.push_back(column.*heading);
+  }
+  CsvTable table(headings);
   for (const HeatClass & heatClass : classes)
   {
-    const bool               isBackground = heatClass.label == 0;
-    std::vector<std::string> row = { isBackground ? "background" : std::to_string(heatClass.label),
-                                     isBackground ? "" : HexOf(ClassColor(heatClass.label)),
-                                     CsvTable::Rounded(heatClass.lowerHeat, 4),
-                                     CsvTable::Rounded(heatClass.upperHeat, 4),
-                                     CsvTable::Rounded(heatClass.meanHeat, 4),
-                                     isBackground ? "" : HexOf(axis.ColorOf(heatClass.meanHeat)),
-                                     GroupedDigits(heatClass.voxels),
-                                     CsvTable::Rounded(heatClass.volume / 1000.0, 4),
-                                     CsvTable::Rounded(heatClass.borderShare, 2) };
-    if (IsHeat(quantity))
+    std::vector<std::string> row;
+    for (const ClassColumn & column : columns)
     {
-      row.push_back(CsvTable::Rounded(heatClass.coherence, 2));
-      row.push_back(std::to_string(heatClass.components));
-      row.push_back(heatClass.components == 0 ? "" : CsvTable::Rounded(heatClass.normalizedHeat, 4));
-    }
-    else
-    {
-      row.push_back(CsvTable::Rounded(heatClass.meanHeat * quantity.greatestVisits, 4));
+      row.push_back(text(column, column.value(heatClass)));
     }
     table.AddRow(row);
   }
@@ -115,31 +174,24 @@ JsonOf(const Facts & facts)
   return object;
 }
 
+/** Classes with some columns, or all. */
 Json
-JsonOf(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity)
+JsonOf(const std::vector<HeatClass> & classes,
+       const HeatAxis &               axis,
+       const ShapeQuantity &          quantity,
+       const std::set<std::string> &  names = {})
 {
   Json list = Json::array();
   for (const HeatClass & heatClass : classes)
   {
-    Json entry = { { "label", heatClass.label },
-                   { "lower" + quantity.GetTitle(), heatClass.lowerHeat },
-                   { "upper" + quantity.GetTitle(), heatClass.upperHeat },
-                   { "mean" + quantity.GetTitle(), heatClass.meanHeat },
-                   { "voxels", heatClass.voxels },
-                   { "volume", heatClass.volume },
-                   { "borderShare", heatClass.borderShare } };
-    if (IsHeat(quantity))
+    list.push_back(Json::object());
+    for (const ClassColumn & column : FileColumns(axis, quantity, { "color" }))
     {
-      entry["coherence"] = heatClass.coherence;
-      entry["components"] = heatClass.components;
-      entry["normalizedHeat"] = heatClass.normalizedHeat;
+      if (names.empty() || names.count(column.name) > 0)
+      {
+        list.back()[column.name] = column.value(heatClass);
+      }
     }
-    else
-    {
-      entry["meanVisits"] = heatClass.meanHeat * quantity.greatestVisits;
-    }
-    entry["color"] = heatClass.label == 0 ? "" : HexOf(axis.ColorOf(heatClass.meanHeat));
-    list.push_back(entry);
   }
   return list;
 }
@@ -178,16 +230,10 @@ JsonOfRanges(const HeatReportContent & content)
   {
     ranges.push_back({ range.lower, range.upper });
   }
-  Json lines = Json::array();
-  for (const HeatClass & line : opened.classes)
-  {
-    lines.push_back({ { "label", line.label },
-                      { "lower" + title, line.lowerHeat },
-                      { "upper" + title, line.upperHeat },
-                      { "mean" + title, line.meanHeat },
-                      { "voxels", line.voxels },
-                      { "color", HexOf(opened.axis.ColorOf(line.meanHeat)) } });
-  }
+  const Json lines = JsonOf(opened.classes,
+                            opened.axis,
+                            content.quantity,
+                            { "label", "lower" + title, "upper" + title, "mean" + title, "voxels", "color" });
   return { { "ranges", ranges }, { "lines", lines }, { "transferFunction", opened.lines.ToText() } };
 }
 
@@ -335,7 +381,8 @@ void
 AddReadingGuide(HtmlReport & html, const ShapeQuantity & quantity)
 {
   html.AddHeading("How to read the pictures");
-  for (const std::string & paragraph : IsHeat(quantity) ? ReadingGuideOfHeat() : ReadingGuideOfVisits())
+  for (const std::string & paragraph :
+       quantity.kind == ShapeQuantity::Kind::Heat ? ReadingGuideOfHeat() : ReadingGuideOfVisits())
   {
     html.AddParagraph(paragraph);
   }
@@ -345,36 +392,10 @@ AddReadingGuide(HtmlReport & html, const ShapeQuantity & quantity)
 CsvTable
 ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity)
 {
-  const std::string        title = quantity.GetTitle();
-  std::vector<std::string> columns = { "label",  "lower" + title, "upper" + title, "mean" + title,
-                                       "voxels", "volume",        "borderShare" };
-  Append(columns,
-         IsHeat(quantity) ? std::vector<std::string>{ "components", "normalizedHeat", "coherence", "color" }
-                          : std::vector<std::string>{ "meanVisits", "color" });
-  CsvTable table(columns);
-  for (const HeatClass & heatClass : classes)
-  {
-    std::vector<std::string> row = { std::to_string(heatClass.label),
-                                     CsvTable::Number(heatClass.lowerHeat),
-                                     CsvTable::Number(heatClass.upperHeat),
-                                     CsvTable::Number(heatClass.meanHeat),
-                                     std::to_string(heatClass.voxels),
-                                     CsvTable::Number(heatClass.volume),
-                                     CsvTable::Rounded(heatClass.borderShare, 6) };
-    if (IsHeat(quantity))
-    {
-      row.push_back(std::to_string(heatClass.components));
-      row.push_back(CsvTable::Number(heatClass.normalizedHeat));
-      row.push_back(CsvTable::Rounded(heatClass.coherence, 6));
-    }
-    else
-    {
-      row.push_back(CsvTable::Rounded(heatClass.meanHeat * quantity.greatestVisits, 6));
-    }
-    row.push_back(heatClass.label == 0 ? "" : HexOf(axis.ColorOf(heatClass.meanHeat)));
-    table.AddRow(row);
-  }
-  return table;
+  return TableOf(classes,
+                 FileColumns(axis, quantity, { "coherence", "color" }),
+                 &ClassColumn::name,
+                 [](const ClassColumn & column, const Json & value) { return TextOf(value, column.digits); });
 }
 
 Picture::Pointer
@@ -591,7 +612,11 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
                    "rendering follow.</p>");
   }
   html.AddHeading("Classes");
-  html.AddTable(ReadableClassTable(content.classes, axis, quantity), "Classes" + time + ", by " + quantity.name);
+  const CsvTable classes = TableOf(content.classes,
+                                   ColumnsOfClasses(axis, quantity),
+                                   &ClassColumn::heading,
+                                   [](const ClassColumn & column, const Json & value) { return column.shown(value); });
+  html.AddTable(classes, "Classes" + time + ", by " + quantity.name);
   addPicture("slices-classes.png",
              Slices(content, "Classes" + time, ColorByClass(content.classes), LegendOf(content.classes, quantity)),
              "Slices of the input, colored by class.");

@@ -1,7 +1,7 @@
 #include "shapetonSeedFiles.h"
 
 #include "shapetonExceptions.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -38,7 +38,7 @@ using Message = std::shared_ptr<const std::string>;
 
 constexpr std::size_t greatestHeader = 8192;      // bytes of an HTTP request
 constexpr std::size_t greatestMessage = 1U << 18; // bytes; a stroke of 4096 balls has less
-constexpr std::size_t mostConnections = 64;
+constexpr std::size_t mostConnections = 64;       // chosen; more are refused
 /** How long the server waits for messages when it is idle, and how often it reads them during long work. */
 constexpr std::chrono::milliseconds idleWait{ 20 };
 constexpr std::chrono::milliseconds busyWait{ 10 };

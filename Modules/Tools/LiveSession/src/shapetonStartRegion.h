@@ -1,7 +1,7 @@
 #ifndef shapetonStartRegion_h
 #define shapetonStartRegion_h
 
-#include "shapetonVoxelGrid.h"
+#include "shapetonImageGrid.h"
 
 #include "itkImage.h"
 
@@ -31,10 +31,8 @@ MaskOfComponent(const itk::ImageBase<3> * image, const itk::Index<3> & seed, con
   mask->CopyInformation(image);
   mask->SetRegions(image->GetLargestPossibleRegion());
   mask->Allocate(true);
-  const auto      size = mask->GetBufferedRegion().GetSize();
-  const VoxelGrid grid(static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]));
-  const auto      first = static_cast<std::size_t>(mask->ComputeOffset(seed));
-  return FillComponent(grid, first, isInside, mask->GetBufferPointer()) ? mask : nullptr;
+  const auto first = static_cast<std::size_t>(mask->ComputeOffset(seed));
+  return FillComponent(GridOf(mask), first, isInside, mask->GetBufferPointer()) ? mask : nullptr;
 }
 } // namespace shapeton
 

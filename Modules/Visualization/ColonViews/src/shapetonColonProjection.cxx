@@ -13,6 +13,7 @@ namespace
 const RGBColor background = MakeColor(18, 19, 25);
 const RGBColor annotation = MakeColor(214, 218, 226);
 
+/** Layout, pixels. */
 constexpr int titleHeight = 44;
 constexpr int greatestHeight = 760;
 constexpr int greatestWidth = 900;

@@ -19,6 +19,7 @@ const RGBColor outside = MakeColor(58, 60, 68);
 const RGBColor flatGas = MakeColor(14, 15, 20);
 const RGBColor flatFluid = MakeColor(206, 208, 212);
 
+/** Layout, pixels. */
 constexpr int margin = 16;
 constexpr int gap = 14;
 constexpr int headingHeight = 40;

@@ -12,9 +12,9 @@ namespace
 const RGBColor glass = MakeColor(168, 186, 212);
 const RGBColor bridge = MakeColor(250, 214, 60);
 
-constexpr double opacityOfGlass = 0.3;
-constexpr double radiusOfLine = 1.8; ///< mm
-constexpr double radiusOfEnds = 4.5; ///< mm
+constexpr double opacityOfGlass = 0.3; // chosen by eye
+constexpr double radiusOfLine = 1.8;   ///< mm
+constexpr double radiusOfEnds = 4.5;   ///< mm
 
 bool
 IsBridged(const SurfaceArray * bridged, Eigen::Index face)

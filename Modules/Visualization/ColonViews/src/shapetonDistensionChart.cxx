@@ -20,7 +20,7 @@ const RGBColor narrow = MakeColor(240, 150, 100);
 const RGBColor curveColor = MakeColor(22, 74, 116);
 const RGBColor limitColor = MakeColor(196, 44, 44);
 
-constexpr int labelSize = 14;
+constexpr int labelSize = 14; // pixels
 
 using Stations = std::vector<CenterlineStation>;
 

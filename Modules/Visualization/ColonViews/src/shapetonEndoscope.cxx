@@ -15,9 +15,9 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double nearestEye = 15.0; // mm
-constexpr double farthestEye = 60.0;
-constexpr double bestDistance = 25.0;
+constexpr double nearestEye = 15.0;   // mm
+constexpr double farthestEye = 60.0;  // mm
+constexpr double bestDistance = 25.0; // mm; chosen by eye
 
 /** Whether the line between two points is unobstructed; `to` may touch the wall. Steps are no longer than the distance
  * to the wall. */

@@ -14,6 +14,7 @@ namespace shapeton
 {
 namespace
 {
+/** Layout, pixels. */
 constexpr int leftMargin = 52;
 constexpr int rightMargin = 20;
 constexpr int gapBetweenRows = 10;

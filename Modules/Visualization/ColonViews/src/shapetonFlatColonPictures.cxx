@@ -8,8 +8,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr unsigned int samples = 2; ///< in each direction of a pixel
-constexpr double       mostSamples = 16e6;
+constexpr unsigned int samples = 2;        ///< in each direction of a pixel
+constexpr double       mostSamples = 16e6; // of a picture; chosen, bounds the time
 
 FlatColonGridOptions
 OptionsFor(double pixelSize)

@@ -1,6 +1,6 @@
 #include "shapetonLumenBox.h"
 
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 
 #include <algorithm>
 #include <cmath>

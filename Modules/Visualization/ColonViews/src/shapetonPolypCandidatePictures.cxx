@@ -26,6 +26,7 @@ namespace
 {
 using Eigen::Vector3d;
 
+/** Layout, pixels. */
 constexpr unsigned int viewWidth = 400;
 constexpr unsigned int viewHeight = 300;
 constexpr unsigned int cropSize = 196;

@@ -17,6 +17,7 @@ const RGBColor blue = MakeColor(22, 74, 116);
 const RGBColor paleBlue = MakeColor(120, 170, 210);
 const RGBColor colorOfLimit = MakeColor(196, 44, 44);
 
+/** Size of a chart, pixels. */
 constexpr int width = 1000;
 constexpr int height = 380;
 

@@ -7,7 +7,7 @@
 #include "shapetonFlatColonStrip.h"
 #include "shapetonHaustralFoldFiles.h"
 #include "shapetonPicture.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 #include "shapetonSegmentQuality.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonViewerCandidates.h"

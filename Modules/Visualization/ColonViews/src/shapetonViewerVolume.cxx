@@ -15,8 +15,8 @@ namespace
 using VolumeType = itk::Image<float, 3>;
 using MaskType = itk::Image<unsigned char, 3>;
 
-constexpr double marginOfVolume = 15.0;
-constexpr int    side = 4; // of the blocks that are averaged
+constexpr double marginOfVolume = 15.0; // mm around the colon; chosen
+constexpr int    side = 4;              // of the blocks that are averaged
 
 /** Codes of HU: equal steps up to the code `knee`, larger ones above it, so that 8 bits also hold contrast medium. */
 struct Quantization

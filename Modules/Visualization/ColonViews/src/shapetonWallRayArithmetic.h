@@ -23,8 +23,8 @@ struct WallVolume
 /** Rendering parameters of the rays. Hounsfield units and mm. */
 struct WallLook
 {
-  static constexpr int numberOfOpacities = 4096;
-  static constexpr int numberOfColors = 512;
+  static constexpr int numberOfOpacities = 4096; // of the table; chosen
+  static constexpr int numberOfColors = 512;     // of the table; chosen
 
   double        gas;
   double        tissue;

@@ -10,10 +10,16 @@ namespace shapeton
  * \ingroup ShapetonHeatViews */
 struct ShapeQuantity
 {
+  enum class Kind
+  {
+    Heat,
+    Visits
+  };
+  Kind kind{ Kind::Heat };
   /** Lowercase name, singular and plural. */
   std::string name{ "heat" };
   std::string plural{ "heats" };
-  /** Number of visits that a value of 1 represents; 0 if the values are not visits. */
+  /** Number of visits that a value of 1 represents; 0 for heat. */
   std::uint32_t greatestVisits{ 0 };
 
   /** The capitalized name. */
@@ -29,7 +35,7 @@ struct ShapeQuantity
   static ShapeQuantity
   Density(std::uint32_t greatestVisits)
   {
-    return { "density", "densities", greatestVisits };
+    return { Kind::Visits, "density", "densities", greatestVisits };
   }
 };
 } // namespace shapeton

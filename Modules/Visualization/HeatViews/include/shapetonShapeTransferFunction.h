@@ -41,7 +41,7 @@ struct TransferFunctionLine
 class ShapetonHeatViews_EXPORT ShapeTransferFunction
 {
 public:
-  static constexpr std::size_t MaximumNumberOfLines = 12;
+  static constexpr std::size_t MaximumNumberOfLines = 12; // chosen
 
   ShapeTransferFunction() = default;
 

@@ -12,6 +12,7 @@ namespace shapeton
 {
 namespace
 {
+/** Layout, pixels. */
 constexpr int backgroundLineWidth = 5;
 constexpr int backgroundLineGap = 3;
 constexpr int colorStripHeight = 8;
@@ -481,7 +482,7 @@ DrawTitles(Picture * picture, const HeatHistogramPictureOptions & options, const
   const TextStyle style = Style(numberSize, HorizontalAnchor::Left, VerticalAnchor::Top, faintInk);
   DrawText(picture, key, left, topOfKey, FitText(key, style, width));
   std::string name = options.quantity.name;
-  if (options.quantity.greatestVisits > 0)
+  if (options.quantity.kind == ShapeQuantity::Kind::Visits)
   {
     name += " (1: " + GroupedDigits(options.quantity.greatestVisits) + " visits)";
   }

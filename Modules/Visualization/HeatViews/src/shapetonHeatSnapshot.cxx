@@ -19,7 +19,7 @@ namespace
 {
 constexpr char        prefix[] = "heat-";
 constexpr char        suffix[] = ".nrrd";
-constexpr std::size_t digits = 9;
+constexpr std::size_t digits = 9; // of the step in a name, so that names are in order
 
 std::optional<std::uint64_t>
 WholeNumber(const std::string & text)

@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr std::size_t greatestNumberOfRows = 64;
+constexpr std::size_t greatestNumberOfRows = 64; // of the histogram; more are thinned out
 
 HeatHistogram
 Joined(const std::vector<HeatHistogram> & rows)

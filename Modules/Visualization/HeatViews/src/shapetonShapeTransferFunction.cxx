@@ -20,7 +20,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double narrowestLine = 1e-7;
+constexpr double narrowestLine = 1e-7; // heat; narrower lines are refused
 // 3D Slicer reads the lines of a .vp file into a buffer of 1024 characters.
 constexpr std::size_t greatestLineLength = 1023;
 

@@ -4,6 +4,7 @@
 #include "shapetonColorMap.h"
 #include "shapetonCsvTable.h"
 #include "shapetonPageColors.h"
+#include "shapetonQuantiles.h"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,7 @@ using ImageType = itk::Image<float, 3>;
 
 constexpr SlicePlane planes[] = { SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal };
 
+/** Layout, pixels. */
 constexpr int margin = 16;
 constexpr int gap = 14;
 constexpr int titleHeight = 40;
@@ -158,13 +160,8 @@ WindowOf(const ImageType * gray, const IntensityWindow & window)
   {
     sample.push_back(gray->GetBufferPointer()[i]);
   }
-  const auto quantile = [&](double share) {
-    const auto place = sample.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sample.size() - 1));
-    std::nth_element(sample.begin(), place, sample.end());
-    return static_cast<double>(*place);
-  };
-  const double lower = quantile(0.005);
-  const double upper = quantile(0.995);
+  const double lower = LowerQuantile(sample, 0.005);
+  const double upper = LowerQuantile(sample, 0.995);
   return upper > lower ? IntensityWindow{ lower, upper } : IntensityWindow{ lower, lower + 1.0 };
 }
 

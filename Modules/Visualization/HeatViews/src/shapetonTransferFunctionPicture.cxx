@@ -9,6 +9,7 @@ namespace shapeton
 {
 namespace
 {
+/** Layout, pixels. */
 constexpr unsigned int pageWidth = 1200;
 constexpr int          pageMargin = 16;
 constexpr int          headHeight = 48;

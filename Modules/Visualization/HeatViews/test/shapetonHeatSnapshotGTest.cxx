@@ -1,7 +1,7 @@
 #include "shapetonHeatSnapshot.h"
 #include "shapetonVolumeReader.h"
 #include "shapetonPictureTestUtilities.h"
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 
 #include "itkImageFileWriter.h"
 #include "itkMetaDataObject.h"

@@ -12,7 +12,7 @@ namespace
 {
 using Vector3 = Eigen::Vector3d;
 
-constexpr int sides = 12;
+constexpr int sides = 12;  // of the cross section; chosen
 constexpr int stacks = 10; // rings of a ball, from pole to pole
 
 /** Collects vertices and faces. */

@@ -12,6 +12,7 @@ namespace
 const RGBColor ink = MakeColor(30, 32, 38);
 const RGBColor grid = MakeColor(226, 228, 232);
 
+/** Layout, pixels. */
 constexpr int tickLength = 5;
 constexpr int numberSize = 15;
 constexpr int titleSize = 16;

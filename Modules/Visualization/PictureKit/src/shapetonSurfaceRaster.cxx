@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr int rowsOfBand = 36;
+constexpr int rowsOfBand = 36; // pixels; one task each, chosen
 
 /** The first sample with its center at or after a position, and the last one at or before it. */
 int

@@ -16,7 +16,7 @@ namespace
 const RGBColor background = MakeColor(18, 19, 25);
 const RGBColor annotation = MakeColor(214, 218, 226);
 
-constexpr int marginOfScene = 12;
+constexpr int marginOfScene = 12; // pixels
 
 void
 Require(bool condition, const char * what)

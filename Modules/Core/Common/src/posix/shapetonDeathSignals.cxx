@@ -26,9 +26,9 @@ std::atomic<pid_t>                  owner{ 0 }; // a forked child inherits the l
 
 volatile std::sig_atomic_t pendingSignal = 0;
 
-constexpr int deferred[] = { SIGINT, SIGTERM, SIGHUP };
-constexpr int requests[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGALRM, SIGXCPU };
-constexpr int crashes[] = { SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL };
+constexpr int deferred[] = { SIGINT, SIGTERM, SIGHUP }; // wait until the end of a delay
+constexpr int requests[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGALRM, SIGXCPU }; // by the user or the system
+constexpr int crashes[] = { SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL };                     // of this process
 
 void
 RemoveAll()

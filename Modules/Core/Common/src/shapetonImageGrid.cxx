@@ -1,4 +1,4 @@
-#include "shapetonSameGrid.h"
+#include "shapetonImageGrid.h"
 
 #include <algorithm>
 
