@@ -40,6 +40,7 @@ enum class ColonHindrance
   UntaggedFluid = 3,
   Narrow = 4
 };
+/** Number of values of ColonHindrance. \ingroup ShapetonColonCenterline */
 constexpr int numberOfColonHindrances = 5;
 
 /** "none", "noLumen", "cutByScan", "untaggedFluid", "narrow". */

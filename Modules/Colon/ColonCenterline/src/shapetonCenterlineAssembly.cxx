@@ -509,7 +509,7 @@ AddUnusedComponents(const LumenMask *       lumen,
 void
 AddMerges(const LumenNetwork & network, ColonCenterline & result)
 {
-  constexpr double onePlace = 30.0;
+  constexpr double onePlace = 30.0; // mm; chosen: merges nearer to each other are one place
   for (const CellTree::Merge & found : network.tree.Merges())
   {
     const CellPassage & passage = network.cells.passages[found.passage];

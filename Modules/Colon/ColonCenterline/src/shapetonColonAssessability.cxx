@@ -324,6 +324,7 @@ MarkHindrances(const std::vector<HinderedStretch> & stretches, CurveSet & curves
 std::string
 ColonAssessability::Verdict() const
 {
+  // Shares of the length; chosen.
   constexpr double assessable = 0.9;
   constexpr double notAssessable = 0.5;
   return share >= assessable ? "assessable" : share < notAssessable ? "notAssessable" : "partly";

@@ -224,7 +224,7 @@ TraceOn(const std::array<int, 3> &      blocks,
 bool
 IsTorn(const Traced & traced)
 {
-  constexpr double shortGap = 12.0;
+  constexpr double shortGap = 12.0; // mm; chosen: a torn lumen has short gaps
   for (std::size_t i = 1; i < traced.order.size(); ++i)
   {
     const PieceLine &     before = traced.lines[traced.order[i - 1].piece];
@@ -245,7 +245,7 @@ Trace(const LumenDistanceImage *      distance,
       const LumenChoice &             choice,
       const ColonCenterlineSettings & options)
 {
-  constexpr std::array<int, 3> single = { 1, 1, 1 };
+  constexpr std::array<int, 3> single = { 1, 1, 1 }; // voxels per block: no merging
   const auto                   blocks = LumenGrid::Blocks(distance->GetSpacing().GetDataPointer());
   Traced                       traced;
   if (blocks != single)

@@ -94,7 +94,7 @@ public:
   void
   ForEachNeighbor(int node, const TBody & body) const
   {
-    constexpr unsigned int rowMask = 0b111;
+    constexpr unsigned int rowMask = 0b111; // the three neighbors of a row
     const Neighbors &      around = m_Neighbors[node];
     for (unsigned int row = 0; row < 9; ++row)
     {

@@ -44,6 +44,7 @@ PositionsOf(const LumenGrid & grid, const std::vector<int> & nodes)
   return points;
 }
 
+/** No limit of a distance (mm). */
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /** Index of the nearest curve point (`first` to `last`) within the lumen for each node; -1 beyond `reach` mm. */

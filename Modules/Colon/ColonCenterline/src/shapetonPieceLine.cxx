@@ -107,7 +107,7 @@ Prolong(const LumenGrid & grid, const PathTree & paths, const std::vector<int> &
 {
   const std::vector<int> branch = BranchIndices(grid, paths, core);
   const int              last = static_cast<int>(core.size()) - 1;
-  const double           reach = 30.0;
+  const double           reach = 30.0; // mm; chosen: tips branch off the last part of the core
   const double           earliest = paths.lengths[core[last]] - reach;
   int                    best = core[last];
   for (const int node : paths.order)

@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  static constexpr int KeyBits = 64;
+  static constexpr int KeyBits = 64; ///< of Entry::key
 
   static int
   BucketOf(std::uint64_t difference)

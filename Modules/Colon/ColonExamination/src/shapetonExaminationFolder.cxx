@@ -22,7 +22,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr const char * formatName = "Shapeton examination";
+constexpr const char * formatName = "Shapeton examination"; // value of "format" in the file
 
 /** A folder without the file was put together from results of single tools. */
 void

@@ -32,8 +32,8 @@ PointOf(const CsvFile & file, std::size_t row, const std::string & prefix)
 std::string
 Cell(double value)
 {
-  constexpr double parts = 1000.0;
-  constexpr int    digits = 9;
+  constexpr double parts = 1000.0; // per mm or fraction
+  constexpr int    digits = 9;     // significant; keeps 0.001 of all values below 10^6
   return std::isfinite(value) ? CsvTable::Rounded(std::round(parts * value) / parts + 0.0, digits) : "";
 }
 

@@ -20,7 +20,7 @@ RefuseDocument(const Json::exception & error)
 std::vector<ColonSegmentExtent>
 SegmentsOf(const Json & landmarks, double lengthOfCenterline)
 {
-  constexpr int                   cecum = 6;
+  constexpr int                   cecum = 6; // label of the last segment
   const double                    unknown = std::numeric_limits<double>::quiet_NaN();
   std::vector<ColonSegmentExtent> segments;
   try

@@ -69,7 +69,7 @@ AddPlace(const ColonLandmarks & landmarks, const SegmentBorder & border, Json & 
 void
 AddEvidence(const ColonFlexures & flexures, int number, Json & json)
 {
-  constexpr int junction = 2;
+  constexpr int junction = 2; // number of the descending-sigmoid flexure, from 1 at the rectum
   if (number == junction && flexures.rule == FlexureRule::Ordered)
   {
     json["decidedBy"] = flexures.isJunctionFromBones ? "bone" : "course";

@@ -21,11 +21,12 @@ struct PriorValue
   double
   LogDensity(double value) const
   {
-    constexpr double rootOfTwoPi = 2.5066282746310002;
+    constexpr double rootOfTwoPi = 2.5066282746310002; // sqrt(2 pi), of the normal density
     return -0.5 * this->SquaredDeviation(value) - std::log(rootOfTwoPi * deviation);
   }
 };
 
+/** Number of features of a flexure, in the order of FlexurePrior::features. */
 constexpr int NumberOfFlexureFeatures = 12;
 using FlexureFeatures = std::array<double, NumberOfFlexureFeatures>;
 
@@ -117,7 +118,7 @@ struct SectionPrior
   double
   LogRatio(const TPlace & at, const TDirection & tangent) const
   {
-    constexpr double widthOfDirections = 2.0;
+    constexpr double widthOfDirections = 2.0; // a component is uniform in -1 to 1 for a random direction
     double           sum = 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {

@@ -67,7 +67,7 @@ Sum(Scores a, const Scores & b)
 double
 MixedWithRedundant(double ratioOfUsual)
 {
-  constexpr double redundant = 0.1;
+  constexpr double redundant = 0.1; // mixture weight, see above
   const auto [lesser, greater] = std::minmax({ std::log(1.0 - redundant) + ratioOfUsual, std::log(redundant) });
   return greater + std::log1p(std::exp(lesser - greater));
 }
@@ -233,7 +233,7 @@ private:
     {
       return impossibleTerms;
     }
-    constexpr int splenic = 2;
+    constexpr int splenic = 2; // index of the flexure, from 0 at the rectum
     const double  section = k == splenic ? MixedWithRedundant(m_Descending[to] - m_Descending[from]) : 0.0;
     return section - 0.5 * TheFlexurePriors[k].gap.SquaredDeviation(share);
   }

@@ -12,9 +12,9 @@ namespace shapeton
 {
 namespace
 {
-constexpr double windowLength = 150.0; // mm
-constexpr int    leastEndsOfWindow = 5;
-constexpr int    iterations = 40;
+constexpr double windowLength = 150.0;  // mm
+constexpr int    leastEndsOfWindow = 5; // chosen: more than the three centers
+constexpr int    iterations = 40;       // chosen: bounds the time
 /** Least squared distance of a point of the unit circle to a center, so that a fold end at a center does not outweigh
  * all others. */
 constexpr double leastDistance = 1e-4;

@@ -87,6 +87,7 @@ public:
   }
 
 private:
+  /** Number of angles of the first track times two gaps. */
   static constexpr std::size_t States = static_cast<std::size_t>(anglesAround) * gaps * gaps;
 
   void
@@ -128,6 +129,7 @@ private:
     std::array<unsigned char, gaps * gaps> steps;
   };
 
+  /** Number of codes of the steps of three tracks (back, none, forward), in base 3. */
   static constexpr int allTracks = 27;
 
   /** Factor of a track in the steps of Arrivals, and the change of the two gaps by its step. */
@@ -138,6 +140,7 @@ private:
     int nextGap;
   };
 
+  /** Place values of base 3. A step forward narrows the gap ahead of the track and widens the gap behind it. */
   static constexpr Track first{ 9, -1, 0 };
   static constexpr Track second{ 3, 1, -1 };
   static constexpr Track third{ 1, 0, 1 };

@@ -15,6 +15,7 @@ namespace shapeton
 {
 namespace
 {
+/** Label of tagged fluid in a LumenMask. */
 constexpr unsigned char fluidLabel = 2;
 
 /** The segment of each face. */
@@ -198,7 +199,7 @@ QualityAlongLine(const CurveSet & centerline, const std::vector<ColonSegmentExte
 std::string
 Number(double value)
 {
-  constexpr int digits = 6;
+  constexpr int digits = 6; // significant, in tables
   return std::isfinite(value) ? CsvTable::Rounded(value, digits) : "";
 }
 } // namespace
@@ -229,6 +230,7 @@ FindCoatedFaces(const SurfaceMesh & wall, const LumenMask * lumen, const Attenua
 std::string
 NameOf(DistensionGrade grade)
 {
+  // In the order of DistensionGrade.
   constexpr std::array<const char *, 5> names{ { "", "collapsed", "inadequate", "adequate", "optimal" } };
   return names.at(static_cast<std::size_t>(grade));
 }
@@ -236,8 +238,8 @@ NameOf(DistensionGrade grade)
 DistensionGrade
 GradeOf(const ColonDistension & distension)
 {
-  constexpr double half = 0.5, most = 0.9; // of the length, as for ColonAssessability::Verdict()
-  constexpr double wide = 2.0 * LeastDistendedCaliber;
+  constexpr double half = 0.5, most = 0.9;             // of the length, as for ColonAssessability::Verdict()
+  constexpr double wide = 2.0 * LeastDistendedCaliber; // mm; chosen: twice the limit of collapse
   return distension.share < half         ? DistensionGrade::Collapsed
          : distension.share < most       ? DistensionGrade::Inadequate
          : distension.meanCaliber < wide ? DistensionGrade::Adequate

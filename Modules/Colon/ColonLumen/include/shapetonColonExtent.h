@@ -28,6 +28,7 @@ struct ColonExtent
   double
   DistanceFromAnus(const TPoint & place) const
   {
+    // Weights relative to the distance along the body. Chosen: the height counts most.
     constexpr double sideways = 0.7;
     constexpr double forwards = 0.5;
     const double     middle = 0.5 * (lowest[0] + highest[0]);
@@ -46,7 +47,7 @@ struct ColonExtent
   std::array<double, 3> highest{ { -nowhere, -nowhere, -nowhere } };
 
 private:
-  static constexpr double nowhere = std::numeric_limits<double>::max();
+  static constexpr double nowhere = std::numeric_limits<double>::max(); ///< start of a minimum (mm)
 };
 } // namespace shapeton
 

@@ -9,18 +9,18 @@ namespace shapeton
 {
 namespace
 {
-constexpr std::size_t LeastSections = 8; // 1 mm each
-constexpr double      ShareOfRays = 1.0 / 3;
-constexpr double      ThickestMembrane = 3.0; // mm, blurred
-constexpr double      ThinnestInFluid = 2.0;  // mm, blurred; excludes partial volume at a level of bright fluid
-constexpr double      LeastRoom = 2.5;        // mm between tube and sphere
-constexpr double      LargestBalloon = 30.0;  // mm, radius
-constexpr double      FarFromBall = 1.5;      // mm
-constexpr double      ShareOnBall = 0.75;
-constexpr double      LeastResidual = 0.6; // mm; smaller residuals are always accepted
-constexpr double      ShareOfRadius = 1.0 / 12;
-constexpr double      ShareOffAxis = 1.0 / 3; // of the radius
-constexpr double      ShareOfCylinder = 0.5;  // relative to the residual of a cylinder
+constexpr std::size_t LeastSections = 8;        // 1 mm each
+constexpr double      ShareOfRays = 1.0 / 3;    // rays of a section with an exit; chosen
+constexpr double      ThickestMembrane = 3.0;   // mm, blurred
+constexpr double      ThinnestInFluid = 2.0;    // mm, blurred; excludes partial volume at a level of bright fluid
+constexpr double      LeastRoom = 2.5;          // mm between tube and sphere
+constexpr double      LargestBalloon = 30.0;    // mm, radius
+constexpr double      FarFromBall = 1.5;        // mm
+constexpr double      ShareOnBall = 0.75;       // exits that are no outliers; chosen
+constexpr double      LeastResidual = 0.6;      // mm; smaller residuals are always accepted
+constexpr double      ShareOfRadius = 1.0 / 12; // residual relative to the radius; chosen
+constexpr double      ShareOffAxis = 1.0 / 3;   // of the radius
+constexpr double      ShareOfCylinder = 0.5;    // relative to the residual of a cylinder
 
 using Exits = std::vector<BalloonExit>;
 
@@ -118,7 +118,7 @@ RootMeanSquare(const CatheterBalloon & ball)
 CatheterBalloon
 BallThroughMost(Exits exits)
 {
-  constexpr int   turns = 12;
+  constexpr int   turns = 12; // chosen: bounds the time; ends earlier without outliers
   CatheterBalloon ball = FittedBall(exits);
   for (int turn = 0; turn < turns && exits.size() > 8; ++turn)
   {

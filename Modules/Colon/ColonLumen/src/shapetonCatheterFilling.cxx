@@ -65,6 +65,7 @@ ForEachAcross(const ColonGrid & grid, const TubeSection & section, double reach,
 ClassVolume
 VoxelsOfTube(const CatheterTube & tube, const ColonGrid & grid)
 {
+  // Distance (mm) from the axis; 1 mm allows for its error.
   constexpr double widest = LargestBoreRadius + 1.0 + ThickestTubeWall;
   ClassVolume      taken(grid.NumberOfVoxels(), Nothing);
   for (const auto & section : tube.sections)

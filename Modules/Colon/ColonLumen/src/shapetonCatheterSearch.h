@@ -8,6 +8,7 @@
 
 namespace shapeton
 {
+/** Confidence (0 to 1) above which a bore is added to the lumen. Chosen: more likely a catheter than bowel. */
 constexpr double LeastCatheterConfidence = 0.5;
 
 /** A bore in the rectum that may be a catheter. */

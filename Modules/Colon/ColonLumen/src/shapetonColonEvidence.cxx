@@ -17,11 +17,11 @@ namespace shapeton
 {
 namespace
 {
-constexpr double SeedShare = 0.7;     // fraction of the range from tissue to fluid
-constexpr double BrighterBowel = 1.2; // contrast of another bowel relative to the fluid of the colon
-constexpr double FaintestPercentile = 0.1;
-constexpr double FaintestShare = 0.75;  // relative to the contrast of typical fluid
-constexpr double ReachUnderLevel = 8.0; // mm
+constexpr double SeedShare = 0.7;          // fraction of the range from tissue to fluid
+constexpr double BrighterBowel = 1.2;      // contrast of another bowel relative to the fluid of the colon
+constexpr double FaintestPercentile = 0.1; // share of the area of tagged levels; chosen: ignores few faint levels
+constexpr double FaintestShare = 0.75;     // relative to the contrast of typical fluid
+constexpr double ReachUnderLevel = 8.0;    // mm
 
 /** Area-weighted percentile of the levels. */
 double
@@ -318,7 +318,7 @@ FindSeedVoxels(const ColonEvidence & evidence, const std::vector<itk::Point<doub
 namespace
 {
 constexpr double ClearLevels = 500.0; // mm^2
-constexpr double ClearRatio = 3.0;
+constexpr double ClearRatio = 3.0;    // relative to the levels of the given direction; chosen
 // Required to override a file header. In a well-tagged examination, levels cover 200 cm^2; in other directions, at most
 // 3 cm^2.
 constexpr double CertainLevels = 5000.0; // mm^2

@@ -143,11 +143,11 @@ MomentsOfBlock(const ColonGrid & grid, const VoxelValues & hu, const VoxelBox & 
 double
 ModeOfTissue(const VoxelValues & hu)
 {
-  constexpr int       low = -60; // HU; one bin per HU
-  constexpr int       bins = 220;
-  constexpr int       halfWidth = 20; // HU, of the triangular window that smooths the histogram
-  constexpr int       margin = 2 * halfWidth;
-  constexpr double    usual = 40.0; // HU, for a window without a mode
+  constexpr int       low = -60;              // HU; one bin per HU
+  constexpr int       bins = 220;             // to 160 HU; chosen: holds plain and enhanced soft tissue
+  constexpr int       halfWidth = 20;         // HU, of the triangular window that smooths the histogram
+  constexpr int       margin = 2 * halfWidth; // HU; a mode at the border is the flank of another peak
+  constexpr double    usual = 40.0;           // HU, for a window without a mode
   std::vector<double> count(bins, 0.0);
   for (std::size_t p = 0; p < hu.size(); p += 3)
   {
@@ -207,7 +207,7 @@ double
 NoiseInTissue(const ColonGrid & grid, const VoxelValues & hu, double tissue)
 {
   constexpr double      nearTissue = 60.0; // HU
-  constexpr std::size_t leastBlocks = 20;
+  constexpr std::size_t leastBlocks = 20;  // chosen: fewer give no reliable quartile
   const VoxelBlocks     blocks = MeasureBlocks(grid, hu);
   std::vector<double>   deviations;
   for (std::size_t b = 0; b < blocks.mean.size(); ++b)

@@ -33,7 +33,7 @@ constexpr double OneVoxel = 1e-6;
 inline double
 UniformVariance(double width)
 {
-  constexpr double squaresPerVariance = 12.0;
+  constexpr double squaresPerVariance = 12.0; // the variance of a uniform distribution is width^2 / 12
   return width * width / squaresPerVariance;
 }
 

@@ -14,9 +14,9 @@ namespace shapeton
 {
 namespace
 {
-constexpr double LeastPieceMl = 0.05;
-constexpr double LeastLeftOutMl = 1.0;
-constexpr double LeastBrightMl = 10.0;
+constexpr double LeastPieceMl = 0.05;     // chosen: smaller pieces are not listed
+constexpr double LeastLeftOutMl = 1.0;    // of gas; chosen: keeps the list short
+constexpr double LeastBrightMl = 10.0;    // chosen: keeps the list short
 constexpr double LeastBrightRadius = 7.0; // mm
 /** Chosen on few data: an unprepared abdomen contains 298 ml of such lumen. */
 constexpr double UsableMl = 400.0; // or UsableShare of the body if that is less

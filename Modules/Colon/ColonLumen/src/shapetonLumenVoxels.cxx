@@ -25,7 +25,7 @@ constexpr double NearEdge = 0.4;    // relative to the contrast of the fluid at 
 double
 LayerThickness(const LumenField & field)
 {
-  constexpr double widthInBlurs = 1.38;
+  constexpr double widthInBlurs = 1.38; // quantiles of the normal distribution: 0.88 + 0.50
   return widthInBlurs * field.Blur();
 }
 
@@ -153,7 +153,7 @@ FillLevelLayers(LumenField & field)
 constexpr double GrowthReach = 3.0;       // mm
 constexpr double LeastCompetingMl = 0.05; // minimum volume of competing bright matter
 constexpr double FaintDepth = 2.0;        // mm below a level; search depth for faintly tagged fluid
-constexpr double FilledCavityMl = 0.03;
+constexpr double FilledCavityMl = 0.03;   // chosen: a ball of 3.9 mm; smaller than a polyp to be reported
 
 void
 PaintGas(LumenField & field)

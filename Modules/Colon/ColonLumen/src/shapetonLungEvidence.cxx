@@ -130,8 +130,8 @@ LungEvidence::IsLung() const
 double
 RoomAir(const ColonGrid & grid, const VoxelValues & hu, const GasOfVolume & gas)
 {
-  constexpr int         margin = 3; // voxels; excludes partial volume at the body or the table
-  constexpr std::size_t least = 1000;
+  constexpr int         margin = 3;   // voxels; excludes partial volume at the body or the table
+  constexpr std::size_t least = 1000; // voxels; chosen: fewer are not representative
   std::vector<float>    values;
   ForEachRun(gas.set, [&](std::size_t r, int j, int k) {
     const VoxelRun run = gas.set.runs[r];

@@ -162,8 +162,8 @@ namespace
 constexpr double LeastPoolContrast = 100.0; // HU above tissue
 constexpr double Plateau = 0.75;            // relative to the contrast of a core; a wall in between is below
 constexpr double GreatestDepth = 15.0;      // mm, ratio of core volume to open contact area with the fluid
-constexpr double LeastCoreMl = 0.05;
-constexpr double NeckRadius = 2.5; // mm; parts connected by narrower necks are tested separately
+constexpr double LeastCoreMl = 0.05;        // chosen: excludes specks of noise
+constexpr double NeckRadius = 2.5;          // mm; parts connected by narrower necks are tested separately
 
 struct Arrival
 {

@@ -16,9 +16,9 @@ namespace shapeton
 {
 namespace
 {
-constexpr double AxisStep = 1.0;   // mm
-constexpr double AxisSmooth = 3.0; // mm, standard deviation
-constexpr double StepInVoxels = 1.5;
+constexpr double AxisStep = 1.0;     // mm
+constexpr double AxisSmooth = 3.0;   // mm, standard deviation
+constexpr double StepInVoxels = 1.5; // least step; chosen above 1, so that few bins are skipped
 
 /** Residue of the morphological opening of a mask by a ball. */
 std::vector<unsigned char>
@@ -124,7 +124,7 @@ public:
   }
 
 private:
-  static constexpr double Far = std::numeric_limits<double>::max();
+  static constexpr double Far = std::numeric_limits<double>::max(); ///< length (mm) of voxels not yet reached
 
   const ColonGrid & m_Grid;
   const VoxelSet &  m_Voxels; ///< ascending

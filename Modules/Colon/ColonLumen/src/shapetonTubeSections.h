@@ -68,7 +68,7 @@ struct OutwardRay
 /** A cross section of a bore. */
 struct TubeSection
 {
-  static constexpr int NumberOfRays = 48;
+  static constexpr int NumberOfRays = 48; ///< chosen: 0.7 mm apart at a radius of 5 mm
 
   Eigen::Vector3d                   center;
   Eigen::Vector3d                   along; ///< unit vector

@@ -27,7 +27,7 @@ public:
   PointOfVoxel(std::int64_t voxel) const;
 
 private:
-  static constexpr std::int32_t Nowhere = -1;
+  static constexpr std::int32_t Nowhere = -1; ///< no site
 
   void
   Spread(const LumenMaskImage * lumen);

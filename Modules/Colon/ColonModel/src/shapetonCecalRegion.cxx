@@ -84,7 +84,7 @@ CecalRegion::Sample(const LumenMask * labels, const itk::Image<float, 3> * ct)
 void
 CecalRegion::MeasureBeforeEnd(const CurveSet & centerline, const Eigen::VectorXd & beforeEnd)
 {
-  constexpr int layersOfTissue = 8;
+  constexpr int layersOfTissue = 8; // voxels of 1.25 mm; chosen: 10 mm hold the wall
   m_BeforeEnd.assign(m_Grid.NumberOfVoxels(), notReached);
   std::vector<std::size_t> front;
   for (Eigen::Index i = 0; i < beforeEnd.size(); ++i)

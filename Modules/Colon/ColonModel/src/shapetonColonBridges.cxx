@@ -61,7 +61,7 @@ FindAxes(const OccupancyImage * occupancy, const CurveSet & centerline, BridgedO
       }
       if (leftAt >= 0.0 && (!isOutside || i + 2 == curve.size()))
       {
-        constexpr int      digits = 5;
+        constexpr int      digits = 5; // significant; 0.1 mm of a colon of up to 10 m
         std::ostringstream text;
         text.precision(digits);
         text << "the centerline is outside the lumen from " << leftAt << " to " << backAt

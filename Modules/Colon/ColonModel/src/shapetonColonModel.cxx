@@ -329,7 +329,7 @@ ModelOf(const itk::Image<float, 3> * ct, ColonLumen && lumen, const ColonModelSe
 LumenMask::Pointer
 Cropped(const LumenMask * lumen)
 {
-  constexpr unsigned int margin = 3;
+  constexpr unsigned int margin = 3; // voxels around the lumen
   const auto             filter = itk::RegionOfInterestImageFilter<LumenMask, LumenMask>::New();
   filter->SetInput(lumen);
   filter->SetRegionOfInterest(LumenRegion(lumen, margin));

@@ -12,9 +12,10 @@ namespace shapeton
 {
 namespace
 {
+/** Field array of the centerline: position (3), arc length, length, width, confidence; mm and 0 to 1. */
 constexpr const char * arrayName = "ileocecalValve";
 constexpr int          valuesInArray = 7;
-constexpr double       leastConfidence = 0.5;
+constexpr double       leastConfidence = 0.5; // chosen: more likely the valve than not
 
 /** Rounded down, so that a value below the limit is not printed as the limit. */
 std::string

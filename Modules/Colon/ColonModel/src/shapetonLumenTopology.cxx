@@ -12,11 +12,11 @@ namespace shapeton
 {
 namespace
 {
-constexpr float         WallLevel = 0.5F;
-constexpr unsigned char Lumen = 1;
-constexpr double        RanksPerMillimeter = 100.0;
-constexpr std::uint16_t CenterlineRank = 65535;
-constexpr double        GreatestDistanceRank = 65534.0;
+constexpr float         WallLevel = 0.5F;               // occupancy at the wall
+constexpr unsigned char Lumen = 1;                      // flag of a voxel
+constexpr double        RanksPerMillimeter = 100.0;     // chosen: 0.01 mm, up to 655 mm in 16 bits
+constexpr std::uint16_t CenterlineRank = 65535;         // the greatest rank, so the line grows first
+constexpr double        GreatestDistanceRank = 65534.0; // below CenterlineRank
 
 LumenMaskImage::Pointer
 NewMaskLike(const OccupancyImage * occupancy)

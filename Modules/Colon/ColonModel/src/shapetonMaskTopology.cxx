@@ -14,7 +14,7 @@ namespace
 int
 EightfoldEulerNumber(unsigned int cube)
 {
-  constexpr unsigned int all = 0xFF;
+  constexpr unsigned int all = 0xFF; // the eight voxels of a cube
   const auto             has = [cube](unsigned int voxels) { return (cube & voxels) == voxels; };
   int                    eightfold = cube == all ? -8 : 0;
   for (unsigned int i = 0; i < 8; ++i)

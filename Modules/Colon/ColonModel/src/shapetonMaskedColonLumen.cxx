@@ -15,8 +15,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr unsigned char Gas = 1;
-constexpr unsigned char Fluid = 2;
+constexpr unsigned char Gas = 1;              // label of a LumenMask
+constexpr unsigned char Fluid = 2;            // label of a LumenMask
 constexpr double        TypicalTissue = 40.0; // HU
 /** Bounds of the values (HU) and the number of voxels from which gas and tagged fluid are measured. */
 constexpr float       GreatestOfGas = -600.0F;

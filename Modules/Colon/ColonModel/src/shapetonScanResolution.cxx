@@ -9,16 +9,16 @@ namespace shapeton
 {
 namespace
 {
-constexpr double     SamplesAcrossPolyp = 3.0;
-constexpr double     SmallestReported = 6.0; // mm
-constexpr double     ThickestSlice = 3.0;    // mm
-constexpr const char BelowArray[] = "notAssessableBelow";
+constexpr double     SamplesAcrossPolyp = 3.0;            // rule set in advance; colon-polyps.md has the measurements
+constexpr double     SmallestReported = 6.0;              // mm
+constexpr double     ThickestSlice = 3.0;                 // mm
+constexpr const char BelowArray[] = "notAssessableBelow"; // field array of the centerline, mm
 
 /** In tenths of mm, so that rounding errors of headers do not exceed a limit. */
 double
 ToTenths(double mm)
 {
-  constexpr double tenths = 10.0;
+  constexpr double tenths = 10.0; // per mm
   return std::round(tenths * mm) / tenths;
 }
 

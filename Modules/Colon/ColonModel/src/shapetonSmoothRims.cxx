@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr int    Rounds = 10;
+constexpr int    Rounds = 10;      // chosen: bounds the smoothing
 constexpr double SoundAngle = 0.4; // radians, about 23 degrees
 
 /** Quality of the faces around a vertex. */

@@ -33,7 +33,7 @@ NarrowLumen(const CecalRegion & region)
   {
     noMiddle[voxel] = toWall[voxel] < ilealRadius * ilealRadius ? 1 : 0;
   }
-  constexpr double           reach = ilealRadius + leftWithColon;
+  constexpr double           reach = ilealRadius + leftWithColon; // mm
   const auto                 toMiddle = SquaredDistances(region.Grid(), spacing, noMiddle, reach);
   std::vector<unsigned char> narrow(toWall.size());
   for (std::size_t voxel = 0; voxel < narrow.size(); ++voxel)

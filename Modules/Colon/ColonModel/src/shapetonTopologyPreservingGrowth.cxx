@@ -15,10 +15,10 @@ namespace
 // Subsets of the 27 voxels, bit x + 3 y + 9 z.
 using Bits = std::uint32_t;
 constexpr Bits All = 0x7FFFFFF;
-constexpr Bits LowX = 0x1249249; // x = 0
-constexpr Bits HighX = LowX << 2;
-constexpr Bits LowY = 0x01C0E07; // y = 0
-constexpr Bits HighY = LowY << 6;
+constexpr Bits LowX = 0x1249249;  // x = 0
+constexpr Bits HighX = LowX << 2; // x = 2
+constexpr Bits LowY = 0x01C0E07;  // y = 0
+constexpr Bits HighY = LowY << 6; // y = 2
 constexpr Bits Faces = 1U << 4 | 1U << 10 | 1U << 12 | 1U << 14 | 1U << 16 | 1U << 22;
 constexpr Bits Corners = 1U << 0 | 1U << 2 | 1U << 6 | 1U << 8 | 1U << 18 | 1U << 20 | 1U << 24 | 1U << 26;
 constexpr Bits Center = 1U << 13;
@@ -114,6 +114,7 @@ private:
 class Growth
 {
 public:
+  /** Flags of a voxel. */
   static constexpr unsigned char Object = 1;
   static constexpr unsigned char Allowed = 2;
   static constexpr unsigned char Queued = 4;

@@ -162,7 +162,7 @@ ConnectedParts(const VoxelGrid & grid, const std::vector<SurfaceVoxel> & surface
 void
 MeasureWidths(const std::vector<SurfaceVoxel> & part, ValveBulge & bulge)
 {
-  constexpr int         directions = 36;
+  constexpr int         directions = 36; // chosen: one per 5 degrees
   const Eigen::Vector3d right = bulge.axis.unitOrthogonal();
   const Eigen::Vector3d up = bulge.axis.cross(right);
   bulge.width = std::numeric_limits<double>::infinity();

@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr float LevelOfWall = 0.5F;
+constexpr float LevelOfWall = 0.5F; // occupancy at the wall
 /** Minimum distance of values from the level, to avoid degenerate faces at a voxel. */
 constexpr float LeastStep = 0.001F;
 

@@ -10,8 +10,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr int         rounds = 60;
-constexpr std::size_t mostSamples = 60000;
+constexpr int         rounds = 60;         // of expectation maximization; chosen: bounds the time
+constexpr std::size_t mostSamples = 60000; // pixels; chosen: bounds the time of the fit
 /** Minimum standard deviation of a class, 1/mm; walls are not smoother, and it prevents collapse of a class. */
 constexpr double leastDeviation = 0.01;
 constexpr double greatestOdds = 6.0;
@@ -142,7 +142,7 @@ Improve(const Samples & samples, CurvatureMixture & mixture)
 double
 CurvatureMixture::LogOdds(double curvature) const
 {
-  constexpr double least = 1e-30;
+  constexpr double least = 1e-30; // density; prevents the logarithm of 0
   const double     ofFold = Density(fold, curvature) / fold.share;
   const double     ofRest = (Density(wall, curvature) + Density(uneven, curvature)) / (wall.share + uneven.share);
   const double     odds = std::log((ofFold + least) / (ofRest + least));

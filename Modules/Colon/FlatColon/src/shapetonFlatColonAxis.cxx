@@ -237,6 +237,7 @@ DistanceOfColumns(const FlatColonGrid & grid)
 std::vector<double>
 DistanceOfColumns(const FlatColonAxis & axis, const CurveSet & centerline)
 {
+  // Chosen: bounds the assignment to 8 million pairs; about 1 mm of a colon of 2 m.
   constexpr int         mostColumns = 2000;
   constexpr int         mostStations = 4000;
   const Eigen::VectorXd arcLength = PointValues(centerline, "arcLength", "the centerline");

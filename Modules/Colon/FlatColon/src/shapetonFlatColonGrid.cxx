@@ -14,9 +14,9 @@ namespace shapeton
 {
 namespace
 {
-constexpr int    leastRows = 4;
-constexpr double mostPixels = 1 << 27;
-constexpr double mostPixelsAcross = 1 << 16;
+constexpr int    leastRows = 4;              // around; chosen: fewer do not show a circumference
+constexpr double mostPixels = 1 << 27;       // chosen: 0.5 GB of pixels at 4 bytes
+constexpr double mostPixelsAcross = 1 << 16; // per axis; chosen
 
 /** The source vertices, renumbered from 0 in order. */
 std::vector<int>

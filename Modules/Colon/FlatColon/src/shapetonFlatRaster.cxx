@@ -9,6 +9,7 @@ namespace shapeton
 {
 namespace
 {
+/** Columns (pixels) per task. Chosen: many more tasks than threads, few faces in two bands. */
 constexpr int bandColumns = 128;
 
 using Place = std::array<std::int64_t, 2>;
@@ -143,7 +144,7 @@ struct Band
 SnappedMap
 SnapMap(const Eigen::MatrixX2d & uv, const std::vector<int> & sourceOfVertex, double pixelSize, int rows)
 {
-  constexpr double wholeTurn = 1e-6;
+  constexpr double wholeTurn = 1e-6; // relative to the circumference; allows for rounding
   const double     circumference = pixelSize * rows;
   const double     scale = SnappedMap::unit / pixelSize;
   std::vector<int> firstCopy(sourceOfVertex.size(), -1);

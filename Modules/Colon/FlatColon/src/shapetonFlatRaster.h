@@ -11,7 +11,7 @@ namespace shapeton
 /** Vertex coordinates snapped to fractions of a pixel, so that shared edges are identical for both faces. */
 struct SnappedMap
 {
-  static constexpr int          bits = 14;
+  static constexpr int          bits = 14; ///< chosen: products of coordinates up to 2^16 pixels fit into 64 bits
   static constexpr std::int64_t unit = std::int64_t{ 1 } << bits; ///< a pixel
   std::vector<std::int64_t>     u;
   std::vector<std::int64_t>     v;

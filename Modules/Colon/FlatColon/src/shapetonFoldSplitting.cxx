@@ -190,7 +190,7 @@ SplitFold(const FoldPicture & picture, const FoldPixels & pixels, const FoldSpli
 std::vector<char>
 MaskOfTaeniae(const FlatColonGrid & grid, const CurveSet & taeniae, double distance)
 {
-  constexpr double       farthest = 15.0;
+  constexpr double       farthest = 15.0; // mm; chosen: only taeniae of another surface are farther
   const FlatColonLocator locator(grid);
   const int              reach = std::max(1, static_cast<int>(std::lround(distance / grid.PixelSize())));
   std::vector<char>      mask(static_cast<std::size_t>(grid.Columns()) * grid.Rows(), 0);

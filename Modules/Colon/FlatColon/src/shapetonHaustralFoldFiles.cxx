@@ -20,8 +20,10 @@ namespace
 {
 using LabelImage = itk::Image<unsigned short, 2>;
 
+/** Number of feature points per fold: the center and two ends. */
 constexpr int pointsOfFold = 3;
 
+/** Colors (red, green, blue; 0 to 1) of centers and ends. */
 constexpr std::array<double, 3> blue{ 0.2, 0.5, 1.0 };
 constexpr std::array<double, 3> green{ 0.2, 0.9, 0.3 };
 

@@ -75,8 +75,8 @@ ThresholdBetween(const SurfaceMesh &         surface,
                  const std::vector<char> &   isBridged)
 {
   constexpr int            bins = 300;
-  constexpr double         low = -0.1;
-  constexpr double         width = 0.001;
+  constexpr double         low = -0.1;    // 1/mm
+  constexpr double         width = 0.001; // 1/mm; chosen: far finer than the widths of the classes
   std::array<double, bins> area{};
   double                   all = 0.0;
   double                   moment = 0.0;

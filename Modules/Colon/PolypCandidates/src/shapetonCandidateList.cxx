@@ -16,7 +16,7 @@ constexpr double rimWidth = 3.0; // mm
 double
 HiddenRim(double prominence)
 {
-  constexpr double rim = 0.9, low = 0.45, high = 0.65;
+  constexpr double rim = 0.9, low = 0.45, high = 0.65; // mm; height per width
   return rim * std::clamp((high - prominence) / (high - low), 0.0, 1.0);
 }
 

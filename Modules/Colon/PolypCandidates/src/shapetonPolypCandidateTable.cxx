@@ -349,7 +349,7 @@ MarkupsOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
   {
     return {};
   }
-  constexpr std::array<double, 3> yellow{ 1.0, 0.85, 0.2 };
+  constexpr std::array<double, 3> yellow{ 1.0, 0.85, 0.2 }; // red, green, blue; 0 to 1
   Markup                          markup;
   markup.name = "Polyp candidates (research use)";
   markup.color = yellow;

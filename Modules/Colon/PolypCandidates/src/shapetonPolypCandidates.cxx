@@ -45,7 +45,7 @@ NameOf(PolypSize size)
 PolypTissue
 TissueOf(double hounsfield)
 {
-  constexpr double leastOfFat = -150.0, leastOfSoft = -30.0, greatestOfSoft = 150.0;
+  constexpr double leastOfFat = -150.0, leastOfSoft = -30.0, greatestOfSoft = 150.0; // HU; chosen, see PolypTissue
   return !std::isfinite(hounsfield)     ? PolypTissue::Unknown
          : hounsfield < leastOfFat      ? PolypTissue::Gas
          : hounsfield < leastOfSoft     ? PolypTissue::Fat
@@ -113,7 +113,7 @@ double
 MatchedSmoothingTime(const SurfaceMesh & wall, double time)
 {
   constexpr double usualVoxel = 0.8 * 0.8, facesOfVoxel = 3.0; // mm^2
-  constexpr double timeForArea = 0.5, least = 0.3;
+  constexpr double timeForArea = 0.5, least = 0.3;             // mm^2 per mm^2, mm^2; see the header
   const double     voxel = facesOfVoxel * SurfaceArea(wall.V, wall.F) / std::max(1, wall.NumberOfFaces());
   return std::max(std::min(time, least), time - timeForArea * (voxel - usualVoxel));
 }
@@ -160,7 +160,7 @@ FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & opti
 void
 NoteIleocecalValve(double lengthOfCenterline, std::vector<PolypCandidate> & candidates)
 {
-  constexpr double leastDiameter = 15.0;
+  constexpr double leastDiameter = 15.0;             // mm; chosen
   constexpr double nearest = 30.0, farthest = 100.0; // mm from the cecal end
   PolypCandidate * valve = nullptr;
   for (PolypCandidate & candidate : candidates)

@@ -14,6 +14,7 @@ namespace shapeton
 {
 namespace
 {
+/** Label of tagged fluid in the lumen image. */
 constexpr unsigned char fluidLabel = 2;
 
 double
@@ -52,7 +53,7 @@ public:
 
 private:
   static constexpr double step = 0.6; // mm
-  static constexpr int    steps = 5;
+  static constexpr int    steps = 5;  ///< 3 mm in total
 
   /** Number of steps to the nearest such label in 26 directions; steps + 1 for none. */
   template <typename TIsIt>
@@ -87,7 +88,7 @@ struct InnerPoint
 double
 DepthOf(const PolypCandidate & candidate)
 {
-  constexpr double least = 1.5, greatest = 6.0;
+  constexpr double least = 1.5, greatest = 6.0; // mm; chosen: beyond the blur, not behind the wall
   return std::clamp(0.5 * candidate.leastDiameter, least, greatest);
 }
 
@@ -188,7 +189,7 @@ void
 MeasureAttenuation(const std::vector<InnerPoint> & points, PolypCandidate & candidate)
 {
   const std::vector<double> values = ValuesInside(points);
-  constexpr double          low = 0.05, high = 0.95;
+  constexpr double          low = 0.05, high = 0.95; // quantiles of the report
   candidate.attenuation = Quantile(values, 0.5);
   candidate.lowAttenuation = Quantile(values, low);
   candidate.highAttenuation = Quantile(values, high);

@@ -43,7 +43,7 @@ FindMostAlike(const PolypCandidate &                   candidate,
               const std::vector<OtherPolypCandidate> & others,
               PolypInOtherPosition &                   place)
 {
-  constexpr double            alike = 0.1;
+  constexpr double            alike = 0.1; // likeness; chosen: 2.1 deviations at a score of 1
   const OtherPolypCandidate * best = nullptr;
   const OtherPolypCandidate * nearest = nullptr;
   const auto away = [&](const OtherPolypCandidate & other) { return (other.position - place.point).norm(); };
@@ -70,7 +70,7 @@ FindMostAlike(const PolypCandidate &                   candidate,
 double
 Flatness(const PolypCandidate & candidate)
 {
-  constexpr double prominence = 0.24, width = 0.03;
+  constexpr double prominence = 0.24, width = 0.03; // height per diameter; chosen
   return 1.0 / (1.0 + std::exp((candidate.height / candidate.diameter - prominence) / width));
 }
 
@@ -81,6 +81,7 @@ double
 ProbabilityInPair(const PolypCandidate & candidate)
 {
   constexpr double ofScore = 0.27, ofLikeness = 4.85, ofFlatness = 2.65, constant = -2.69;
+  // Score; bounds its log odds to 6.9.
   constexpr double least = 1e-3;
   const double     score = std::clamp(candidate.shapeScore, least, 1.0 - least);
   const double     logOdds = ofScore * std::log(score / (1.0 - score)) + ofLikeness * candidate.other->likeness +

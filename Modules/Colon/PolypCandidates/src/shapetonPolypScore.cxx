@@ -23,7 +23,7 @@ FeaturesOf(const WallBulge & bulge)
 std::array<double, numberOfPolypTerms>
 TermsOf(const PolypFeatures & features)
 {
-  constexpr double leastRoundness = 1e-3, leastHollowness = 0.05;
+  constexpr double leastRoundness = 1e-3, leastHollowness = 0.05; // chosen: bound the logarithms
   constexpr double sharp = 0.25; // 1/mm; phantom polyps of at least 5.5 mm reach 0.28, false bulges on CT 0.3 to 0.7
   return { { features.shapeIndex,
              std::log(std::max(features.roundness, leastRoundness)),

@@ -16,7 +16,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double publishedSteepness = 15.0;
+constexpr double publishedSteepness = 15.0; // p of dissertation 3.5.2
 
 std::vector<float>
 HeatIn(const TissueBox & box)
@@ -108,10 +108,10 @@ MeasureShapeDiffusion(const SurfaceMesh &           wall,
                       std::vector<PolypCandidate> & candidates,
                       const Progress &              progress)
 {
-  constexpr double        margin = 12.0; // mm
-  constexpr double        step = 1.8;    // mm
-  constexpr std::uint64_t steps = 200;
-  constexpr int           shapetons = 4000;
+  constexpr double        margin = 12.0;    // mm
+  constexpr double        step = 1.8;       // mm
+  constexpr std::uint64_t steps = 200;      // chosen: a walk of 25 mm (root mean square) crosses the box
+  constexpr int           shapetons = 4000; // chosen: bounds the time per candidate
   for (PolypCandidate & candidate : candidates)
   {
     progress((&candidate - candidates.data()) / static_cast<double>(candidates.size()));
@@ -133,9 +133,9 @@ FindPublishedPolypCandidates(const SurfaceMesh &           wall,
                              const itk::Image<float, 3> *  ct,
                              const PublishedPolypOptions & options)
 {
-  constexpr double depth = 8.0;  // mm of tissue in which shapetons start
-  constexpr double least = 0.96; // rank
-  constexpr double narrowest = 3.0, widest = 40.0;
+  constexpr double depth = 8.0;                    // mm of tissue in which shapetons start
+  constexpr double least = 0.96;                   // rank
+  constexpr double narrowest = 3.0, widest = 40.0; // mm; chosen, not in the dissertation
   CheckOptions(options);
   const SurfaceConnectivity connectivity(wall);
   const SurfaceShape        shape =

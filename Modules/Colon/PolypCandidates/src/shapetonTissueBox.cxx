@@ -68,7 +68,7 @@ TissueBox::LongestSide() const
 void
 TissueBox::TakeIntensities(const itk::Image<float, 3> * ct)
 {
-  constexpr float gas = -1000.0F, bright = 200.0F;
+  constexpr float gas = -1000.0F, bright = 200.0F; // HU, mapped to 0 and 1; chosen: soft tissue is darker
   if (ct->GetLargestPossibleRegion() != m_Lumen->GetLargestPossibleRegion())
   {
     throw InputError("the cleansed CT and the lumen have different grids; use files of the same folder");

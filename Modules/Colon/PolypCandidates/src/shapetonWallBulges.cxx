@@ -177,7 +177,7 @@ private:
   void
   MeasureWidths(Rimmed & part) const
   {
-    constexpr int               directions = 36;
+    constexpr int               directions = 36; // chosen: one per 5 degrees
     WallBulge &                 bulge = part.bulge;
     const std::vector<Vector3d> points = this->PointsOf(part);
     const Vector3d              right = WidestDirection(points, bulge.axis);

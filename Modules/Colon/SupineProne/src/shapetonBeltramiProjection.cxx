@@ -71,7 +71,7 @@ Bound(const BeltramiEquations & equations, double greatest, Coefficients & mu)
       isAny = true;
     }
   }
-  constexpr int passes = 2;
+  constexpr int passes = 2; // chosen: mixes cut coefficients with two rings of neighbors
   for (int pass = 0; pass < passes && isAny; ++pass)
   {
     Smooth(equations, isCut, mu);
@@ -151,7 +151,7 @@ ProjectToBijection(const CylinderNodes &             nodes,
     options.progress((projection.iterations + 1.0) / options.iterations);
     mu = equations.CoefficientsOf(values, projection.flips);
     ++projection.iterations;
-    constexpr double tighter = 0.9;
+    constexpr double tighter = 0.9; // factor of the bound while triangles are inverted; chosen
     bound *= projection.flips > 0 ? tighter : 1.0;
     if (projection.flips == 0 && GreatestOf(mu) < 0.5 * (1.0 + options.greatest))
     {

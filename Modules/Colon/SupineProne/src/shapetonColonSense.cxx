@@ -44,6 +44,7 @@ Turned(CylinderPicture picture, int way)
   return picture;
 }
 
+/** By the number of the way of Turned(). */
 constexpr std::array<const char *, 4> textOfWay{ { "",
                                                    "is a mirror image",
                                                    "is a mirror image that runs from the cecum to the rectum",
@@ -59,7 +60,7 @@ RequireSameSense(const ColonWithFolds & source, const ColonWithFolds & target, c
   CylindricalWarpingOptions options;
   options.band = reach;
   options.frameDeviation = reach;
-  const PiecewiseLine   frame{ { 0.0, 1.0 }, { 0.0, 1.0 } };
+  const PiecewiseLine   frame{ { 0.0, 1.0 }, { 0.0, 1.0 } }; // the identity
   std::array<double, 4> energies;
   for (int way = 0; way < 4; ++way)
   {

@@ -9,7 +9,7 @@ namespace
 {
 constexpr double beyond = 1000.0; ///< mm, added at each end
 constexpr double binSize = 5.0;   ///< mm along the target
-constexpr int    binAngles = 36;
+constexpr int    binAngles = 36;  // around, 10 degrees each; chosen: bins hold few triangles
 
 /** Positions of the rows of the extended nodes. */
 double
@@ -140,7 +140,7 @@ CylinderMap::InverseOnTriangle(int triangle, const CylinderPlace & place) const
   at.turn = middle + TurnDifference(place.turn, middle);
   const double     ofB = AreaOf(t.a, at, t.c) / area;
   const double     ofC = AreaOf(t.a, t.b, at) / area;
-  constexpr double tolerance = 1e-9;
+  constexpr double tolerance = 1e-9; // of barycentric coordinates, for rounding
   if (ofB < -tolerance || ofC < -tolerance || ofB + ofC > 1.0 + tolerance)
   {
     return std::nullopt;

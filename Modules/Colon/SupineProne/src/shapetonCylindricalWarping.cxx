@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr float infinite = std::numeric_limits<float>::infinity();
+constexpr float infinite = std::numeric_limits<float>::infinity(); // cost of states that cannot be reached
 /** Maximum number of target rows per source row. In collapsed stretches, where the centerline is a shortcut, lengths
  * differ much more. */
 constexpr int           greatestAdvance = 3;
@@ -150,7 +150,7 @@ private:
   Turned(int row) const
   {
     const int     turned = m_Center[row] - m_Center[row - 1];
-    constexpr int greatest = 1;
+    constexpr int greatest = 1; // steps of rotation; larger steps of the frame are ignored
     return this->IsUnseen(row) || std::abs(turned) > greatest ? 0 : turned;
   }
 

@@ -24,11 +24,11 @@ public:
   PairedAssignment
   Run(int iterations)
   {
-    constexpr double closed = 1e-9;
+    constexpr double closed = 1e-9; // gap of the costs, for rounding
     for (int t = 0; t < iterations && m_Best.assignment.cost - m_Best.bound > closed; ++t)
     {
-      const double firstStep = 1.5;
-      const double halfLife = 25.0;
+      const double firstStep = 1.5; // cost; chosen
+      const double halfLife = 25.0; // iterations until the step is halved; chosen
       this->Iterate(0.5 * firstStep / (1.0 + t / halfLife));
       m_Best.iterations = t + 1;
     }

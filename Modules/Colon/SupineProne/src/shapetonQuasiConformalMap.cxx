@@ -77,9 +77,9 @@ private:
              const Eigen::VectorXd &           right,
              const std::vector<MapCondition> & conditions)
   {
-    constexpr double weight = 1e4;
+    constexpr double weight = 1e4; // relative to the stiffness, see above; chosen
     constexpr double exact = 1e-9; // mm
-    constexpr int    rounds = 20;
+    constexpr int    rounds = 20;  // chosen: bounds the time
     if (conditions.empty())
     {
       throw std::invalid_argument("a map needs at least one condition for each coordinate");
@@ -214,7 +214,7 @@ SettleConditions(ConditionedSolver &                                            
                  QuasiConformalMap &                                              map,
                  const Progress &                                                 progress)
 {
-  constexpr int    rounds = 8;
+  constexpr int    rounds = 8;   // chosen: bounds the time
   constexpr double exact = 1e-6; // mm
   MapConditions    conditions = conditionsOf(map.values);
   for (int round = 0; round < rounds; ++round)

@@ -142,7 +142,7 @@ JudgeNodes(const ColonPair & pair, SupineProneRegistration & registration)
 double
 LogOdds(double value, double middle, double width)
 {
-  constexpr double most = 4.0;
+  constexpr double most = 4.0; // log odds, 98 %; see colon-registration.md
   return std::clamp((value - middle) / width, -most, most);
 }
 } // namespace

@@ -62,7 +62,7 @@ RegistrationErrors::ShareWithin10() const
 double
 RegistrationErrors::HalfInterval() const
 {
-  constexpr std::size_t blocks = 20;
+  constexpr std::size_t blocks = 20; // chosen: blocks, since neighboring errors are dependent
   const std::size_t     number = std::min(blocks, inSpace.size());
   std::vector<double>   means;
   for (std::size_t block = 0; block < number; ++block)

@@ -9,6 +9,7 @@ namespace shapeton
 {
 namespace
 {
+/** Cost of a column to which no path is known. */
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
 /** Columns from index `columns` are the dustbins of the rows. */

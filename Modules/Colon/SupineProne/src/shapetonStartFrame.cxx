@@ -11,6 +11,7 @@ namespace shapeton
 {
 namespace
 {
+/** Ratio of lengths. Chosen: larger ratios indicate a wrong flexure. */
 constexpr double greatestStretch = 3.0;
 
 /** Whether each section is stretched or compressed by at most `greatestStretch` relative to the whole colon. */
@@ -54,8 +55,8 @@ FrameOf(const ColonPosition &    source,
 double
 DeviationOf(double confidence)
 {
-  constexpr double within = 30.0;
-  constexpr double a = 0.147;
+  constexpr double within = 30.0; // mm; the tolerance of the confidences of flexures
+  constexpr double a = 0.147;     // Winitzki's constant
   const double     x = std::clamp(confidence, 0.1, 0.98);
   const double     logarithm = std::log(1.0 - x * x);
   const double     b = 2.0 / (Pi * a) + 0.5 * logarithm;
