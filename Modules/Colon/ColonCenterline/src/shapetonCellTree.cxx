@@ -17,10 +17,10 @@ constexpr double widestHole = 10.0;
  * usual one. Openings in thin septa between adjacent loops are up to half the caliber wide. */
 constexpr double leastGain = 40.0;
 constexpr double gainOfWide = 100.0;
-/** Tolerance for equal lengths, mm: sums of the same lengths in another order differ by less. */
+/** Tolerance for equal lengths (mm). Summing the same lengths in another order changes the sum by less. */
 constexpr double sameLength = 1e-6;
-/** Base length (mm) of long rings, to which a multiple of the radius is added. In shorter rings the path cost avoids
- * the narrow passage, and either side of a fold is correct. */
+/** Base length (mm) of long rings, to which a multiple of the radius is added. In shorter rings, the path cost already
+ * avoids the narrow passage, and a path may take either side of a fold. */
 constexpr double shortRing = 60.0;
 constexpr double ringRadii = 4.0;
 /** Minimum length (mm) of side branches other than haustra; alternatively, minimum volume (mm^3) at this distance (mm,

@@ -19,8 +19,8 @@ constexpr double leastInside = 0.55;
 
 /** Side branches larger than this volume (mm^3) are reported. */
 constexpr double largeBranch = 20e3;
-/** Lumen is beside the line, not a side branch, up to this distance (mm) plus this number of radii from the line. Its
- * sensitivity was not measured. */
+/** Lumen within this distance (mm) plus this number of radii belongs to the line, not to a side branch. The sensitivity
+ * was not measured. */
 constexpr double besideLine = 10.0;
 constexpr double besideRadii = 2.0;
 /** Spread of the lengths for the exponents 2, 3 and 4, relative to the length, above which loops have probably merged:

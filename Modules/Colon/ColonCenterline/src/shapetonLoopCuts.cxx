@@ -18,7 +18,7 @@ constexpr double holeCost = 35.0;
 constexpr std::size_t mostTrials = 100;
 /** Number of the best single cuts that are tried in pairs. */
 constexpr std::size_t pairedCuts = 10;
-/** Above the cost (mm) of every layout that can be ordered. */
+/** Cost (mm) of a layout with too many pieces to order; exceeds the cost of any other layout. */
 constexpr double costOfTooManyPieces = 1e9;
 /** Minimum volume (mm^3) of a piece that affects the layout. */
 constexpr double smallestPiece = 5e3;

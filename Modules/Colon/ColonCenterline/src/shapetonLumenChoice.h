@@ -10,7 +10,7 @@ namespace shapeton
 struct LumenChoice
 {
   std::vector<char> isUsed;
-  /** Whether a seed or the start requires it. */
+  /** Whether a seed or the start requires the component. */
   std::vector<char>        isWanted;
   std::vector<std::string> reasons;
 };

@@ -10,8 +10,8 @@ namespace shapeton
 {
 namespace
 {
-/** Half length of the averaging window in lumen radii, large enough to average over single haustra. The radius is a
- * mean over this length (mm) to both sides. */
+/** Half length of the averaging window in lumen radii, large enough to average over single haustra. The radius is
+ * averaged over this length (mm) on both sides. */
 constexpr double slabRadii = 2.5;
 constexpr double reachOfRadius = 20.0;
 /** Minimum ratio of chord to arc length in that window. */
@@ -225,7 +225,7 @@ IsVisible(const DistanceField & field, const Eigen::Vector3d & from, const Eigen
   return true;
 }
 
-/** Nodes beyond the mouth of a pouch and their distances from it. Of the curve points up to the mouth, the mouth is the
+/** Nodes beyond the mouth of a pouch and their distances from it. Among the curve points up to the mouth, the mouth is
  * nearest to such a node. The lumen at the node is at least as wide as a colon, or next to such lumen, which excludes
  * ileum and appendix. The index of all other nodes is -1. The curve beyond the mouth is ignored, since it may be
  * wrong. */

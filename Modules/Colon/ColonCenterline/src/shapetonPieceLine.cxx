@@ -25,7 +25,7 @@ constexpr double      tipCalibers = 1.2;
 constexpr std::size_t endNodes = 30;
 constexpr double      leastCaliber = 10.0;
 
-/** The node with the longest path among those at least this far from the wall; the start if none exists. */
+/** The node with the longest path among the nodes at least this far from the wall; the start if there are none. */
 int
 FarthestNode(const LumenGrid & grid, const PathTree & paths, double leastDistance)
 {

@@ -19,7 +19,7 @@ constexpr double longJoinShare = 2.0;
 /** Cost, in addition to its length, of omitting a piece, and of omitting one that is wanted. */
 constexpr double leavingCost = 60.0;
 constexpr double leavingWantedCost = 1e6;
-/** Penalty for the least likely position of a cecum (mm), and shares of height and of the side in it. */
+/** Penalty (mm) for the least likely position of a cecum, and the shares that height and side contribute to it. */
 constexpr double cecumWeight = 60.0;
 constexpr double highShare = 0.7;
 constexpr double leftShare = 0.3;

@@ -14,7 +14,7 @@ namespace shapeton
 struct JoinEnd
 {
   Eigen::Vector3d position;
-  /** Unit vector out of the piece along its line. */
+  /** Unit vector along the centerline, pointing out of the piece. */
   Eigen::Vector3d out;
   /** Wall points at the end where a join may begin; the position itself if none exist. */
   std::vector<Eigen::Vector3d> tips;

@@ -28,8 +28,9 @@ class FlatColon;
 class ShapetonColonExamination_EXPORT ExaminationFolder
 {
 public:
-  /** \param reader the tool that reads the folder. VirtualColonoscopy runs a tool again if a file that it is declared
-   * to read has changed, so any other file is refused (std::logic_error). Empty for a program that is not a stage.
+  /** \param reader the tool that reads the folder. VirtualColonoscopy runs a tool again if a file that the tool is
+   * declared to read has changed. Therefore, reading an undeclared file throws std::logic_error. Empty for a program
+   * that is not a stage.
    *
    * Throws InputError if the folder does not exist or has a format of another version. */
   explicit ExaminationFolder(std::string folder, std::string reader = {});

@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** What the reader decided on a candidate. \ingroup ShapetonColonExamination */
+/** The reader's decision on a candidate. \ingroup ShapetonColonExamination */
 enum class ReaderVerdict
 {
   Unread,
@@ -32,7 +32,7 @@ struct ReaderAssessment
   std::string note;
 };
 
-/** What the reader states on any lesion. \ingroup ShapetonColonExamination */
+/** The reader's description of a lesion. \ingroup ShapetonColonExamination */
 struct ReaderStatement
 {
   /** Largest diameter (mm, above 0 to 200); NaN if the reader did not enter one. */
@@ -78,7 +78,7 @@ struct ReaderBookmark
 /** Contents of a verdicts.json. \ingroup ShapetonColonExamination */
 struct ReaderVerdicts
 {
-  /** Whether the reader read without candidates first; not known for version 1. */
+  /** Whether the reader first read without candidates; unknown in version 1. */
   std::optional<bool>           isSecondReader;
   ReaderAssessment              assessment;
   std::vector<CandidateVerdict> candidates;

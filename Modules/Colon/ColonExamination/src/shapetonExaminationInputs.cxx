@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** Reads a surface that candidates can do without, at the stated cost; empty without the file. */
+/** Reads an optional surface. If the file is missing, warns of the cost and returns an empty surface. */
 SurfaceMesh
 ReadPart(const ExaminationFolder & exam,
          const ExaminationFile &   file,

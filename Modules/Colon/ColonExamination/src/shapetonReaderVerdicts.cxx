@@ -15,7 +15,7 @@ namespace shapeton
 {
 namespace
 {
-/** No lesion of a colon is larger; a larger number is a mistake. */
+/** Maximum accepted size. No lesion of a colon is larger, so a larger number is a mistake. */
 constexpr double largestSize = 200.0; // mm
 
 const std::vector<std::string> verdictWords{ "unread", "polyp", "not a polyp", "unsure" };

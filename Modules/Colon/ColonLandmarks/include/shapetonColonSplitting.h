@@ -36,8 +36,8 @@ struct ColonPieces
 };
 
 /** Cuts the wall at the segment borders and each segment along the first taenia, and maps each to a rectangle with
- * MapConformally(). A segment that is unknown or not a tube between its borders is skipped with a warning. Without
- * taeniae, all are skipped. \ingroup ShapetonColonLandmarks */
+ * MapConformally(). Skips, with a warning, each segment that is unknown or not a tube between its borders. Skips all
+ * segments if there are no taeniae. \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT ColonPieces
 SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const Progress & progress = {});
 

@@ -25,9 +25,9 @@ namespace shapeton
 ///@{
 
 /** Distension on the four-point scale of radiologists (Pickhardt et al., AJR 2014: collapsed, inadequate, adequate,
- * optimal). Their grades are visual; ours follow from the caliber without the anal canal and are our choice: collapsed
- * if less than half of the length has a caliber of 10 mm, inadequate below nine tenths, optimal if in addition the mean
- * caliber is at least 20 mm. */
+ * optimal). Radiologists grade by eye. Here, the grade is computed from the caliber outside the anal canal, with limits
+ * of our choice: collapsed if less than half of the length has a caliber of 10 mm, inadequate below nine tenths,
+ * optimal if in addition the mean caliber is at least 20 mm. */
 enum class DistensionGrade
 {
   Collapsed = 1,
@@ -60,13 +60,14 @@ struct SegmentQuality
   ColonDistension    distension;
   DistensionGrade    grade{ DistensionGrade::Collapsed };
   ColonAssessability assessability;
-  /** Part of the wall under tagged fluid, 0 to 1. */
+  /** Fraction of the wall under tagged fluid, 0 to 1. */
   double submergedShare{ std::numeric_limits<double>::quiet_NaN() };
   /** Mean attenuation of tagged fluid next to the wall before cleansing, HU; NaN without fluid. */
   double fluidAttenuation{ std::numeric_limits<double>::quiet_NaN() };
-  /** Wall under gas that tagged matter coats: more than 300 HU within 2 mm behind it, not next to fluid; mm^2. */
+  /** Area (mm^2) of the wall under gas that is coated by tagged matter: more than 300 HU within 2 mm behind the wall,
+   * not next to fluid. */
   double residueArea{ std::numeric_limits<double>::quiet_NaN() };
-  /** Wall that the flat map does not show, mm^2, and the number of its parts. */
+  /** Area (mm^2) of the wall that the flat map does not show, and the number of its parts. */
   double hiddenArea{ 0.0 };
   int    hiddenParts{ 0 };
   /** The largest of these parts. */

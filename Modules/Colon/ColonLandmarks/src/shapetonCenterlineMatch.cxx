@@ -13,8 +13,8 @@ namespace shapeton
 {
 namespace
 {
-/** Maximum fraction of the wall length along which the centerline may be outside the wall. Correct centerlines have 0;
- * centerlines of the other position of the same patient have at least 0.24. */
+/** Maximum fraction of the wall length along which the centerline may be outside the wall. The fraction is 0 for
+ * correct centerlines, and at least 0.24 for centerlines of the other position of the same patient. */
 constexpr double greatestShareOutside = 0.1;
 /** Lower bound of the wall radius, mm. */
 constexpr double leastRadius = 8.0;
@@ -103,8 +103,8 @@ Percent(double share)
   return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
 }
 
-/** Throws the error for a bad assignment. A column of a map with handles may contain wall of touching loops, so its
- * center may be outside the colon; then the middle of most columns decides. */
+/** Throws the error for a bad assignment. If the map has handles, a column may contain wall of touching loops, and its
+ * center may be outside the colon. In that case, the majority of the columns decides. */
 void
 ExplainMismatch(const FlatColon &     flat,
                 const FlatColonGrid & grid,

@@ -10,10 +10,12 @@ namespace shapeton
 {
 namespace
 {
-/** Average length, mm. A straight distance from the end of the centerline, whose course is uncertain in wide lumen. */
+/** Average length of a cecum (mm; Gray's Anatomy, see the header). It is measured straight from the end of the
+ * centerline, because the course of the line is uncertain in wide lumen. */
 constexpr double cecumLength = 60.0;
 constexpr int    borderOfCecum = 5;
-/** Low, since the position is based on average anatomy, not on a visible structure. */
+/** Confidence of the border, 0 to 1. Low, since the position is based on average anatomy, not on a visible
+ * structure. */
 constexpr double confidenceOfCecum = 0.3;
 
 /** Labels connected faces separated by loops, from 0. */

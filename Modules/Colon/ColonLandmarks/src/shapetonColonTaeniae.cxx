@@ -117,7 +117,7 @@ ReportDisagreement(const std::vector<double> & distances, ColonTaeniae & result)
   }
 }
 
-/** Keeps only the first of two markers of the same taenia in one row. */
+/** Warns about each marker that its taenia misses because the taenia passes through another marker. */
 void
 WarnOfMarkersThatDisagree(ColonTaeniae & result)
 {

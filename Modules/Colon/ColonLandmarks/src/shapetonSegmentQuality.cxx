@@ -111,7 +111,7 @@ IsCoated(const LumenMask * lumen, const AttenuationAt & original, const FaceFron
   return false;
 }
 
-/** Adds a face by the lumen in front of it. */
+/** Adds a face to the sums, depending on the lumen in front of it. */
 void
 AddFace(const SegmentQualityInput & input, const FaceFront & front, WallSums & sums)
 {

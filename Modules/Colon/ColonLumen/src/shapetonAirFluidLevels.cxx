@@ -300,10 +300,10 @@ private:
 };
 constexpr double MinimumWidth = 1.5;  // mm; larger than a strip along the bottom of a straight tube
 constexpr double HighestStepIn = 0.8; // mm between neighbors of one level
-/** A floor is flat if the floors within this radius (mm; at least this number of voxels) lie in a plane: floors that
- * are less deep or high than this share of the radius, their number, the share of the columns that have one, and the
- * residual (mm, increased per mm of the step along gravity, which quantizes depths). The sensitivity was not measured;
- * a real level is flat to 0.4 mm. */
+/** Limits for a flat floor: the floors within a radius (mm; at least a number of voxels) lie in a plane. Only floors
+ * whose height differs by less than a share of the radius count. They have a minimum number, a minimum share of the
+ * columns, and a maximum residual (mm; increased per mm of the step along gravity, which quantizes depths). A real
+ * level is flat to 0.4 mm. The sensitivity was not measured. */
 constexpr double PlaneRadius = 3.0;
 constexpr double PlaneRadiusInVoxels = 1.6;
 constexpr double PlaneSteepness = 0.7;

@@ -129,7 +129,7 @@ struct Level
   }
 };
 
-/** Which flat parts of floors are levels. */
+/** Criteria for a flat part of a floor to be a level. */
 struct LevelLimits
 {
   double slope; ///< maximum tangent of the angle to the plane perpendicular to gravity
@@ -139,8 +139,8 @@ struct LevelLimits
 /** Perpendicular to gravity within 6 degrees. Walls are curved; the bottom of a haustrum is flat over a few mm^2. */
 constexpr LevelLimits FlatLevels{ 0.1, 30.0 };
 
-/** Levels that only bright fluid directly below may prove. Breath and flow during the scan tilt the level of a narrow
- * stretch; one in the sigmoid of a real patient has a slope of 0.2 along 50 mm. */
+/** Criteria for levels that are accepted only with bright fluid directly below them. Breath and flow during the scan
+ * tilt the level of a narrow stretch; one in the sigmoid of a real patient has a slope of 0.2 along 50 mm. */
 constexpr LevelLimits TiltedLevels{ 0.35, 20.0 };
 
 /** Wall (mm) between gas and the fluid of another bowel. Larger voxels hide it. */

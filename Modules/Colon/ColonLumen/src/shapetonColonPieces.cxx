@@ -11,7 +11,8 @@ namespace shapeton
 {
 namespace
 {
-/** A rule made on two validation exams, hard 105 and 108 (supine); it adds nothing in 38 others of seeds 100 to 109. */
+/** Limits chosen on two validation exams, hard 105 and 108 (supine). The rule has no effect in 38 others of seeds 100
+ * to 109. */
 constexpr double RectumLead = 30.0;     // mm; required difference in distance to the anus
 constexpr double FarthestRectum = 60.0; // mm; loops of small bowel in the pelvis are higher or more anterior
 

@@ -16,9 +16,9 @@ namespace shapeton
 namespace
 {
 /** Bounds chosen on the sigmoid of one real patient (40 ml along 150 mm, open over 80 mm^2 at its narrower end). */
-constexpr double LeastJoinedMl = 2.0;  // volume of each of the pieces
-constexpr double LeastStretchMl = 0.5; // volume of a stretch that is worth finding
-constexpr double LeastRestMl = 0.05;   // volume of fluid that a neck cuts off
+constexpr double LeastJoinedMl = 2.0;  // minimum volume of each of the two pieces
+constexpr double LeastStretchMl = 0.5; // minimum volume of a stretch
+constexpr double LeastRestMl = 0.05;   // minimum volume of fluid behind a neck
 constexpr double LeastOpening = 10.0;  // mm^2; leaks through a wall are smaller
 constexpr double LongestPath = 400.0;  // mm; a sigmoid of usual length
 constexpr double Detour = 50.0;        // mm through voxel faces; twice the depth of a haustrum beside the path
@@ -61,7 +61,8 @@ public:
     }
   }
 
-  /** A piece of sufficient volume that adjoins the voxel, or has gas within the layer around it; otherwise 0. */
+  /** Label of a large enough piece that touches the voxel, or has gas within the layer around it; 0 if there is
+   * none. */
   int
   Next(std::size_t voxel)
   {
@@ -373,8 +374,7 @@ AdjoinsFluid(const LumenField & field, std::size_t voxel)
   return adjoins;
 }
 
-/** Whether a piece that a neck cuts off the fluid of the colon belongs to it: much of its surface is open to the lumen.
- */
+/** Whether a piece behind a neck belongs to the fluid of the colon: much of its surface is open to the lumen. */
 bool
 IsRestOfFluid(const LumenField & field, const VoxelSet & piece)
 {

@@ -9,12 +9,12 @@ namespace shapeton
  * as a stretch of the sigmoid filled with fluid between gas. Returns the voxels.
  *
  * The matter is as bright as the fluid of the colon and open to each of the two pieces: it adjoins their fluid, or
- * their gas with no wall in between. It is taken around the shortest path between the pieces only, because narrow leaks
- * may connect it to other bowel and bone. Tagged small bowel that touches the colon touches one piece of it, as a rule:
- * the colon is continuous where it is distended.
+ * their gas with no wall in between. Only the matter around the shortest path between the pieces is taken, because
+ * narrow leaks may connect it to other bowel and bone. Tagged small bowel usually touches only one piece, because the
+ * colon is continuous where it is distended.
  *
- * Also takes rests of fluid (up to 2 ml) that a neck cuts off: they adjoin fluid of the colon over at least 10 mm^2,
- * and 30 % of their surface are open to its lumen. */
+ * Also takes small volumes of fluid (up to 2 ml) behind a neck. They share at least 10 mm^2 with the fluid of the
+ * colon, and at least 30 % of their surface is open to the lumen. */
 VoxelSet
 TakeConnectingFluid(LumenField & field);
 } // namespace shapeton

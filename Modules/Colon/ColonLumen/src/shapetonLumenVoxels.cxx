@@ -256,8 +256,8 @@ NearConnectingFluid(const LumenField & field, const VoxelSet & connecting)
   return near;
 }
 
-/** Grows certain gas and fluid into adjacent voxels. Connecting fluid is uneven: next to dense contrast medium, the
- * half height of the usual fluid counts. */
+/** Grows certain gas and fluid into adjacent voxels. Connecting fluid is uneven, so the half height of the usual fluid
+ * applies next to dense contrast medium. */
 void
 Grow(LumenField & field, const VoxelSet & connecting)
 {

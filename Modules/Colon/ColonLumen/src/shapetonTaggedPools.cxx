@@ -423,8 +423,8 @@ AddUnmixedFluid(const ColonGrid &                grid,
 
 namespace
 {
-/** Bounds of tagged fluid without gas; chosen on few data: the rest looks like small bowel. Pools of 80 and 150 ml of
- * two phantoms (seeds 3 and 8, prone) were lost. */
+/** Bounds of tagged fluid without gas, chosen on few data. Smaller pools look like small bowel. Pools of 80 and 150 ml
+ * of two phantoms (seeds 3 and 8, prone) were lost. */
 constexpr double LeastMl = 50.0;
 constexpr double LeastRadius = 14.0; // mm; small bowel has a diameter of 25 mm, plus discretization
 constexpr double RectumMl = 20.0;

@@ -38,9 +38,9 @@ struct FluidWithoutGas
 };
 
 /** Adds bright matter without a level that is wider than small bowel: at least 50 ml, an inscribed radius of at least
- * 14 mm, elongated (unlike a bladder), and as bright as the fluid of the colon. Requires fluid tagged so well (300 HU
- * above tissue) that bone of that width is less bright. Each piece becomes a seed point of `evidence`. Nearer to the
- * anus than the colon (see PiecesNearerToAnus()), 20 ml and 10 mm are sufficient. */
+ * 14 mm, elongated (unlike a bladder), and as bright as the fluid of the colon. Requires well-tagged fluid (300 HU
+ * above tissue), which is brighter than bone of that width. Each piece becomes a seed point of `evidence`. If the piece
+ * is nearer to the anus than the known colon (see PiecesNearerToAnus()), 20 ml and 10 mm suffice. */
 std::vector<FluidWithoutGas>
 TakeFluidWithoutGas(ColonEvidence & evidence);
 } // namespace shapeton

@@ -12,7 +12,7 @@
 namespace shapeton
 {
 /** \class ScanResolution
- * \brief What the sampling of a scan resolves, and the smallest polyp that it supports.
+ * \brief Resolution of a scan, and the smallest polyp that it supports.
  *
  * The rule is 3 samples across a polyp in the coarsest direction, whatever the direction of the axes in the patient;
  * Documentation/validation/colon-polyps.md has the measurements. Polyps below 6 mm are not reported anyway (C-RADS,

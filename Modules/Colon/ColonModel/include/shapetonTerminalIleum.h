@@ -32,11 +32,12 @@ struct TerminalIleum
 ShapetonColonModel_EXPORT std::optional<TerminalIleum>
 FindTerminalIleum(const LumenMask * labels, const CurveSet & centerline, const IleocecalValve & valve);
 
-/** Finds an ileum filled by reflux through the valve, through which the line runs on to its end. Beside the line is a
- * pouch of lumen, the cecum: at least 21 mm deep beyond the inscribed ball, and 1 ml. Behind it, three quarters of the
- * rest of the line (at least 40 mm) have an inscribed radius of at most 12.5 mm, and the medians of the rest and of its
- * first 100 mm are at most 3/4 of the median of the 150 mm before. The ileum is the lumen around the line behind its
- * narrowest place next to the pouch. Empty if not found; a line without a narrow end takes no time.
+/** Finds an ileum that was filled by reflux through the valve and contains the end of the line. The cecum is then a
+ * pouch of lumen beside the line, at least 21 mm deep beyond the inscribed ball and with at least 1 ml. After the
+ * pouch, three quarters of the line (at least 40 mm) have an inscribed radius of at most 12.5 mm. The median radii of
+ * this part and of its first 100 mm are at most 3/4 of the median of the 150 mm before it. The ileum is the lumen
+ * around the line after its narrowest place next to the pouch. Empty if not found; fast for a line without a narrow
+ * end.
  *
  * \param labels nonzero voxels are lumen.
  * \param centerline LPS, mm, one curve with point arrays `arcLength`, `radius` and `gap`, from the rectum.

@@ -241,7 +241,8 @@ IsCutByScan(const CurveSet & line)
   });
 }
 
-/** Reason if the lumen is completely inside the scan and shorter than any colon: a stomach or a loop of bowel. */
+/** Reason why the lumen is not a colon, but a stomach or a loop of bowel: it is completely inside the scan and shorter
+ * than any colon. Empty otherwise. */
 std::string
 FailureOfShortLine(const ColonModel & model)
 {

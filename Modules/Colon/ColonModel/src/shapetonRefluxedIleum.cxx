@@ -10,27 +10,28 @@ namespace shapeton
 {
 namespace
 {
-/** Largest radius (mm) of three quarters of an ileum, which is 10 to 25 mm wide, and of half of its first stretch (mm).
- */
+/** Maximum radius (mm) of an ileum, which is 10 to 25 mm wide; share of its length that must be within it; length (mm)
+ * of its first stretch, of which half must be. */
 constexpr double WidestIleum = 12.5;
 constexpr double MostOfIleum = 0.75;
 constexpr double FirstStretch = 100.0;
-/** Largest ratio of the median radii of ileum and colon. One real patient: 0.53; colons narrow at a spastic sigmoid,
- * but the cecum is their widest part. */
+/** Maximum ratio of the median radii of ileum and colon, which is 0.53 in one real patient. A spastic sigmoid is
+ * narrow, too, but the colon is widest at the cecum. */
 constexpr double NarrowerThanColon = 0.75;
-/** Colon (mm) before the valve whose caliber is compared. */
+/** Length (mm) of the colon before the valve whose caliber is compared. */
 constexpr double ComparedColon = 150.0;
-/** Shortest ileum (mm) that is worth a search; the pole of a cecum is within one radius of the end. */
+/** Minimum length of an ileum (mm). The pole of a cecum is within one radius of the end. */
 constexpr double LeastIleum = 40.0;
-/** Beyond (mm) the inscribed ball of the line: voxels of a pouch, and its least depth. Haustra of a phantom are up to
- * 20 mm deep; cecal poles were 22 mm (phantom) and 40 mm (patient). */
+/** Minimum distances (mm) beyond the inscribed ball of the line, for the voxels and for the deepest voxel of a pouch.
+ * Haustra of a phantom are up to 20 mm deep; cecal poles were 22 mm (phantom) and 40 mm (patient). */
 constexpr double PouchBegin = 10.0;
 constexpr double LeastPouchDepth = 21.0;
-/** Beyond (mm) the inscribed ball: voxels of a cecum that touches the ileum. Folds of the ileum are shallower. */
+/** Minimum distance (mm) beyond the inscribed ball for the voxels of a cecum that touches the ileum. Folds of the ileum
+ * are shallower. */
 constexpr double CecumBegin = 3.0;
-/** Least volume (ml) of the part of a cecum beyond the line: a short cecum of a phantom has 1.4 ml. */
+/** Minimum volume (ml) of the part of a cecum beyond the line. The short cecum of a phantom has 1.4 ml. */
 constexpr double LeastPouchMl = 1.0;
-/** Length (mm) of the line from the pouch to the valve, through the cecum, and through the valve. */
+/** Maximum length of the line (mm) from the pouch through the cecum to the valve, and through the valve. */
 constexpr double ValveReach = 60.0;
 constexpr double ValveLength = 30.0;
 constexpr double WiderThanIleum = 1.3; // radius of the cecum relative to the median of the ileum
@@ -60,7 +61,7 @@ public:
     return std::min<Eigen::Index>(at - m_ArcLengths.data(), m_ArcLengths.size() - 1);
   }
 
-  /** Whether the rest of the line is as narrow as ileum, and the colon before is wider. */
+  /** Whether the rest of the line is as narrow as an ileum, and the colon before it is wider. */
   bool
   IsNarrowFrom(double arcLength) const
   {
@@ -87,7 +88,8 @@ public:
     return isNarrow;
   }
 
-  /** The narrowest place behind the last place next to a pouch that is wider than ileum; a gap is a closed valve. */
+  /** The valve: the narrowest place after the last place near the pouch that is wider than an ileum. A gap is a closed
+   * valve. */
   double
   ValveAfter(double arcLength) const
   {
@@ -135,7 +137,7 @@ private:
   VertexMatrix    m_Points;
 };
 
-/** The part of a cecum that the line passes by. */
+/** The part of a cecum beside the line. */
 struct CecalPouch
 {
   std::size_t         voxel{ 0 };   ///< one of its voxels, in the padded grid
@@ -156,7 +158,7 @@ public:
     m_Pieces = FindComponents(m_Voxels, 1, true, VoxelContact::Face);
   }
 
-  /** The largest pouch that is deep, and behind which the line is as narrow as ileum. */
+  /** The largest deep pouch after which the line is as narrow as an ileum. */
   std::optional<CecalPouch>
   Find() const
   {

@@ -15,7 +15,7 @@ namespace shapeton
 {
 namespace
 {
-/** Name of the surface in warnings. Result files contain warnings, so it must not be a path. */
+/** Name of the surface in warnings. It must not be a path, because result files contain the warnings. */
 constexpr const char * surfaceName = "the surface";
 constexpr int          ringsOfHandle = 3;
 constexpr int          mostRounds = 5;     // maximum number of removal rounds

@@ -107,7 +107,7 @@ ThresholdBetween(const SurfaceMesh &         surface,
       best = bin;
     }
   }
-  // At least 0, since folds bulge into the lumen; otherwise a wall without folds would be split.
+  // The threshold is at least 0, since folds bulge into the lumen; a lower one would split a wall without folds.
   return std::max(low + width * (best + 1), 0.0);
 }
 

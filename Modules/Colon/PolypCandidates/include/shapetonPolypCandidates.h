@@ -79,7 +79,7 @@ enum class PolypMorphology
 ShapetonPolypCandidates_EXPORT std::string
                                NameOf(PolypMorphology morphology);
 
-/** What a candidate is recognized as if not a polyp; reports list such candidates separately.
+/** Structure that a candidate was recognized as instead of a polyp. Reports list such candidates separately.
  * \ingroup ShapetonPolypCandidates */
 enum class PolypLookalike
 {
@@ -168,7 +168,7 @@ struct PolypCandidate
   /** Median HU inside; NaN without a CT. */
   double      attenuation{ std::numeric_limits<double>::quiet_NaN() };
   PolypTissue tissue{ PolypTissue::Unknown };
-  /** Mean, 5 % and 95 % quantile of the HU that `attenuation` is the median of; NaN without a CT. */
+  /** Mean, and 5 % and 95 % quantiles, of the same HU values as `attenuation`; NaN without a CT. */
   double meanAttenuation{ std::numeric_limits<double>::quiet_NaN() };
   double lowAttenuation{ std::numeric_limits<double>::quiet_NaN() };
   double highAttenuation{ std::numeric_limits<double>::quiet_NaN() };
@@ -176,8 +176,8 @@ struct PolypCandidate
   double uncleansedAttenuation{ std::numeric_limits<double>::quiet_NaN() };
   /** Fraction of the head covered by tagged fluid, 0 to 1; NaN without a CT. */
   double submergedShare{ std::numeric_limits<double>::quiet_NaN() };
-  /** Fraction of the surface of the head with contrast on it (at least 250 HU up to 1 mm above or 1.5 mm below),
-   * without what is within 3 mm of fluid, 0 to 1; NaN without a CT. */
+  /** Fraction (0 to 1) of the surface of the head that is coated with contrast medium: at least 250 HU up to 1 mm above
+   * or 1.5 mm below it, and more than 3 mm from fluid. NaN without a CT. */
   double filmShare{ std::numeric_limits<double>::quiet_NaN() };
   /** See MeasureMorphology(). */
   PolypMorphology morphology{ PolypMorphology::Unknown };

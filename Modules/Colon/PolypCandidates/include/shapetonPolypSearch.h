@@ -91,8 +91,8 @@ WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates
 ShapetonPolypCandidates_EXPORT bool
 IsListedAsPolyp(const PolypCandidate & candidate);
 
-/** What a candidate that is not listed as a possible polyp is: "tagged stool or residue", "part of candidate 3"; empty
- * for a possible polyp. \ingroup ShapetonPolypCandidates */
+/** Description of a candidate that is not listed as a possible polyp: "tagged stool or residue", "part of candidate 3";
+ * empty for a possible polyp. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
                                RecognizedAs(const PolypCandidate & candidate);
 
@@ -108,20 +108,22 @@ struct PolypLesion
   bool isDisputed{ false };
 };
 
-/** Whether one of two candidates of different positions was found in the other position as the other one.
+/** Whether two candidates of different positions are the same lesion: one of them was matched to the other by
+ * FindInOtherPosition().
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT bool
 AreSameLesion(const PolypCandidate & first, const PolypCandidate & second);
 
-/** Lesions with a candidate that is listed as a possible polyp in at least one position: in the order of the first
- * position, then those of the second. Each candidate belongs to at most one lesion. \ingroup ShapetonPolypCandidates */
+/** Lesions with a candidate that is listed as a possible polyp in at least one position, in the order of the first
+ * position, followed by lesions of the second position only. Each candidate belongs to at most one lesion.
+ * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<PolypLesion>
 LesionsOfPositions(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second);
 
-/** "If confirmed: 2 of 10 mm and more, 0 of 6 to 9 mm": the lesions of two positions, or the candidates of one
- * position that are listed as possible polyps, by their larger size in the best plane, and by that in space if it makes
- * a difference. Without disputed lesions. The C-RADS category (Zalis et al., Radiology 2005) is the decision of a
- * reader. \ingroup ShapetonPolypCandidates */
+/** "If confirmed: 2 of 10 mm and more, 0 of 6 to 9 mm": counts the lesions of two positions, or the possible polyps of
+ * one position, by their larger size in the best plane, and also by their size in space if the counts differ. Disputed
+ * lesions are not counted. The C-RADS category (Zalis et al., Radiology 2005) is the reader's decision.
+ * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
 SizesIfConfirmed(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second = {});
 

@@ -171,7 +171,7 @@ MeanOf(const std::vector<double> & values)
                         : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/** HU inside a head: where the lumen does not affect it or, if a film of contrast does, below such a film; sorted. */
+/** Sorted HU inside a head, where the lumen does not affect them; below a film of contrast medium, if there is one. */
 std::vector<double>
 ValuesInside(const std::vector<InnerPoint> & points)
 {

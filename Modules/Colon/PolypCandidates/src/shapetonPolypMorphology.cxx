@@ -15,7 +15,7 @@ namespace
 constexpr double girthFrom = 2.0, girthTo = 4.0; // mm beyond the edge of a head
 constexpr double ringAtFold = 2.0;               // mm
 
-/** Distances (mm) along edges from a head to the vertices around it, without its own. */
+/** Distances (mm) along edges from a head to the vertices around it, excluding its own vertices. */
 std::map<int, double>
 VerticesAround(const SurfaceMesh &         wall,
                const SurfaceConnectivity & connectivity,

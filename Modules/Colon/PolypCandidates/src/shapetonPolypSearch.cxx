@@ -64,7 +64,7 @@ NameSegments(const SurfaceMesh & segments, std::vector<PolypCandidate> & candida
   }
 }
 
-/** Adds remarks to candidates in stretches where wall is hidden: their own wall may be visible. */
+/** Adds a remark to each candidate in a stretch with hidden wall. The wall of the candidate itself may be visible. */
 void
 NoteHindrances(const CurveSet & centerline, std::vector<PolypCandidate> & candidates)
 {

@@ -26,7 +26,7 @@ TurnDifference(double turn, double from);
  *
  * The length of the conformal flat map depends on folds and caliber; lengths along the centerline agree much better
  * between two positions of a colon. The distance is DistanceOfColumns() of the grid column, made strictly ascending.
- * The two conversions are exact inverses of each other. The flat colon must outlive this object.
+ * The two conversions are exact inverses. The flat colon must outlive this object.
  * \ingroup ShapetonSupineProne */
 class ShapetonSupineProne_EXPORT ColonCylinder
 {

@@ -8,10 +8,11 @@
 
 namespace shapeton
 {
-/** The parts of a colon whose wall neither position shows: the hindered stretches of the first position where the
- * second one is hindered, too, at the mean distance to which the map takes the wall. With the reasons and distances
- * (arcLength, mm) of the first position. \param firstToSecond RegistrationResults::supineToProne, if the first position
- * is the supine one. Throws InputError if it lacks the array mappedUv. \ingroup ShapetonSupineProne */
+/** Finds the parts of a colon whose wall neither position shows. These are the hindered stretches of the first position
+ * that the map takes to hindered stretches of the second one; the distance along the second centerline is the mean
+ * around the tube. Reasons and distances (arcLength, mm) are those of the first position. \param firstToSecond
+ * RegistrationResults::supineToProne, if the first position is the supine one. Throws InputError if it lacks the array
+ * mappedUv. \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT std::vector<HinderedStretch>
 FindHiddenInBoth(const ColonPosition & first, const ColonPosition & second, const SurfaceMesh & firstToSecond);
 } // namespace shapeton

@@ -44,7 +44,7 @@ Turned(CylinderPicture picture, int way)
   return picture;
 }
 
-/** By the number of the way of Turned(). */
+/** Description of each orientation, indexed by the argument `way` of Turned(). */
 constexpr std::array<const char *, 4> textOfWay{ { "",
                                                    "is a mirror image",
                                                    "is a mirror image that runs from the cecum to the rectum",

@@ -63,7 +63,8 @@ BulgeOfPixels(const ColonPosition & position)
   return curvature;
 }
 
-/** Draws a Gaussian at a position of the map by maximum; v may be outside [0, circumference]. */
+/** Draws a Gaussian at a position of the map; overlapping values are combined by their maximum. v may be outside [0,
+ * circumference]. */
 void
 DrawPoint(const FlatColonGrid & grid, const Eigen::Vector2d & uv, double pixel, std::vector<float> & picture)
 {

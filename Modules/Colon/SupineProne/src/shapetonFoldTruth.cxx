@@ -133,7 +133,7 @@ MovedCrest(const std::array<CylinderPlace, 3> & crest, const std::vector<PlacePa
   return moved;
 }
 
-/** Crest in the plane relative to a position. */
+/** Fold crest projected to the plane, relative to a position. */
 Crest
 Unrolled(const std::array<CylinderPlace, 3> & crest, const CylinderPlace & about, double around)
 {

@@ -12,7 +12,7 @@ namespace
 {
 constexpr double step = 1.0; // mm along the centerline: a tenth of the shortest stretch that matters
 
-/** Distance along the second centerline for steps along the first one, from the mean around the tube. */
+/** Distance along the second centerline for steps along the first one: the mean around the tube. */
 class MeanWay
 {
 public:
@@ -35,7 +35,7 @@ public:
       ++numbers[bin];
     }
     double last = to.Begin();
-    for (std::size_t bin = 0; bin < bins; ++bin) // bins without vertices take the value before them
+    for (std::size_t bin = 0; bin < bins; ++bin) // bins without vertices repeat the previous value
     {
       m_Other[bin] = last = numbers[bin] > 0 ? m_Other[bin] / numbers[bin] : last;
     }

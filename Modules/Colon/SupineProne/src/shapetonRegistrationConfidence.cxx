@@ -94,10 +94,10 @@ private:
   std::vector<Residual> m_Residuals;
 };
 
-/** Probability that an error is at most ConfidentDistance if folds are matched right. Folds slide and rotate by a part
- * of the circumference, so a wide colon has greater errors; residuals show where the map does not follow its folds.
- * Fitted by logistic regression on points with errors of at most 15 mm of 10 phantoms (realistic 1 to 5, hard 1 to 4,
- * standard 1; true lumen in voxels of 1.2 mm). */
+/** Probability that an error is at most ConfidentDistance if folds are matched correctly. Folds slide and rotate by a
+ * part of the circumference, so a wide colon has greater errors; residuals show where the map does not follow its
+ * folds. Fitted by logistic regression on points with errors of at most 15 mm of 10 phantoms (realistic 1 to 5, hard 1
+ * to 4, standard 1; true lumen in voxels of 1.2 mm). */
 double
 ProbabilityOfSmallError(double radius, double residual)
 {

@@ -23,8 +23,8 @@ struct PiecewiseLine
   }
 };
 
-/** Frame from the ends and the flexures found in both colons. A flexure is skipped with a warning if it would stretch
- * the adjacent colon by more than three times as much as the rest. */
+/** Frame from the ends and the flexures found in both colons. A flexure that would stretch the adjacent colon more than
+ * three times as much as the rest is skipped with a warning. */
 PiecewiseLine
 FlexureFrame(const ColonPosition &      source,
              const ColonCylinder &      sourceCylinder,

@@ -88,7 +88,7 @@ BandsOf(const TaeniaAngles & taeniae, const std::vector<double> & s, int angles)
   return bands;
 }
 
-/** Picture with warping rows in the coordinate of the source; the frame is empty for the source. */
+/** Picture with the rows of the warping in the coordinate of the source. The frame of the source itself is empty. */
 CylinderPicture
 PictureOf(const ColonPair & pair, const PiecewiseLine * frame)
 {
