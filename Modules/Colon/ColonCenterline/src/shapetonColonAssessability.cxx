@@ -10,10 +10,10 @@ namespace shapeton
 {
 namespace
 {
-constexpr double thickestFold = 5.0; // mm along the line
-constexpr double leastPool = 150.0;  // mm^2
-constexpr double nearLevel = 3.0;    // mm
-constexpr double deepest = 120.0;    // mm from the line to a level
+constexpr double thickestFold = 5.0; // mm along the line; chosen, see the header
+constexpr double leastPool = 150.0;  // mm^2; flat walls had up to 80, see the header
+constexpr double nearLevel = 3.0;    // mm; chosen: allows for voxels and blur
+constexpr double deepest = 120.0;    // mm from the line to a level; chosen: deeper than any pool
 constexpr double besideGap = 15.0;   // mm along the line; the lumen tapers next to a gap
 
 const char * const arrayName = "notAssessable";
@@ -156,7 +156,7 @@ private:
   double
   DepthOfLumen(const Eigen::Vector3d & point, const Eigen::Vector3d & down) const
   {
-    constexpr double  step = 0.5; // mm
+    constexpr double  step = 0.5; // mm; chosen finer than a voxel
     Labels::IndexType index;
     double            depth = 0.0;
     while (depth <= deepest + nearLevel && this->Find(point + depth * down, index) &&

@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double leastColon = 800.0; // mm
+constexpr double leastColon = 800.0; // mm; Hounnou et al. 2002, see the header
 /** Maximum mean squared feature deviation of a flexure. */
 constexpr double greatestMeanDeviation = 4.0;
 /** Maximum distance (mm) of the apex from the optimum. The descending colon ends with its straight part, not at a

@@ -13,14 +13,14 @@ namespace shapeton
 {
 namespace
 {
-constexpr int    leastEnds = 24;             // of folds on the whole wall
-constexpr double disagreement = 10.0;        // mm
-constexpr double greatestDisagreement = 0.1; // share of the colon
+constexpr int    leastEnds = 24;             // of folds on the whole wall; chosen: fewer do not determine three tracks
+constexpr double disagreement = 10.0;        // mm, as in the validation
+constexpr double greatestDisagreement = 0.1; // share of the colon; chosen for the warning
 constexpr double smoothing = 4.0;            // rows
-constexpr double evidenceReach = 60.0;       // mm along the colon
-constexpr double evidenceWidth = 10.0;       // mm around it
-constexpr double endsForCertainty = 4.0;     // within that reach
-constexpr double leastContradiction = 3.0;   // mm
+constexpr double evidenceReach = 60.0;       // mm along the colon; chosen: two to three folds on each side
+constexpr double evidenceWidth = 10.0;       // mm around it, as in the validation
+constexpr double endsForCertainty = 4.0;     // within that reach; chosen
+constexpr double leastContradiction = 3.0;   // mm; chosen for the warning
 
 /** The second and third track follow the first in the row direction. */
 TaeniaTracks

@@ -102,7 +102,7 @@ ColonWallTube::MeasureArcLength(const FlatColon & colon, const CurveSet & center
   m_Warnings = match.warnings;
   m_ArcLengthOfColumn = match.arcLengthOfColumn;
   m_ColumnWidth = match.columnWidth;
-  constexpr double reach = 50.0; // mm
+  constexpr double reach = 50.0; // mm along the line; chosen: touching loops are farther
   m_ArcLength.resize(m_V.rows());
   for (int vertex = 0; vertex < this->NumberOfVertices(); ++vertex)
   {

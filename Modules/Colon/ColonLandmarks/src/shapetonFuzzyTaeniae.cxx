@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double windowLength = 150.0;  // mm
+constexpr double windowLength = 150.0;  // mm; chosen: 120 to 180 mm worked on synthetic colons
 constexpr int    leastEndsOfWindow = 5; // chosen: more than the three centers
 constexpr int    iterations = 40;       // chosen: bounds the time
 /** Least squared distance of a point of the unit circle to a center, so that a fold end at a center does not outweigh

@@ -9,10 +9,10 @@ namespace shapeton
 {
 namespace
 {
-constexpr double leastBend = 50.0;  // degrees between chords of 40 mm
-constexpr double chord = 40.0;      // mm
-constexpr double spread = 25.0;     // mm; at most one bend within this distance
-constexpr double sameBend = 20.0;   // mm between its places in the two projections
+constexpr double leastBend = 50.0;  // degrees between chords of 40 mm; chosen
+constexpr double chord = 40.0;      // mm; chosen
+constexpr double spread = 25.0;     // mm; chosen: at most one bend within this distance
+constexpr double sameBend = 20.0;   // mm between its places in the two projections; chosen
 constexpr double comparable = 25.0; // mm front to back; chosen, "comparable y" is undefined
 
 /** Angle (degrees) between the chords before and after a point in the projection to two axes. */

@@ -13,7 +13,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double farthestMarker = 15.0; // mm from the wall
+constexpr double farthestMarker = 15.0; // mm from the wall; chosen: farther markers are of another surface
 constexpr double bumpLength = 30.0;     // mm, standard deviation of the shift by a marker
 
 double

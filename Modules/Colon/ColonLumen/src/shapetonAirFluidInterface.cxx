@@ -139,8 +139,8 @@ LocalFluid::At(int i, int j, int k) const
 
 namespace
 {
-constexpr double Reach = 5.0;     // mm perpendicular to gravity
-constexpr double Thickness = 4.0; // mm along gravity
+constexpr double Reach = 5.0;     // mm perpendicular to gravity; chosen
+constexpr double Thickness = 4.0; // mm along gravity; chosen: beyond the blur of a level
 constexpr double Sigma = 2.5;     // mm, of the weights perpendicular to gravity
 /** Search interval of the blur of levels (mm), and bounds of the result (mm); half a step is added to the upper bound.
  * Real levels have 0.9 mm, phantoms 0.75 mm. */

@@ -186,7 +186,7 @@ private:
   bool
   Below(std::size_t floor, double & mean) const
   {
-    constexpr double begin = 3.0, end = 6.5; // mm
+    constexpr double begin = 3.0, end = 6.5; // mm; chosen: below the blur of a level
     const auto       v = m_Grid.Voxel(m_Floors[floor].voxel);
     double           sum = 0.0;
     int              count = 0;
@@ -537,7 +537,7 @@ constexpr double FirstDepth = 1.2;   // mm below the half height; the rise above
 constexpr double GreatestDip = 0.3;  // relative to the lower contrast of level fluid and target
 constexpr double NoiseInDip = 2.0;   // standard deviations
 constexpr double LogisticRate = 1.7; // approximates the normal distribution within 1 %
-constexpr int    Bisections = 20;    // of an interval of two steps
+constexpr int    Bisections = 20;    // of an interval of two steps; the error is 2^-19 steps
 
 /** Approximate normal distribution with the value `half` at 0. */
 double

@@ -98,7 +98,7 @@ FloorsOfGas(const ColonGrid &         grid,
             const GravitySteps &      fall,
             const ColonThresholds &   thresholds);
 
-constexpr double LeastTagging = 100.0; // HU above tissue
+constexpr double LeastTagging = 100.0; // HU above tissue; chosen: untagged fluid has less
 constexpr double LeastAtEdge = 0.7;    // relative to the fluid contrast; the rise of a level ends here
 constexpr double StepsToFluid = 3.0;   // from a gas voxel above a level; two may be in the rise
 

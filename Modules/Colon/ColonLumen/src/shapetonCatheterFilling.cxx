@@ -9,10 +9,10 @@ namespace shapeton
 {
 namespace
 {
-constexpr double TipReach = 20.0;         // mm around the inner end
+constexpr double TipReach = 20.0;         // mm around the inner end; chosen: holds the side holes and the bulb
 constexpr double TipClosing = 2.3;        // mm, half the maximum wall thickness
-constexpr double MembraneClosing = 1.5;   // mm
-constexpr double LargestPocketMl = 120.0; // a ball with a radius of 30 mm
+constexpr double MembraneClosing = 1.5;   // mm; chosen: half a blurred membrane
+constexpr double LargestPocketMl = 120.0; // a ball with a radius of 30 mm, as LargestBalloon
 
 VoxelBox
 BoxAround(const ColonGrid & grid, const Eigen::Vector3d & center, double reach)

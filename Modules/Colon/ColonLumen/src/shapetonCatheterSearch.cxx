@@ -10,13 +10,13 @@ namespace shapeton
 {
 namespace
 {
-constexpr double      FarthestFromAnus = 150.0; // mm
+constexpr double      FarthestFromAnus = 150.0; // mm; chosen: a catheter ends in the rectum
 constexpr double      MostOutside = 0.25;       // of the rays inside the body
-constexpr double      LeastMentioned = 0.25;    // minimum confidence for a report
+constexpr double      LeastMentioned = 0.25;    // minimum confidence for a report; chosen
 constexpr double      LeastClosed = 0.9;        // fraction of the radial rays that end at the wall of a bore
 constexpr double      MostOval = 0.1;           // of the cross-section of a bore
 constexpr double      MostUneven = 0.5;         // mm, range of its radius
-constexpr std::size_t LongestHole = 6;          // sections
+constexpr std::size_t LongestHole = 6;          // sections of 1 mm; chosen: side holes of the tip
 
 /** A limit with the width of the uncertain range on both sides. */
 struct Margin

@@ -254,7 +254,7 @@ BoxOfColon(const ColonEvidence & evidence)
 
 namespace
 {
-constexpr double SeedReach = 2.0;       // mm
+constexpr double SeedReach = 2.0;       // mm; chosen: a click next to the lumen
 constexpr double LeastContrast = 150.0; // HU; contrast of bright matter to tissue
 
 std::string

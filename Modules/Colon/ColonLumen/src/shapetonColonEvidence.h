@@ -8,8 +8,8 @@
 
 namespace shapeton
 {
-constexpr double LargeLevel = 200.0; // mm^2
-constexpr double PoolArea = 20.0;    // mm^2
+constexpr double LargeLevel = 200.0; // mm^2; chosen
+constexpr double PoolArea = 20.0;    // mm^2; chosen
 
 /** Global evidence from the volume, computed before voxel classification. */
 struct ColonEvidence

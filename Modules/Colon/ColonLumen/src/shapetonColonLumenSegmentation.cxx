@@ -82,7 +82,7 @@ private:
     {
       this->Smooth();
     }
-    constexpr float leastOfBody = -400.0F; // HU, between lung and fat
+    constexpr float leastOfBody = -400.0F; // HU; chosen between lung and fat
     e.bodyMl =
       e.grid.VoxelVolume() * 1e-3 * std::count_if(e.hu.begin(), e.hu.end(), [](float v) { return v > leastOfBody; });
     this->SetGasThresholds(GasByDefinition);

@@ -85,19 +85,19 @@ PiecesNearerToAnus(const ColonEvidence & evidence, const VoxelRuns & set, const 
 namespace
 {
 constexpr double CoreRadius = 10.0;    // mm; gas in small bowel is thinner
-constexpr double CoreMl = 20.0;        //
+constexpr double CoreMl = 20.0;        // chosen with CoreRadius on one real colon
 constexpr double WideRadius = 12.5;    // mm; small bowel has a caliber of at most 25 mm
-constexpr double WideMl = 8.0;         //
+constexpr double WideMl = 8.0;         // chosen: excludes short pieces
 constexpr double CutRadius = 7.0;      // mm; for pieces of unknown size, cut by the image border
-constexpr double CutMl = 2.0;          //
+constexpr double CutMl = 2.0;          // chosen: excludes short pieces
 constexpr double RectumRadius = 7.0;   // mm; of gas and fluid near the anus
-constexpr double LungShare = 0.1;      // of the way from gas to tissue
+constexpr double LungShare = 0.1;      // of the way from gas to tissue; chosen
 constexpr double CandidateMl = 0.05;   // smaller gas is noise
 constexpr double LungMl = 500.0;       // minimum volume of lungs for identifying airways by height
 constexpr double LungHeight = 150.0;   // mm of lungs in the image; a flexure may be next to their lower half
 constexpr double FaintShare = 0.5;     // relative to the contrast of typical fluid
 constexpr double StomachShare = 0.25;  // relative to the gas of the colon
-constexpr double LongestColumn = 60.0; // mm
+constexpr double LongestColumn = 60.0; // mm; chosen: limits the depth of a pool
 
 const char * const Stomach = "stomach";
 
@@ -166,7 +166,7 @@ AddColumn(const ColonEvidence &             evidence,
           double                            least,
           std::vector<std::array<int, 3>> & voxels)
 {
-  constexpr double blurred = 3.5; // mm
+  constexpr double blurred = 3.5; // mm; chosen: the blurred layer of a level
   for (int n = 1; n * fall.step < LongestColumn; ++n)
   {
     const auto               o = fall.Offset(n);

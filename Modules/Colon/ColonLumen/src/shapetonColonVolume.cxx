@@ -175,7 +175,7 @@ ModeOfTissue(const VoxelValues & hu)
 VoxelBlocks
 MeasureBlocks(const ColonGrid & grid, const VoxelValues & hu)
 {
-  constexpr double   size = 5.0; // mm
+  constexpr double   size = 5.0; // mm; chosen: many voxels, small against organs
   VoxelBlocks        blocks;
   std::array<int, 3> number;
   for (int a = 0; a < 3; ++a)
@@ -206,7 +206,7 @@ MeasureBlocks(const ColonGrid & grid, const VoxelValues & hu)
 double
 NoiseInTissue(const ColonGrid & grid, const VoxelValues & hu, double tissue)
 {
-  constexpr double      nearTissue = 60.0; // HU
+  constexpr double      nearTissue = 60.0; // HU; chosen: holds fluid and muscle, excludes fat
   constexpr std::size_t leastBlocks = 20;  // chosen: fewer give no reliable quartile
   const VoxelBlocks     blocks = MeasureBlocks(grid, hu);
   std::vector<double>   deviations;
@@ -229,7 +229,7 @@ NoiseInTissue(const ColonGrid & grid, const VoxelValues & hu, double tissue)
 double
 ShareInWall(const ColonGrid & grid, double smoothing)
 {
-  constexpr double halfWall = 1.0; // mm
+  constexpr double halfWall = 1.0; // mm; half of a wall of 2 mm
   const double     variance = UsualBlur * UsualBlur + UniformVariance(grid.spacing.maxCoeff()) + smoothing * smoothing;
   return std::erfc(halfWall / std::sqrt(2.0 * variance));
 }

@@ -14,9 +14,9 @@ constexpr double ShareOfBorder = 0.6;   // length on the image border per length
 constexpr double ShareOfWalls = 0.25;   // of the side walls of the image, or of a row; chosen
 constexpr double ShareOfSection = 0.25; // of a section; chosen: the anal canal is much smaller
 constexpr double CleftElongation = 2.0; // ratio of axes; chosen: a rectum is rounder, see colon-surfaces.md
-constexpr double LeastCleft = 100.0;    // mm^2
+constexpr double LeastCleft = 100.0;    // mm^2; chosen: excludes specks
 constexpr double ThinShell = 8.0;       // mm; the abdominal wall is thicker
-constexpr double NearPlace = 20.0;      // mm along a row
+constexpr double NearPlace = 20.0;      // mm along a row; chosen
 constexpr double ShareOfShell = 0.3;    // of the front and back ends of a piece; chosen
 constexpr double MeasuredMl = 0.5;      // chosen: smaller pieces are not measured
 

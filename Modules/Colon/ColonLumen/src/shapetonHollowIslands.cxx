@@ -9,12 +9,12 @@ namespace shapeton
 {
 namespace
 {
-constexpr double LargestIsland = 250.0; // mm^2
-constexpr double TipLength = 4.0;       // mm
-constexpr double LargestBore = 80.0;    // mm^2
-constexpr double WallThickness = 1.0;   // mm
-constexpr double CanalReach = 60.0;     // mm below the gas of the rectum
-constexpr double RingWidth = 4.0;       // mm around the catheter
+constexpr double LargestIsland = 250.0; // mm^2; chosen: a section of 18 mm
+constexpr double TipLength = 4.0;       // mm; chosen
+constexpr double LargestBore = 80.0;    // mm^2; chosen: a bore of 10 mm
+constexpr double WallThickness = 1.0;   // mm; chosen
+constexpr double CanalReach = 60.0;     // mm below the gas of the rectum; chosen longer than the anal canal (40 mm)
+constexpr double RingWidth = 4.0;       // mm around the catheter; chosen
 constexpr double LeastBody = 0.75;      // minimum fraction of the ring in tissue or lumen
 
 /** Parts of slices outside the lumen. */

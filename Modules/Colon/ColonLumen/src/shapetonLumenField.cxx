@@ -122,7 +122,7 @@ LumenField::Below(const std::array<int, 3> & v, int t) const
 double
 LumenField::FluidReach() const
 {
-  constexpr double least = 5.0; // mm
+  constexpr double least = 5.0; // mm; chosen
   return std::max(least, StepsToFluid * fall.step);
 }
 

@@ -17,7 +17,7 @@ namespace
 constexpr double LeastPieceMl = 0.05;     // chosen: smaller pieces are not listed
 constexpr double LeastLeftOutMl = 1.0;    // of gas; chosen: keeps the list short
 constexpr double LeastBrightMl = 10.0;    // chosen: keeps the list short
-constexpr double LeastBrightRadius = 7.0; // mm
+constexpr double LeastBrightRadius = 7.0; // mm; chosen: wider than most small bowel
 /** Chosen on few data: an unprepared abdomen contains 298 ml of such lumen. */
 constexpr double UsableMl = 400.0; // or UsableShare of the body if that is less
 constexpr double UsableShare = 0.02;
@@ -169,7 +169,7 @@ DescribeOtherBright(const LumenVoxels & voxels, ColonLumen & lumen)
 std::vector<std::vector<itk::Point<double, 3>>>
 PlacesOfThinGas(const ColonEvidence & evidence)
 {
-  constexpr double                                cell = 5.0; // mm
+  constexpr double                                cell = 5.0; // mm; chosen
   std::vector<std::vector<itk::Point<double, 3>>> places(evidence.gas.pieces.size());
   std::set<std::array<int, 4>>                    cells;
   const auto cellOf = [&](int voxel, int axis) { return static_cast<int>(voxel * evidence.grid.spacing[axis] / cell); };

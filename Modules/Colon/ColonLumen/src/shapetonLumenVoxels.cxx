@@ -18,7 +18,7 @@ namespace shapeton
 namespace
 {
 constexpr double LevelReach = 6.0;  // mm around the flat part of a level
-constexpr double LevelLeeway = 0.5; // mm
+constexpr double LevelLeeway = 0.5; // mm; a level is flat to 0.4 mm
 constexpr double NearEdge = 0.4;    // relative to the contrast of the fluid at the edge of the level
 
 /** Width (mm) of the transition from gas to fluid, between 31 % and 81 % of a blurred step. */
@@ -150,7 +150,7 @@ FillLevelLayers(LumenField & field)
   });
 }
 
-constexpr double GrowthReach = 3.0;       // mm
+constexpr double GrowthReach = 3.0;       // mm; chosen: the blurred edge
 constexpr double LeastCompetingMl = 0.05; // minimum volume of competing bright matter
 constexpr double FaintDepth = 2.0;        // mm below a level; search depth for faintly tagged fluid
 constexpr double FilledCavityMl = 0.03;   // chosen: a ball of 3.9 mm; smaller than a polyp to be reported

@@ -304,7 +304,7 @@ LungSearch::VesselsIn(int piece) const
     area += count.area;
     vessels += count.vessels;
   }
-  constexpr double unitArea = 1e4; // mm^2
+  constexpr double unitArea = 1e4; // mm^2; 100 cm^2
   return area > 0.0 ? unitArea * vessels / area : 0.0;
 }
 } // namespace shapeton

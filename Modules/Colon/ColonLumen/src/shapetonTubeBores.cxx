@@ -17,7 +17,7 @@ namespace shapeton
 namespace
 {
 constexpr double AxisStep = 1.0;     // mm
-constexpr double AxisSmooth = 3.0;   // mm, standard deviation
+constexpr double AxisSmooth = 3.0;   // mm, standard deviation; chosen: removes voxel steps, keeps bends
 constexpr double StepInVoxels = 1.5; // least step; chosen above 1, so that few bins are skipped
 
 /** Residue of the morphological opening of a mask by a ball. */
@@ -340,7 +340,7 @@ private:
 std::vector<BoreAxis>
 AxesOf(const ColonGrid & grid, VoxelSet && piece, double leastLength)
 {
-  constexpr double      thinnest = 2.0; // mm^2, minimum mean cross-section
+  constexpr double      thinnest = 2.0; // mm^2, minimum mean cross-section; chosen
   const auto            least = static_cast<std::size_t>(thinnest * leastLength / grid.VoxelVolume());
   std::vector<BoreAxis> axes;
   std::vector<VoxelSet> pieces{ std::move(piece) };

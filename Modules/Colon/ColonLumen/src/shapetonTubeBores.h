@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-constexpr double LargestBoreRadius = 4.5; // mm
+constexpr double LargestBoreRadius = 4.5; // mm; chosen: the only measured catheter has 2.5
 
 /** Centerline of a long, thin piece of gas: one point per mm, LPS. */
 using BoreAxis = std::vector<Eigen::Vector3d>;

@@ -15,7 +15,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double RayStep = 0.2;                          // mm
+constexpr double RayStep = 0.2;                          // mm; chosen finer than a voxel
 constexpr int    CentringTurns = 2;                      // the second uses the direction from the first
 constexpr double CentringSmooth = 2.0;                   // sections, standard deviation
 constexpr double LeastClosedRays = 0.9;                  // minimum fraction of the rays for locating the center

@@ -36,10 +36,10 @@ enum class BehindLayer
   Outside ///< other gas, such as around the body
 };
 
-constexpr double ThinnestTubeWall = 1.0; // mm, next to gas
+constexpr double ThinnestTubeWall = 1.0; // mm, next to gas; chosen
 /** mm, next to fluid; partial volume between gas and bright fluid resembles a wall of 1.2 mm. */
 constexpr double ThinnestWallInFluid = 1.6;
-constexpr double ThickestTubeWall = 4.5; // mm
+constexpr double ThickestTubeWall = 4.5; // mm; chosen
 
 /** The first layer along a ray from the center of a bore. Distances from the center, mm. */
 struct TubeRay

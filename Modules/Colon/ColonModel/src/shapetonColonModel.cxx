@@ -399,7 +399,7 @@ BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelSettings & optio
 std::vector<HinderedStretch>
 CutsByScan(const CurveSet & line)
 {
-  constexpr double             leastLength = 10.0; // mm
+  constexpr double             leastLength = 10.0; // mm; chosen, see the header
   std::vector<HinderedStretch> cuts;
   for (const HinderedStretch & stretch : FindHinderedStretches(line))
   {

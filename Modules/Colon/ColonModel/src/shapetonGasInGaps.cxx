@@ -7,11 +7,11 @@ namespace shapeton
 {
 namespace
 {
-constexpr double leastGap = 30.0;   // mm
-constexpr double leastMl = 10.0;    //
-constexpr double leastRadius = 7.0; // mm
-constexpr double nearShare = 0.25;  // of the gap
-constexpr double nearest = 20.0;    // mm
+constexpr double leastGap = 30.0;   // mm; chosen: shorter gaps need no repair
+constexpr double leastMl = 10.0;    // ml; chosen: hard 104 supine lacked 31, see colon-surfaces.md
+constexpr double leastRadius = 7.0; // mm; chosen: thinner gas is small bowel
+constexpr double nearShare = 0.25;  // of the gap; chosen
+constexpr double nearest = 20.0;    // mm; chosen
 
 double
 DistanceOf(const ColonLeftOut & gas, const itk::Point<double, 3> & end)

@@ -29,7 +29,7 @@ PerCent(double share)
 double
 ProbabilityNear(const ValveEvidence & best, const std::vector<ValveEvidence> & places, const std::vector<double> & odds)
 {
-  constexpr double next = 25.0; // mm
+  constexpr double next = 25.0; // mm; chosen: candidates on one fold
   double           all = 1.0;
   double           near = 0.0;
   for (std::size_t i = 0; i < places.size(); ++i)

@@ -17,7 +17,7 @@ namespace
 {
 constexpr unsigned char Gas = 1;              // label of a LumenMask
 constexpr unsigned char Fluid = 2;            // label of a LumenMask
-constexpr double        TypicalTissue = 40.0; // HU
+constexpr double        TypicalTissue = 40.0; // HU; soft tissue, as in ModeOfTissue()
 /** Bounds of the values (HU) and the number of voxels from which gas and tagged fluid are measured. */
 constexpr float       GreatestOfGas = -600.0F;
 constexpr float       LeastOfFluid = 150.0F;

@@ -10,8 +10,8 @@ namespace shapeton
 namespace
 {
 constexpr double     SamplesAcrossPolyp = 3.0;            // rule set in advance; colon-polyps.md has the measurements
-constexpr double     SmallestReported = 6.0;              // mm
-constexpr double     ThickestSlice = 3.0;                 // mm
+constexpr double     SmallestReported = 6.0;              // mm; C-RADS, see the header
+constexpr double     ThickestSlice = 3.0;                 // mm; ACR and ESGAR, see the header
 constexpr const char BelowArray[] = "notAssessableBelow"; // field array of the centerline, mm
 
 /** In tenths of mm, so that rounding errors of headers do not exceed a limit. */

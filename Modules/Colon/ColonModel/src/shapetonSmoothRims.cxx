@@ -11,7 +11,7 @@ namespace shapeton
 namespace
 {
 constexpr int    Rounds = 10;      // chosen: bounds the smoothing
-constexpr double SoundAngle = 0.4; // radians, about 23 degrees
+constexpr double SoundAngle = 0.4; // radians, about 23 degrees; chosen
 
 /** Quality of the faces around a vertex. */
 struct Fan

@@ -185,7 +185,7 @@ MeasureWidths(const std::vector<SurfaceVoxel> & part, ValveBulge & bulge)
 double
 AttenuationOf(const CecalRegion & region, const std::vector<SurfaceVoxel> & part, const ValveBulge & bulge)
 {
-  constexpr double   fromLumen = 2.0; // mm
+  constexpr double   fromLumen = 2.0; // mm; chosen: beyond partial volume
   const double       deepest = std::max(fromLumen, 0.5 * bulge.width);
   std::vector<float> values;
   for (const SurfaceVoxel & one : part)

@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr int rowsOfColumn = 96; ///< used for a mean over a column
+constexpr int rowsOfColumn = 96; ///< used for a mean over a column; chosen
 
 /** Calls `take` for evenly spaced pixels of a column that are on a face. */
 template <typename TTake>

@@ -341,7 +341,7 @@ TraceCrest(const FoldPicture & picture, const FoldPlaces & places, const FoldEll
 FoldPixels
 PixelsAlongCrest(const FoldPicture & picture, const FoldCrest & crest)
 {
-  constexpr double       reach = 2.0; // mm on the surface
+  constexpr double       reach = 2.0; // mm on the surface; chosen
   std::vector<FlatPixel> pixels;
   for (const Vector2d & place : crest.places)
   {

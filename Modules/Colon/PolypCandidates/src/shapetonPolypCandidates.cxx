@@ -18,7 +18,7 @@ NameOf(PolypPreset preset)
 PolypSize
 SizeOf(double diameter)
 {
-  constexpr double atMost5 = 5.0, from10 = 10.0, from30 = 30.0; // mm
+  constexpr double atMost5 = 5.0, from10 = 10.0, from30 = 30.0; // mm; C-RADS
   const double     whole = std::round(diameter);
   return whole <= atMost5 ? PolypSize::AtMost5
          : whole < from10 ? PolypSize::From6To9

@@ -208,7 +208,7 @@ MeasureAttenuation(const std::vector<InnerPoint> & points, PolypCandidate & cand
 double
 SubmergedShare(const SurfaceMesh & wall, const PolypCandidate & candidate, const LumenAt & lumen)
 {
-  constexpr double      before = 1.5; // mm
+  constexpr double      before = 1.5; // mm; chosen: beyond the blur
   const Eigen::Vector3d middle = MiddleOf(wall, candidate);
   int                   wet = 0;
   for (const int vertex : candidate.vertices)

@@ -12,8 +12,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr double girthFrom = 2.0, girthTo = 4.0; // mm beyond the edge of a head
-constexpr double ringAtFold = 2.0;               // mm
+constexpr double girthFrom = 2.0, girthTo = 4.0; // mm beyond the edge of a head; chosen
+constexpr double ringAtFold = 2.0;               // mm; chosen
 
 /** Distances (mm) along edges from a head to the vertices around it, excluding its own vertices. */
 std::map<int, double>
@@ -80,8 +80,8 @@ GirthOf(const SurfaceMesh & wall, const SurfaceConnectivity & connectivity, cons
 PolypMorphology
 MorphologyOf(const PolypCandidate & candidate, double girth)
 {
-  constexpr double highestFlat = 3.0; // mm
-  constexpr double flatness = 0.5;    // height by width
+  constexpr double highestFlat = 3.0; // mm; C-RADS, Paris classification
+  constexpr double flatness = 0.5;    // height by width; Paris classification
   constexpr double narrowest = 0.8;   // girth of a stalk by girth of its head
   const double     girthOfHead = Pi * candidate.leastDiameter;
   if (candidate.height <= highestFlat && candidate.height < flatness * candidate.leastDiameter)
@@ -153,7 +153,7 @@ MeasureInPlanes(const SurfaceMesh & wall, PolypCandidate & candidate)
 bool
 AreNear(const SurfaceMesh & wall, const PolypCandidate & a, const PolypCandidate & b)
 {
-  constexpr double nearest = 2.0; // mm
+  constexpr double nearest = 2.0; // mm; chosen: heads on one structure
   return std::any_of(a.vertices.begin(), a.vertices.end(), [&](int i) {
     return std::any_of(b.vertices.begin(), b.vertices.end(), [&](int j) {
       return (wall.V.row(i) - wall.V.row(j)).squaredNorm() <= nearest * nearest;

@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double farthestFromMap = 10.0; // mm
+constexpr double farthestFromMap = 10.0; // mm, mean; chosen: farther candidates are of another colon
 
 const SurfaceArray &
 ArrayOf(const SurfaceMesh & map, const char * name, int components, const std::string & what)

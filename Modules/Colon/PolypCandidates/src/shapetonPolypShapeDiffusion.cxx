@@ -21,7 +21,7 @@ constexpr double publishedSteepness = 15.0; // p of dissertation 3.5.2
 std::vector<float>
 HeatIn(const TissueBox & box)
 {
-  constexpr double                time = 10.0; // mm^2
+  constexpr double                time = 10.0; // mm^2; chosen: a standard deviation of 4.5 mm
   CumulativeHeatDiffusionSettings settings;
   settings.p = publishedSteepness;
   settings.intensityWindow = { { 0.0, 1.0 } };
@@ -89,7 +89,7 @@ DensityOnWall(const SurfaceMesh &         wall,
               const std::vector<float> &  visits)
 {
   constexpr double depth = 1.5;         // mm
-  constexpr double smoothingTime = 2.0; // mm^2
+  constexpr double smoothingTime = 2.0; // mm^2; chosen: a standard deviation of 2 mm
   Eigen::MatrixXd  density = Eigen::MatrixXd::Zero(wall.V.rows(), 1);
   for (Eigen::Index i = 0; i < wall.V.rows(); ++i)
   {
@@ -108,7 +108,7 @@ MeasureShapeDiffusion(const SurfaceMesh &           wall,
                       std::vector<PolypCandidate> & candidates,
                       const Progress &              progress)
 {
-  constexpr double        margin = 12.0;    // mm
+  constexpr double        margin = 12.0;    // mm; chosen
   constexpr double        step = 1.8;       // mm
   constexpr std::uint64_t steps = 200;      // chosen: a walk of 25 mm (root mean square) crosses the box
   constexpr int           shapetons = 4000; // chosen: bounds the time per candidate

@@ -50,8 +50,8 @@ ColonCylinder::ColonCylinder(const FlatColon & flat, const CurveSet & centerline
     throw InputError("the array arcLength is missing from the flat surface and its centerline; create them with "
                      "ColonSegmentation and ColonFlattening (the parameter \"centerline\")");
   }
-  constexpr double smoothing = 5.0;  // mm
-  constexpr double leastStep = 0.01; // pixels
+  constexpr double smoothing = 5.0;  // mm; chosen: steps of the assignment are shorter
+  constexpr double leastStep = 0.01; // pixels; chosen: only makes distances distinct
   m_Arc = StrictlyAscending(
     distance, static_cast<int>(std::ceil(smoothing / grid.PixelSize())), leastStep * grid.PixelSize());
   m_Radii = axis.radii;

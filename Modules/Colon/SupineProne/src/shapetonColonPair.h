@@ -8,8 +8,8 @@
 
 namespace shapeton
 {
-constexpr int    WarpAngles = 48;   ///< rotations of the warping
-constexpr double WarpRowStep = 3.0; ///< mm between its rows
+constexpr int    WarpAngles = 48;   ///< rotations of the warping; chosen: 7.5 degrees
+constexpr double WarpRowStep = 3.0; ///< mm between its rows; chosen: folds are 20 to 30 mm apart
 
 /** Two positions with derived data, before registration. The positions must outlive this object. */
 struct ColonPair

@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double rowStep = 3.0; // mm
+constexpr double rowStep = 3.0; // mm, as WarpRowStep
 constexpr double reach = 75.0;  // mm from the course proportional to the lengths
 
 /** Picture scaled to this number of rows from end to end. */

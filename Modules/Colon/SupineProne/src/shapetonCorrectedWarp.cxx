@@ -16,7 +16,7 @@ ConstraintsOfTaeniae(const ColonPair & pair, const RowMap & map, double deviatio
 {
   constexpr double                 step = 6.0;      // mm
   constexpr double                 greatest = 15.0; // mm; at larger distances it is another taenia
-  constexpr double                 rectum = 100.0;  // mm from the anal verge
+  constexpr double                 rectum = 100.0;  // mm from the anal verge; chosen, see colon-registration.md
   std::vector<DirectionConstraint> constraints;
   const double                     begin = pair.sourceCylinder->Begin() + rectum;
   for (double s = begin; pair.AreTaeniaeKnown() && s < pair.sourceCylinder->End(); s += step)
@@ -137,7 +137,7 @@ CorrectChosenWarp(const ColonPair &       pair,
                   const Progress &        progress)
 {
   CorrectedWarp    corrected;
-  constexpr double deviation = 6.0; // mm
+  constexpr double deviation = 6.0; // mm; chosen: twice that of folds, see the header
   corrected.warp = warp;
   corrected.taeniaDeviation = deviation;
   corrected.stiffness = 1.0;

@@ -7,8 +7,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr double beyond = 1000.0; ///< mm, added at each end
-constexpr double binSize = 5.0;   ///< mm along the target
+constexpr double beyond = 1000.0; ///< mm, added at each end; chosen: beyond any colon
+constexpr double binSize = 5.0;   ///< mm along the target; chosen
 constexpr int    binAngles = 36;  // around, 10 degrees each; chosen: bins hold few triangles
 
 /** Positions of the rows of the extended nodes. */

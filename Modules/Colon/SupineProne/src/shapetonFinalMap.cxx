@@ -11,7 +11,7 @@ namespace shapeton
 namespace
 {
 constexpr int    mapAngles = 36; // nodes around; chosen with mapStep: 3.5 mm at a radius of 20 mm
-constexpr double mapStep = 4.0;  // mm
+constexpr double mapStep = 4.0;  // mm; chosen far below the distance between folds
 
 int
 SegmentOf(const SupineProneRegistration & registration, double s)

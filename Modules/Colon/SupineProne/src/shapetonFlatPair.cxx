@@ -8,7 +8,7 @@ namespace shapeton
 namespace
 {
 constexpr int    pairAngles = 48; // nodes around; chosen, the source gives no number
-constexpr double pairStep = 3.0;  // mm
+constexpr double pairStep = 3.0;  // mm; chosen, the source gives no number
 
 /** Converts mm along the centerline to mm along the flat wall. */
 double

@@ -68,7 +68,7 @@ BulgeOfPixels(const ColonPosition & position)
 void
 DrawPoint(const FlatColonGrid & grid, const Eigen::Vector2d & uv, double pixel, std::vector<float> & picture)
 {
-  constexpr double deviation = 2.5; // mm
+  constexpr double deviation = 2.5; // mm; chosen
   const int        reach = static_cast<int>(std::ceil(3.0 * deviation / pixel));
   const double     around = grid.Circumference();
   const auto       center = grid.PixelOfUv({ uv.x(), uv.y() - std::floor(uv.y() / around) * around });

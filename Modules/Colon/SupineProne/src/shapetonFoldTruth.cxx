@@ -22,7 +22,7 @@ struct PlacePair
 std::vector<PlacePair>
 PlacesOf(const SupineProneRegistration & registration, const std::vector<PointPair> & points)
 {
-  constexpr double       greatestDistance = 10.0; // mm from the wall
+  constexpr double       greatestDistance = 10.0; // mm from the wall; chosen
   std::vector<PlacePair> places;
   if (points.empty())
   {
@@ -53,7 +53,7 @@ Way(const CylinderPlace & from, const CylinderPlace & to, double around)
 std::optional<CylinderPlace>
 Moved(const CylinderPlace & place, const std::vector<PlacePair> & pairs, double around)
 {
-  constexpr double reach = 10.0; // mm
+  constexpr double reach = 10.0; // mm; see the header
   double           weights = 0.0;
   CylinderPlace    moved{ 0.0, 0.0 };
   double           firstTurn = 0.0;
@@ -147,7 +147,7 @@ FoldTruth::FoldTruth(const ColonPositionFiles &      supine,
                      const std::vector<PointPair> &  points)
   : m_IsKnown(supine.position.folds.size(), 0), m_Same(supine.position.folds.size())
 {
-  constexpr double             greatest = 8.0; // mm
+  constexpr double             greatest = 8.0; // mm; see the header
   const double                 around = registration.target->Around();
   const std::vector<PlacePair> places = PlacesOf(registration, points);
   for (std::size_t i = 0; i < m_Same.size(); ++i)

@@ -47,7 +47,7 @@ private:
   static int
   MainTaeniaOfTarget(const ColonPair & pair, const CylinderMap & frame)
   {
-    constexpr double      step = 10.0; // mm
+    constexpr double      step = 10.0; // mm; chosen: taeniae are smooth
     std::array<double, 3> away{};
     for (double s = pair.sourceCylinder->Begin(); pair.AreTaeniaeKnown() && s < pair.sourceCylinder->End(); s += step)
     {

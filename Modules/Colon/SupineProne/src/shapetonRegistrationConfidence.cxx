@@ -101,9 +101,9 @@ private:
 double
 ProbabilityOfSmallError(double radius, double residual)
 {
-  constexpr double sure = 4.43;        // log-odds
-  constexpr double perRadius = 0.042;  // 1/mm
-  constexpr double perResidual = 0.53; // 1/mm
+  constexpr double sure = 4.43;        // log-odds; fitted, see above
+  constexpr double perRadius = 0.042;  // 1/mm; fitted
+  constexpr double perResidual = 0.53; // 1/mm; fitted
   return Logistic(sure - perRadius * radius - perResidual * residual, 0.0, 1.0);
 }
 

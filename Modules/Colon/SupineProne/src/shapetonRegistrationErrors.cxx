@@ -81,7 +81,7 @@ RegistrationErrors::HalfInterval() const
   {
     squares += (value - mean) * (value - mean);
   }
-  constexpr double student = 2.093; // 19 degrees of freedom
+  constexpr double student = 2.093; // 97.5 % quantile of Student's t with 19 degrees of freedom
   return student * std::sqrt(squares / (means.size() - 1.0) / static_cast<double>(means.size()));
 }
 

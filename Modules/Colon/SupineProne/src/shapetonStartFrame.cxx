@@ -90,7 +90,7 @@ SamplesOfTaenia(const CurveSet &         curves,
                 const ColonCylinder &    cylinder,
                 const FlatColonLocator & locator)
 {
-  constexpr double         greatestDistance = 10.0; // mm from the wall
+  constexpr double         greatestDistance = 10.0; // mm from the wall; chosen
   std::vector<AngleSample> samples;
   for (const int vertex : curve)
   {
@@ -192,7 +192,7 @@ EndFrame(const PiecewiseLine & frame)
 PiecewiseLine
 CautiousFrame(const PiecewiseLine & frame, const ColonPosition & source, const ColonPosition & target)
 {
-  constexpr double    expected = 40.0; // mm
+  constexpr double    expected = 40.0; // mm; see the header
   const PiecewiseLine proportional = EndFrame(frame);
   PiecewiseLine       cautious = frame;
   for (std::size_t i = 1; i + 1 < frame.from.size(); ++i)

@@ -70,7 +70,7 @@ Trials(const ColonPair & pair)
 Eigen::MatrixXd
 BandsOf(const TaeniaAngles & taeniae, const std::vector<double> & s, int angles)
 {
-  constexpr double deviation = 0.04; // turns
+  constexpr double deviation = 0.04; // turns; chosen: 5 mm at a radius of 20 mm
   Eigen::MatrixXd  bands = Eigen::MatrixXd::Zero(s.size(), angles);
   for (Eigen::Index row = 0; row < bands.rows(); ++row)
   {
@@ -133,7 +133,7 @@ WarpAbout(const ColonPair & pair, const Trial & trial, const CylinderPicture & s
 PiecewiseLine
 FrameOf(const CylindricalWarp & warp)
 {
-  constexpr double least = 0.1; // slope
+  constexpr double least = 0.1; // slope; chosen: keeps the frame increasing
   PiecewiseLine    frame{ warp.s, warp.targetS };
   for (std::size_t i = 1; i < frame.to.size(); ++i)
   {
