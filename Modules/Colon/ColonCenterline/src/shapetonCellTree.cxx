@@ -13,8 +13,8 @@ namespace
  * validation exam (realistic 145 prone) 0.01 mm decided over 400 mm of line. */
 constexpr double usualHole = 7.0;
 constexpr double widestHole = 10.0;
-/** Minimum gain (mm) in path length for treating a passage as a hole, and additional gain per mm of width above the
- * usual one. Openings in thin septa between adjacent loops are up to half the caliber wide. */
+/** Minimum gain (mm) in path length for treating a passage as a hole, and the additional gain required per mm of width
+ * above the usual width. Openings in thin septa between adjacent loops are up to half the caliber wide. */
 constexpr double leastGain = 40.0;
 constexpr double gainOfWide = 100.0;
 /** Tolerance for equal lengths (mm). Summing the same lengths in another order changes the sum by less. */

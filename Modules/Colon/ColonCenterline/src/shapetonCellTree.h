@@ -11,10 +11,9 @@ namespace shapeton
  *
  * Loops of the colon touch and thin septa leak, so the graph of cells contains cycles. The maximum spanning tree
  * excludes each hole between parts connected by wider passages. Where the colon is narrower than a hole, the tree would
- * contain the hole and end in two dead ends. Therefore a hole is replaced by a narrower passage if this makes the
+ * lead through the hole and leave two dead ends. Therefore a hole is replaced by a narrower passage if this makes the
  * longest path of the tree clearly longer. Passages outside the tree that close a short ring (around a fold or within
- * wide lumen) are open; those that close a long ring are merges.
- */
+ * wide lumen) are open; those that close a long ring are merges. */
 class CellTree
 {
 public:

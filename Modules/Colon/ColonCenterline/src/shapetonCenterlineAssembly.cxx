@@ -291,8 +291,8 @@ WarnOfNarrowPlaces(const LumenGrid & grid, const std::vector<Section> & sections
 void
 WarnOfUnlikelyRectum(ColonCenterline & result)
 {
-  // Shares of the extent of the line; LPS: y increases toward the back. The rectum of 131 phantoms and of a real colon
-  // lies within 0.07 of the middle; a wrong line lay at 0.24.
+  // Bounds as shares of the extent of the line. In LPS, y increases toward the back. The rectum of 131 phantoms and of
+  // a real colon lies within 0.07 of the middle; a wrong line lay at 0.24.
   constexpr double fromMiddle = 0.2;
   constexpr double leastBack = 0.3;
   ColonExtent      extent;

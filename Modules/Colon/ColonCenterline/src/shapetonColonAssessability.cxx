@@ -40,8 +40,8 @@ BeginOf(const Eigen::VectorXd & arc, std::size_t point)
   return i == 0 ? arc[0] : i == arc.size() ? arc[i - 1] : 0.5 * (arc[i - 1] + arc[i]);
 }
 
-/** Border between the stretches of a point and of the previous one: halfway, but a stretch without lumen extends to the
- * points beside it, the ends of the lumen. */
+/** Border between the stretches of a point and of the previous point: halfway. A stretch without lumen, however,
+ * extends to the adjacent points, which are the ends of the lumen. */
 double
 BorderBefore(const Eigen::VectorXd & arc, const std::vector<ColonHindrance> & hindrances, std::size_t point)
 {

@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** Bounds the time. */
+/** Maximum number of cuts; chosen to bound the time. */
 constexpr int mostCuts = 6;
 /** Penalty (mm) of a path through a hole in a septum; less than CellTree::LeastGain. */
 constexpr double holeCost = 35.0;
@@ -113,7 +113,7 @@ public:
   double
   Cost() const
   {
-    // About the cross-section of the lumen with its haustra.
+    // Approximate cross-section of the lumen including its haustra.
     const double area = 4.0 * m_UsualRadius * m_UsualRadius;
     const Layout layout = LayOut(m_Grid, m_Cells, m_Tree, area);
     if (layout.pieces.size() > static_cast<std::size_t>(mostJoinPieces))

@@ -302,7 +302,7 @@ FindPole(const LumenNetwork & network, const DistanceField & field, const CurveP
 constexpr double leastApproach = 0.7;
 constexpr double reachOfApproach = 5.0;
 
-/** Index up to which a curve from `from` approaches a point. */
+/** Index of the last curve point, starting at `from`, up to which the curve approaches a point. */
 int
 LastTowards(const CurvePoints & points, int from, double step, const Eigen::Vector3d & place)
 {
@@ -345,7 +345,7 @@ BeforeEnd(const CurvePoints & points, double steps)
   return last - std::min(static_cast<int>(steps), last / 2);
 }
 
-/** The line from `from` up to the point where it stops approaching the pole, then the path to the pole. */
+/** Follows the line from `from` to the point where it stops approaching the pole, then the path to the pole. */
 CurvePoints
 LineToPole(const LumenNetwork &           network,
            const DistanceField &          field,

@@ -16,7 +16,7 @@ namespace
 constexpr double joinCost = 5.0;
 constexpr double turnShare = 0.35;
 constexpr double longJoinShare = 2.0;
-/** Cost, in addition to its length, of omitting a piece, and of omitting one that is wanted. */
+/** Cost of omitting a piece, added to its length, and of omitting a piece that must be used. */
 constexpr double leavingCost = 60.0;
 constexpr double leavingWantedCost = 1e6;
 /** Penalty (mm) for the least likely position of a cecum, and the shares that height and side contribute to it. */

@@ -25,8 +25,8 @@ public:
   void
   RequireCurrent(const std::string & stage, const std::string & file) const;
 
-  /** Checks all results of a stage without reading them: throws InputError if the stage completed but was
-   * computed from results that no longer exist. */
+  /** Checks all results of a stage without reading them. Throws InputError if the stage completed but used results that
+   * no longer exist. */
   void
   RequireCurrent(const std::string & stage) const;
 

@@ -20,7 +20,7 @@ struct ShapetonColonExamination_EXPORT StageResult
   std::string name;
   std::string program;
   std::string version;
-  /** Exit status of the tool; 0 on success, 1 if a signal ended it. */
+  /** Exit status of the tool: 0 on success, 1 if a signal terminated it. */
   int status{ 0 };
   /** Error message of a failed tool. */
   std::string message;

@@ -62,7 +62,7 @@ struct ColonTaeniae
    * supported. */
   std::vector<ColonTaenia> taeniae;
   std::string              reason; ///< why none were found
-  /** The result kept: "joint", "fuzzyCMeans" or "thirds". */
+  /** Method whose result is kept: "joint", "fuzzyCMeans" or "thirds". */
   std::string kept;
   /** Energy per row; NaN for a method that was not run. */
   double jointEnergy{ 0.0 };

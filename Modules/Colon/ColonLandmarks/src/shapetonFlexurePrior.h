@@ -132,7 +132,8 @@ struct SectionPrior
 constexpr SectionPrior TheDescendingColon{ { { { 0.88, 0.10 }, { 0.70, 0.22 }, { 0.64, 0.24 } } },
                                            { { { 0.00, 0.30 }, { 0.00, 0.35 }, { 0.90, 0.20 } } } };
 
-/** Its lower end, the iliac colon: from the pelvic brim obliquely up to the left, in front of the iliac bone. */
+/** Lower end of the descending colon, the iliac colon: it runs from the pelvic brim obliquely up to the left, in front
+ * of the iliac bone. */
 constexpr SectionPrior TheIliacColon{ { { { 0.72, 0.08 }, { 0.30, 0.12 }, { 0.36, 0.08 } } },
                                       { { { 0.40, 0.25 }, { -0.05, 0.40 }, { 0.75, 0.15 } } } };
 

@@ -29,7 +29,7 @@ constexpr std::array<double, 4> spreadOfBorder{ 0.0, 20.0, 10.0, 0.0 };
 /** Maximum squared deviation of a position from the bones, as two features, that the bones support: 2.5 standard
  * deviations. */
 constexpr double greatestFromBones = 6.25;
-/** Clamp of that deviation: if the bones contradict everything else, they are wrong. */
+/** Clamp of that deviation. If the bones contradict all other evidence, they were located wrongly. */
 constexpr double clampFromBones = 20.0;
 constexpr int    junction = 1; // index of the descending-sigmoid flexure
 /** Correlation length of points of a section, mm. */
@@ -270,8 +270,8 @@ private:
     return places;
   }
 
-  /** Probability-weighted mean of the positions of a flexure within 60 mm of the optimum. The optimum starts the
-   * descending colon too early, since each similar point increases its likelihood. */
+  /** Probability-weighted mean of the positions of a flexure within 60 mm of the optimum. The optimum lets the
+   * descending colon begin too early, since each additional point of similar shape increases the likelihood. */
   int
   MeanPlaceNear(int place, int k) const
   {

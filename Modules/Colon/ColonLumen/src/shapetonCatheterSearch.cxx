@@ -32,7 +32,8 @@ struct Margin
   }
 };
 
-// The only real catheter measured has an even bore of 43 mm, 24 mm of it enclosed, by all rays, and a radius of 2.5 mm.
+// The only real catheter measured has a uniform bore of 43 mm with a radius of 2.5 mm. All rays are enclosed along 24
+// mm of it.
 constexpr Margin LengthMargin{ 30.0, 15.0 };   // mm
 constexpr Margin EnclosedMargin{ 6.0, 4.0 };   // mm
 constexpr Margin ShareMargin{ 0.9, 0.1 };      // of the rays, in 6 mm of sections

@@ -57,8 +57,8 @@ LargeTaggedLevels(const ColonEvidence & evidence)
   return tagged;
 }
 
-/** Bright pieces near below a level, over at least PoolArea and mostly without a wall in between. One level may
- * cover several pools. */
+/** Bright pieces just below a level that cover at least PoolArea, mostly without a wall in between. One level may cover
+ * several pools. */
 std::vector<int>
 BrightUnder(const ColonEvidence & evidence, const GravitySteps & fall, const Level & level)
 {
@@ -377,7 +377,7 @@ FindGravity(const std::string & position, ColonEvidence & evidence, ColonLumen &
 {
   const auto given = GivenGravity(position);
   const auto assumed = *GravityOfPatientPosition("supine");
-  // For the given or assumed direction, and for the direction with the most levels.
+  // Levels for the given or assumed direction, and for the direction with the largest area of levels.
   LevelsOfDirection usual;
   LevelsOfDirection clearest;
   for (const char * name : { "supine", "prone", "leftDecubitus", "rightDecubitus" })
@@ -395,7 +395,7 @@ FindGravity(const std::string & position, ColonEvidence & evidence, ColonLumen &
   }
   const bool isClear = Outweigh(clearest, ClearLevels, ClearRatio, given ? usual.area : 0.0);
   const bool isContradiction = given && isClear && !(clearest.gravity == *given);
-  // A name was given, not a DICOM code.
+  // A name is always used; only a DICOM code can be overruled.
   const bool isOfHeader = given && position != NameOfGravity(*given);
   const bool isOverruled = isContradiction && isOfHeader && Outweigh(clearest, CertainLevels, CertainRatio, usual.area);
   lumen.gravitySource = given && !isOverruled ? ColonGravitySource::PatientPosition

@@ -21,10 +21,10 @@ PiecesNearerToAnus(const ColonEvidence & evidence, const VoxelRuns & set, const 
 void
 ChooseCore(ColonEvidence & evidence);
 
-/** Refines the choice by the levels. The width of a piece includes the fluid below it if this fluid is as bright as
- * that in the colon. A piece above a large amount of fluid far fainter than that in the colon is stomach. If no colon
- * is near the anus, gas there above tagged fluid is rectum or sigmoid separated by a collapsed stretch, even if it is
- * only as wide as small bowel. Returns these pieces. */
+/** Refines the choice by the levels. The width of a piece includes the fluid below it if this fluid is as bright as the
+ * fluid in the colon. A piece above a large amount of much fainter fluid is stomach. If no colon is near the anus, gas
+ * there above tagged fluid is rectum or sigmoid separated by a collapsed stretch, even if it is only as wide as small
+ * bowel. Returns these pieces. */
 std::vector<int>
 ReviewCore(ColonEvidence & evidence);
 } // namespace shapeton

@@ -26,7 +26,7 @@ constexpr double UsualBlur = 0.8;
 /** Bound of squared wall distances (mm^2), which are infinite if the grid has no background. */
 constexpr float GreatestSquaredDistance = 1e6F;
 
-/** A margin in mm that ColonGrid::Widened() rounds up to one voxel. */
+/** Margin (mm) that ColonGrid::Widened() rounds up to one voxel. */
 constexpr double OneVoxel = 1e-6;
 
 /** Variance of a uniform distribution, such as of a place within a voxel. */

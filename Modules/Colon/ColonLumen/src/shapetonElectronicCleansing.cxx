@@ -134,7 +134,7 @@ private:
     return LocalFluid(m_Grid, m_Hu, mask, m_Lumen.thresholds.fluid);
   }
 
-  /** Distance (mm) to the nearest voxel of a class, limited to the maximum. */
+  /** Distance (mm) to the nearest voxel of a class, clamped to the maximum. */
   VoxelValues
   DistanceTo(unsigned char c, double farthest) const
   {

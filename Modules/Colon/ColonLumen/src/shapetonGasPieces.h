@@ -16,7 +16,7 @@ struct GasPiece
   Eigen::Vector3d center{ 0.0, 0.0, 0.0 }; ///< LPS
   double          mean{ 0.0 };             ///< HU
   double          radius{ 0.0 };           ///< of the largest inscribed ball, mm; 0 for pieces below 0.5 ml
-  double          inside{ 0.0 };           ///< mean HU at least 3 mm deep, or in the deepest part
+  double          inside{ 0.0 };           ///< mean HU of the voxels at least 3 mm deep, or of the deepest part
   bool            isOutside{ false };      ///< outside air, even if enclosed in a slice
   bool            isCut{ false };          ///< cut by the image border, except by the caudal border next to outside air
 };

@@ -74,7 +74,7 @@ TakeTips(const ColonGrid & grid, const Islands & islands, std::vector<char> & ta
   }
 }
 
-/** Follows the gas of the catheter from the rectum down the anal canal, slice by slice, until it leaves the body. */
+/** Follows the gas of the catheter slice by slice from the rectum down the anal canal until it leaves the body. */
 class CanalWalk
 {
 public:

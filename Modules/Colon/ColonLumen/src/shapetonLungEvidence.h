@@ -20,7 +20,7 @@ struct LungEvidence
 
   bool
   IsLung() const;
-  /** Whether it is certainly lung, rather than, for example, a foam table or a blanket. */
+  /** Whether the piece is certainly lung and not, for example, a foam table or a blanket. */
   bool
   IsVascularLung() const;
 };

@@ -33,7 +33,7 @@ struct ColonModelSettings : ColonModelOptions
    * changes the CT.
    * Intended for slow work such as writing. */
   std::function<void(const itk::Image<float, 3> *)> onCleansed;
-  /** Called on another thread with the model except the wall, while the wall is built (afterwards if single-threaded).
+  /** Called with the model without its wall on another thread while the wall is built (afterwards if single-threaded).
    * Intended for slow work that does not require the wall, such as writing the volumes. */
   std::function<void(const ColonModel &)> besideWall;
   /** Metadata stored with the surfaces, see ColonWallSettings. */
@@ -66,8 +66,8 @@ struct ColonModel
   ColonWall       wall;
   /** Warnings of all stages. */
   Remarks warnings;
-  /** Reason why the colon is not usable, or empty. On failure only the first parts are set; with keepPartial, all
-   * computable parts. */
+  /** Reason why the colon is not usable, or empty. On failure, only the parts computed before are set; with
+   * keepPartial, all parts that can be computed. */
   std::string failure;
 };
 

@@ -48,7 +48,7 @@ CecalRegion::PlaceGrid(const CurveSet & centerline, const Eigen::VectorXd & befo
       box.extend(centerline.V.row(i).transpose());
     }
   }
-  // Centered in the box, so mirroring the patient mirrors the voxels.
+  // The grid is centered in the box, so that a mirrored patient has mirrored voxels.
   const Eigen::Array3i half = ((0.5 * box.sizes().array() + margin) / Step).ceil().cast<int>();
   m_Grid.SetSize({ { 2 * half[0] + 1, 2 * half[1] + 1, 2 * half[2] + 1 } });
   m_Origin = box.center() - Step * half.cast<double>().matrix();
@@ -80,7 +80,7 @@ CecalRegion::Sample(const LumenMask * labels, const itk::Image<float, 3> * ct)
   });
 }
 
-// Through the lumen, to exclude adjacent loops, then slightly into the tissue.
+// Propagates distances through the lumen, to exclude adjacent loops, then slightly into the tissue.
 void
 CecalRegion::MeasureBeforeEnd(const CurveSet & centerline, const Eigen::VectorXd & beforeEnd)
 {

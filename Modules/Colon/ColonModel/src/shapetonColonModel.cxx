@@ -111,7 +111,7 @@ WallSettingsOf(const ColonModelSettings & options)
            options.besideSimplification };
 }
 
-/** Runs a task and waits for the parallel one, even after an InputError, to report failures of both. */
+/** Runs a task and waits for the parallel one, even after an InputError, so that both failures are reported. */
 template <typename TWork>
 void
 DoAndWaitFor(WorkBeside & beside, const TWork & work)
@@ -260,7 +260,7 @@ FailureOfShortLine(const ColonModel & model)
          "its lumen as a mask";
 }
 
-/** Whether to continue: the line is a colon, or partial results are requested. */
+/** Whether to continue, because the line is a colon or partial results are requested. */
 bool
 MayGoOn(ColonModel & model, const ColonModelSettings & options, LumenOrigin origin)
 {

@@ -78,7 +78,7 @@ KeepSolidPiece(LumenMaskImage * mask, double voxelVolume, LumenTopologyReport & 
   report.lumenVolume = static_cast<double>(pieces.sizes[largest]) * voxelVolume;
 }
 
-/** Keeps voxels with both neighbors along an axis; voxels outside the grid are treated as kept. */
+/** Erosion along one axis: keeps voxels with both neighbors. Voxels outside the grid count as set. */
 std::vector<unsigned char>
 Eroded(const VoxelGrid & grid, const std::vector<unsigned char> & mask, int axis)
 {

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** A thick part of the wall that bulges into the lumen in all directions. */
+/** A thick part of the wall that is convex toward the lumen in all directions. */
 struct ValveBulge
 {
   /** Center of its surface, LPS, mm. */

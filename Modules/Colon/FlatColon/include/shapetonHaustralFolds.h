@@ -59,7 +59,7 @@ struct HaustralFold
   double arcLength{ 0.0 };
   /** Whether the fold crosses the cut. */
   bool crossesCut{ false };
-  /** Reason why the wall is not clearly visible there; None if the surface lacks the cell array notAssessable. */
+  /** Reason why the wall at the fold is not clearly visible; None if the surface lacks the cell array notAssessable. */
   ColonHindrance hindrance{ ColonHindrance::None };
 };
 

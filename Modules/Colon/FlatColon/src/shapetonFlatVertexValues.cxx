@@ -23,7 +23,7 @@ struct FaceShape
   }
 
   Eigen::Vector3d corners[3];
-  Eigen::Vector3d normal; ///< its length is twice the area
+  Eigen::Vector3d normal; ///< length is twice the area of the face
   double          area;
 };
 

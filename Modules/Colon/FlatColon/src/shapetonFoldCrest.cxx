@@ -25,7 +25,7 @@ constexpr double farthest = 20.0;      ///< mm of the map from the start of a tr
 constexpr double sideways = 0.3;       ///< of a step
 constexpr double memoryOfCourse = 0.9; ///< weight of the previous direction
 
-/** First row of the fold: after the widest gap or, for a ring, the row with the fewest pixels. */
+/** First row of the fold: the row after the widest gap or, for a ring, the row with the fewest pixels. */
 int
 FirstRow(const FoldPixels & pixels, int rows)
 {

@@ -15,7 +15,7 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/** Maximum surface distance (mm) from the crest to a foot: the flank of the highest folds. */
+/** Maximum surface distance (mm) from the crest to a foot: the length of the flank of the highest folds. */
 constexpr double farthestFoot = 18.0;
 
 class HeightMeter

@@ -97,7 +97,7 @@ enum class PolypLookalike
 ShapetonPolypCandidates_EXPORT std::string
                                NameOf(PolypLookalike lookalike);
 
-/** Evidence for a candidate from the other patient position. \ingroup ShapetonPolypCandidates */
+/** Evidence for a candidate from the other position of the patient. \ingroup ShapetonPolypCandidates */
 struct PolypInOtherPosition
 {
   /** Corresponding point on the other wall by the registration, LPS, mm. */
@@ -139,7 +139,7 @@ struct PolypCandidate
 {
   /** Rank from 1, by descending score in this position. */
   int number{ 0 };
-  /** Shape score times the TissueLikelihood() of the head, if known, 0 to 1; see WeighByOtherPosition(). */
+  /** Shape score (0 to 1) times the TissueLikelihood() of the head, if known; see WeighByOtherPosition(). */
   double score{ 0.0 };
   /** Score of the shape only, 0 to 1. */
   double shapeScore{ 0.0 };

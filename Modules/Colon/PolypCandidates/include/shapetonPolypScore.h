@@ -23,8 +23,8 @@ struct PolypFeatures
    * the bumps on folds and wall. */
   double hollowness{ 0.0 };
   /** Mean curvedness of the head, 1/mm (Koenderink and van Doorn 1992): 2 / diameter for a ball, 0.33 for 6 mm; 0.06 to
-   * 0.28 for phantom polyps of 5.5 mm or more. Sharper bulges are smaller heads, or not smooth heads but residue of
-   * fluid or of a catheter, or edges of truncated walls. */
+   * 0.28 for phantom polyps of 5.5 mm or more. Sharper bulges are smaller heads, residue of fluid or of a catheter, or
+   * edges of truncated walls. */
   double curvedness{ 0.0 };
   /** \name Reported, not in the score */
   ///@{

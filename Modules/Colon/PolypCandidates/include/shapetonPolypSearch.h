@@ -58,8 +58,7 @@ ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
 ShapetonPolypCandidates_EXPORT double
 MeanDistanceToWall(const SurfaceMesh & wall, const std::vector<PolypCandidate> & candidates);
 
-/** Converts candidates for FindInOtherPosition(), with the scores of their own
- * position alone.
+/** Converts candidates for FindInOtherPosition(), with scores from their own position only.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<OtherPolypCandidate>
                                AsOthers(const std::vector<PolypCandidate> & candidates);

@@ -36,7 +36,8 @@ struct WallBulge
    * mm around the bulge. */
   double height{ 0.0 };
   /** Area-weighted mean of the smaller principal curvature of the wall within 2 mm around the bulge, 1/mm. Negative for
-   * a concave foot. A head has one on all sides; a ripple, or a bump on the crest of a fold, hardly has one. */
+   * a concave foot. A head has a concave foot on all sides; a ripple or a bump on the crest of a fold has almost
+   * none. */
   double footCurvature{ 0.0 };
 };
 

@@ -133,7 +133,7 @@ InnerPointsOf(const SurfaceMesh &                                               
 constexpr double blur = 1.2; // mm: half a voxel and the blur of a scan
 constexpr long   fewest = 5; // samples that are enough for a median
 
-/** Number of samples at least at this distance from the lumen. */
+/** Number of samples at least this far from the lumen. */
 long
 NumberAway(const std::vector<InnerPoint> & points, double distance)
 {
@@ -141,7 +141,7 @@ NumberAway(const std::vector<InnerPoint> & points, double distance)
     points.begin(), points.end(), [=](const InnerPoint & point) { return point.clearance >= distance; });
 }
 
-/** HU of the samples at this distance from the lumen, or of the deepest quarter if too few, sorted. */
+/** Sorted HU of the samples at least this far from the lumen, or of the deepest quarter if these are too few. */
 std::vector<double>
 ValuesAwayFromLumen(std::vector<InnerPoint> points, double distance)
 {

@@ -381,7 +381,7 @@ FindWallPlaques(const SurfaceMesh &         wall,
                 const SurfaceShape &        shape,
                 const std::vector<char> &   isLeftOut)
 {
-  // The wall around a plaque is concave or straight, so any convexity counts. Narrower parts are ripples.
+  // The wall around a plaque is concave or straight, so any convex part is accepted. Narrower parts are ripples.
   constexpr double     leastCurvature = 0.0; // 1/mm
   constexpr double     leastWidth = 4.0;     // mm
   const WallPartLimits limits{ 0.0, leastWidth, LeastSolidAngleOfBulge };

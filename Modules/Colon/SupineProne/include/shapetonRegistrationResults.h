@@ -49,7 +49,7 @@ struct MatchedFolds
   /** Correct or Wrong if points are available. */
   FoldVerdict verdict{ FoldVerdict::Unknown };
 
-  /** Whether the map is consistent with the pair; otherwise the pair contradicts its neighbors. */
+  /** Whether the map is consistent with the pair. An inconsistent pair contradicts its neighbors. */
   bool
   IsFollowed() const
   {

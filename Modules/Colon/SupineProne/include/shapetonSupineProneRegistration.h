@@ -45,7 +45,7 @@ struct RegistrationConfidence
   bool   isFlagged{ true };
   /** Reasons for the flag. */
   std::vector<std::string> reasons;
-  /** Number of consistent pairs relative to the smaller number of folds. */
+  /** Number of consistent pairs relative to the number of folds of the position with fewer folds. */
   double matchedShare{ 0.0 };
   /** Fraction of inconsistent pairs. */
   double contradictedShare{ 0.0 };

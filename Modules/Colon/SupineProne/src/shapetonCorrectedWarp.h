@@ -44,7 +44,7 @@ struct CorrectedWarp
 };
 
 /** Matches folds under the warp, and again under the corrected warp. The correction is a thin plate through the centers
- * and ends of matched folds and along the taeniae. Used to rate a warp: taeniae are weighted like folds, and the
+ * and ends of matched folds and along the taeniae. This rates a warp. Taeniae are weighted like folds, and the
  * correction is too stiff to follow wrong pairs. */
 CorrectedWarp
 CorrectWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMethod method, const Progress & progress);

@@ -29,8 +29,8 @@ struct CylindricalWarpingOptions
   double leapCost{ 0.1 };
   /** Cost of the content of a row, independent of the other picture. */
   double contentWeight{ 0.3 };
-  /** Weight of taeniae relative to folds, if known in both pictures. Taeniae are similar, so they determine the
-   * rotation only up to thirds of a turn. */
+  /** Weight of taeniae relative to folds, if both pictures have taeniae. Taeniae look alike, so they determine the
+   * rotation only up to a third of a turn. */
   double taeniaWeight{ 0.0 };
   /** Segment borders (mm) that the path must not cross, in source coordinates. */
   std::vector<double> breaks;

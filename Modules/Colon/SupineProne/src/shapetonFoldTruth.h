@@ -8,7 +8,7 @@ namespace shapeton
 /** True fold correspondence from points with known correspondence. Each position on a supine crest is mapped by the
  * points within 10 mm of it on the unrolled walls, independent of fold height. Two folds correspond if the mean
  * distance of the shorter crest from the longer one is at most 8 mm (folds slide by a few mm on the wall and are at
- * least 15 mm apart). A fold detected in two pieces corresponds to both. */
+ * least 15 mm apart). A fold that was detected in two pieces corresponds to both pieces. */
 class FoldTruth
 {
 public:

@@ -70,7 +70,7 @@ public:
   At(const CylinderPlace & place) const
   {
     constexpr double reach = 25.0; // mm, standard deviation: about the distance of two folds
-    constexpr double doubt = 0.1;  // weight of a residual of 10 mm, for positions without folds
+    constexpr double doubt = 0.1;  // weight of a prior residual of 10 mm, for positions without folds
     double           sum = doubt * ConfidentDistance;
     double           weights = doubt;
     for (const Residual & one : m_Residuals)
@@ -138,7 +138,7 @@ JudgeNodes(const ColonPair & pair, SupineProneRegistration & registration)
   }
 }
 
-/** Log-odds of one term, limited, because the folds of a real pair alone look like those of two patients. */
+/** Log-odds of one term. They are limited because, by its folds alone, the real pair looks like two patients. */
 double
 LogOdds(double value, double middle, double width)
 {

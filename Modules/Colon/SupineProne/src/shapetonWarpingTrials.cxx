@@ -36,8 +36,8 @@ constexpr double freeRotation = 0.4;
 constexpr double taeniaWeight = 0.3;
 constexpr double bandOfThirds = 30.0; // mm, to compare a path with the same path turned by a third
 
-/** Tries several frames, since flexures have errors of centimeters and lengths are not exactly proportional. Segments
- * require the frame of the flexures. */
+/** Trials with several frames, since flexures have errors of centimeters and lengths are not exactly proportional.
+ * Segment-wise registration requires the frame of the flexures. */
 std::vector<Trial>
 Trials(const ColonPair & pair)
 {
