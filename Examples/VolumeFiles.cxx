@@ -1,6 +1,7 @@
 // Writes a volume as NRRD, NIfTI and MetaImage, reads each back and compares grid and voxels.
 // Usage: ExampleVolumeFiles FOLDER
 #include "shapetonImageFile.h"
+#include "shapetonImageGrid.h"
 #include "shapetonVolumeWriter.h"
 
 #include "itkImageRegionConstIterator.h"
