@@ -4,6 +4,7 @@
 // the runs of a NAME are merged into one column. FOLDER receives the CSV file (default: the folder of PAGE.md).
 // Used to compare phantoms with real colons; see Documentation/validation/colon-surfaces.md.
 #include "Tables.h"
+#include "ValidationReport.h"
 #include "ColonShape.h"
 
 #include "shapetonExaminationFolder.h"
