@@ -56,8 +56,9 @@ struct ShapetonHeat_EXPORT HeatParameterChoice
  * of the copy if noise would insulate voxels.
  *
  * `options` contain conductance, device and so on. Throws as DiffuseCumulativeHeat(). For an image in a pipeline,
- * update it first: `filter->UseParameters(ChooseHeatParameters(VolumeView(image), filter->GetOptions()))`. \ingroup
- * ShapetonHeat */
+ * update it first: `filter->UseParameters(ChooseHeatParameters(VolumeView(image), filter->GetOptions()))`.
+ *
+ * \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT HeatParameterChoice
 ChooseHeatParameters(const VolumeView &                     volume,
                      const CumulativeHeatDiffusionOptions & options = {},
