@@ -43,7 +43,7 @@ InPython(const std::string & message)
         i > 0 && std::isupper(letter) != 0 && std::isupper(static_cast<unsigned char>(name[i - 1])) == 0;
       words += (isNewWord ? "_" : "") + std::string(1, static_cast<char>(std::tolower(letter)));
     }
-    return words + (hasValue ? " = " : "");
+    return "the parameter \"" + words + "\"" + (hasValue ? " = " : "");
   });
 }
 

@@ -34,6 +34,14 @@ with tempfile.TemporaryDirectory() as folder:
 """,
         "DicomSeries DicomDefect",
     ),
+    "examination": (
+        """
+import tempfile
+with tempfile.TemporaryDirectory() as folder:
+    exam = shapeton.Examination(folder)
+""",
+        "Examination",
+    ),
     "errors": (
         """
 def error_of(call, *arguments, **options):
