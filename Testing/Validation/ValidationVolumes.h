@@ -3,6 +3,7 @@
 
 #include "shapetonDiffusionTestVolumes.h"
 #include "shapetonHeatDiffusionSolver.h"
+#include "shapetonImageGrid.h"
 #include "shapetonVolumeReader.h"
 
 #include <stdexcept>
