@@ -55,7 +55,8 @@ ReadLandmarksOf(const ExaminationFolder & exam, ColonPositionFiles & files)
     files.position.flexures[i] = flexures[i].arcLength;
     files.position.flexureConfidence[i] = flexures[i].confidence;
   }
-  const Eigen::VectorXd arcLength = PointValues(files.position.centerline, "arcLength", files.position.name);
+  const std::string     path = '"' + exam.PathOf(examination::centerline) + '"';
+  const Eigen::VectorXd arcLength = PointValues(files.position.centerline, "arcLength", path);
   files.segments = SegmentsOf(document, arcLength.maxCoeff());
   if (exam.Has(examination::taeniae))
   {
