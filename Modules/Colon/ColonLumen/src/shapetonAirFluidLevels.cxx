@@ -3,6 +3,7 @@
 #include "shapetonDisjointSets.h"
 #include "shapetonPi.h"
 #include "shapetonPrincipalAxes.h"
+#include "shapetonQuantiles.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -130,18 +131,6 @@ constexpr double EndInBlurs = 3.0;
 /** Beyond every length in mm. */
 constexpr double Beyond = 1e9;
 
-double
-Median(std::vector<double> & values)
-{
-  if (values.empty())
-  {
-    return 0.0;
-  }
-  const auto middle = values.begin() + values.size() / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /** Intensity profiles along gravity under floors. */
 class BelowFloors
 {
@@ -177,8 +166,8 @@ public:
         edge.push_back(value);
       }
     }
-    level.below = Median(deep);
-    level.edge = std::max(Median(edge), this->EndOfSteepRise(floors));
+    level.below = UpperMedian(deep);
+    level.edge = std::max(UpperMedian(edge), this->EndOfSteepRise(floors));
   }
 
 private:
@@ -288,7 +277,7 @@ private:
         excesses.push_back(rise.isOver ? rise.excess : Beyond);
       }
     }
-    return 2 * ends.size() > floors.size() && Median(excesses) < 0.5 ? Median(ends) : -Beyond;
+    return 2 * ends.size() > floors.size() && UpperMedian(excesses) < 0.5 ? UpperMedian(ends) : -Beyond;
   }
 
   const ColonGrid &          m_Grid;

@@ -385,8 +385,9 @@ StageOfViewer(const CommandLine & commandLine)
   const OptionPasser passer(commandLine, ColonoscopySeries::First);
   const std::string  folder = commandLine.GetString("outputFolder");
   const auto         make = [=](const StagedRun &) {
-    std::vector<std::string> read = FilesReadBy(ToolOfStage(names::viewer));
-    for (const std::string & path : FilesReadBy(ToolOfStage(names::viewer)))
+    const std::vector<std::string> ofPosition = FilesReadBy(ToolOfStage(names::viewer));
+    std::vector<std::string>       read = ofPosition;
+    for (const std::string & path : ofPosition)
     {
       read.push_back(std::string(secondPositionFolder) + '/' + path);
     }

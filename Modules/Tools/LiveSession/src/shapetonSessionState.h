@@ -63,7 +63,7 @@ enum class SessionEvent
   ExactHeatComputed,
   ObjectsFound,
   Failed,
-  ObjectsFailed ///< there are none to find
+  ObjectsFailed ///< no objects were found
 };
 
 /** The next piece of work. */
