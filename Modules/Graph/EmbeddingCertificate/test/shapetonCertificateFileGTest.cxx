@@ -1,52 +1,29 @@
 #include "shapetonCertificateFixtures.h"
 #include "shapetonFileBytes.h"
-#include "shapetonTestErrors.h"
+#include "shapetonTestFolder.h"
 
 #include "gtest/gtest.h"
 
-#include <cstdio>
-#include <filesystem>
 #include <limits>
-#include <unistd.h>
 
 using namespace certificatetest;
 
 namespace
 {
-class TemporaryFile
-{
-public:
-  TemporaryFile()
-    : path((std::filesystem::temp_directory_path() / (std::to_string(getpid()) + "-certificate.json")).string())
-  {}
-  TemporaryFile(const TemporaryFile &) = delete;
-  TemporaryFile &
-  operator=(const TemporaryFile &) = delete;
-  ~TemporaryFile() { std::remove(path.c_str()); }
-
-  const std::string path;
-};
-
 std::string
 TextOf(const EmbeddingCertificate & certificate)
 {
-  const TemporaryFile file;
-  shapeton::WriteEmbeddingCertificate(certificate, file.path);
-  return shapeton::ReadFileBytes(file.path);
+  const basetest::Folder folder;
+  shapeton::WriteEmbeddingCertificate(certificate, folder / "certificate.json");
+  return shapeton::ReadFileBytes(folder / "certificate.json");
 }
 
 EmbeddingCertificate
 ReadText(const std::string & text)
 {
-  const TemporaryFile file;
-  shapeton::WriteFileBytes(file.path, text);
-  return shapeton::ReadEmbeddingCertificate(file.path);
-}
-
-std::string
-MessageOf(const std::string & text)
-{
-  return basetest::ErrorOf([&] { ReadText(text); });
+  const basetest::Folder folder;
+  shapeton::WriteFileBytes(folder / "certificate.json", text);
+  return shapeton::ReadEmbeddingCertificate(folder / "certificate.json");
 }
 
 std::string
@@ -84,26 +61,21 @@ TEST(CertificateFile, NumbersThatAreNotFiniteAreNotWritten)
 TEST(CertificateFile, RefusalsNameTheEntry)
 {
   const std::string text = TextOf(TorusGrid(3, 3));
-  EXPECT_NE(std::string::npos, MessageOf("").find("line 1, column 1"));
-  EXPECT_NE(std::string::npos, MessageOf(text.substr(0, 500)).find("is not valid JSON at line"));
-  EXPECT_NE(std::string::npos, MessageOf("{}").find("\"format\" is missing"));
-  EXPECT_NE(std::string::npos, MessageOf("[1, 2]").find("\"format\" is missing"));
-  EXPECT_NE(std::string::npos,
-            MessageOf(Replaced(text, "\"genus\": 1", "\"genus\": -1")).find("\"genus\" is less than 0"));
-  EXPECT_NE(std::string::npos, MessageOf(Replaced(text, "euclidean", "flat")).find("\"geometry\" is \"flat\""));
-  EXPECT_NE(std::string::npos,
-            MessageOf(Replaced(text, "\"tree\": [-1", "\"tree\": [99999")).find("99999, which is out of range"));
-  EXPECT_NE(std::string::npos,
-            MessageOf(Replaced(text, "\"nodeRadii\": [0.5,", "\"nodeRadii\": [")).find("has 8 entries instead of 9"));
-  EXPECT_NE(
-    std::string::npos,
-    MessageOf(Replaced(text, "\"nodeRadii\": [0.5,", "\"nodeRadii\": [\"x\",")).find("holds \"x\", not a number"));
-  EXPECT_NE(std::string::npos,
-            MessageOf(Replaced(text, "\"nodeRadii\": [0.5,", "\"nodeRadii\": [1e999,")).find("too large"));
-  EXPECT_NE(std::string::npos,
-            MessageOf(Replaced(text, "\"genus\": 1", "\"genus\": 1, \"genus\": 1")).find("is repeated"));
-  EXPECT_NE(std::string::npos,
-            MessageOf(Replaced(text, "\"version\": 1", "\"version\": 2")).find("\"version\" is not 1"));
+  const auto        refuses = [](const std::string & bytes, const std::string & message) {
+    EXPECT_TRUE(basetest::Refuses([&] { ReadText(bytes); }, message)) << bytes.substr(0, 100);
+  };
+  refuses("", "line 1, column 1");
+  refuses(text.substr(0, 500), "is not valid JSON at line");
+  refuses("{}", "\"format\" is missing");
+  refuses("[1, 2]", "\"format\" is missing");
+  refuses(Replaced(text, "\"genus\": 1", "\"genus\": -1"), "\"genus\" is less than 0");
+  refuses(Replaced(text, "euclidean", "flat"), "\"geometry\" is \"flat\"");
+  refuses(Replaced(text, "\"tree\": [-1", "\"tree\": [99999"), "99999, which is out of range");
+  refuses(Replaced(text, "\"nodeRadii\": [0.5,", "\"nodeRadii\": ["), "has 8 entries instead of 9");
+  refuses(Replaced(text, "\"nodeRadii\": [0.5,", "\"nodeRadii\": [\"x\","), "holds \"x\", not a number");
+  refuses(Replaced(text, "\"nodeRadii\": [0.5,", "\"nodeRadii\": [1e999,"), "too large");
+  refuses(Replaced(text, "\"genus\": 1", "\"genus\": 1, \"genus\": 1"), "is repeated");
+  refuses(Replaced(text, "\"version\": 1", "\"version\": 2"), "\"version\" is not 1");
 }
 
 TEST(CertificateFile, UnknownEntriesAreSkipped)

@@ -199,7 +199,7 @@ Product(const Isometry & f, const Isometry & g)
   return { f[0] * g[0] + f[1] * std::conj(g[1]), f[0] * g[1] + f[1] * std::conj(g[0]) };
 }
 
-/** Genus 2 by the regular octagon with angles pi/4: one node with four loops, one face. */
+/** Genus 2 from the regular octagon with angles pi/4: one node with four loops, one face. */
 inline EmbeddingCertificate
 Octagon()
 {

@@ -1,5 +1,6 @@
 #include "shapetonEmbeddingVerification.h"
 #include "shapetonCertificateFixtures.h"
+#include "shapetonTestGraphs.h"
 
 #include "gtest/gtest.h"
 
@@ -64,7 +65,7 @@ TEST(EmbeddingVerification, DummiesAreNoPartOfTheGraph)
   EXPECT_EQ(1.0, MeasuresOf(PathInTetrahedron()).at("dummyNodes"));
 }
 
-/** Edge 0 of the octahedron as a path over a dummy: 0-4-1, where node 4 is the dummy. */
+/** Edge 0 of the octahedron as a path through a dummy: 0-4-1, where node 4 is the dummy. */
 TEST(EmbeddingVerification, SubdividedEdges)
 {
   EmbeddingCertificate certificate = Octahedron();
@@ -140,31 +141,21 @@ TEST(EmbeddingVerification, WrongTopology)
     Cube(), "starts at another node", [](auto & c) { std::swap(c.graph.edges[0][0], c.graph.edges[0][1]); });
 }
 
-/** K4 without an edge, and K2,3, which have no circle packing. */
+/** K4 minus an edge, and K2,3, which have no circle packing. */
 TEST(EmbeddingVerification, DegenerateMapsAreRefused)
 {
   const auto without = [](const EmbeddingCertificate & whole, const std::vector<int> & removed) {
+    const auto map = graphtest::MapOfEdges(shapeton::MapOfRotation(whole.graph, whole.rotation), [&removed](int edge) {
+      return std::find(removed.begin(), removed.end(), edge) == removed.end();
+    });
     EmbeddingCertificate certificate;
-    certificate.graph.nodes = whole.graph.nodes;
-    std::vector<int> image(2 * whole.graph.edges.size(), -1);
-    for (std::size_t e = 0; e < whole.graph.edges.size(); ++e)
+    certificate.graph = map.ToGraph();
+    for (const std::vector<int> & around : map.GetRotation())
     {
-      if (std::find(removed.begin(), removed.end(), static_cast<int>(e)) == removed.end())
-      {
-        image[2 * e] = static_cast<int>(2 * certificate.graph.edges.size());
-        image[2 * e + 1] = image[2 * e] + 1;
-        certificate.graph.edges.push_back(whole.graph.edges[e]);
-      }
-    }
-    for (const int h : whole.rotation)
-    {
-      if (image[h] >= 0)
-      {
-        certificate.rotation.push_back(image[h]);
-      }
+      certificate.rotation.insert(certificate.rotation.end(), around.begin(), around.end());
     }
     PackAsIs(certificate);
-    const int faces = shapeton::MapOfRotation(certificate.graph, certificate.rotation).Faces();
+    const int faces = map.Faces();
     certificate.nodeRadii.assign(whole.graph.nodes, 0.3);
     certificate.nodePositions = whole.nodePositions;
     certificate.faceRadii.assign(faces, 0.3);

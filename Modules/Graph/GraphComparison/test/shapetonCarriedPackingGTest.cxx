@@ -2,11 +2,12 @@
 
 #include "shapetonCarriedRotation.h"
 #include "shapetonGraphFamilies.h"
+#include "shapetonPackedMapTests.h"
+#include "shapetonTestGraphs.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 #include <random>
 
 namespace
@@ -15,44 +16,15 @@ namespace
 shapeton::Graph
 PartOfGrid(const std::vector<char> & isThere)
 {
-  const shapeton::Graph grid = shapeton::GridGraph(12, 10);
-  shapeton::Graph       part{ grid.nodes, {}, {} };
-  for (std::size_t e = 0; e < grid.edges.size(); ++e)
+  std::vector<int> edges;
+  for (std::size_t e = 0; e < isThere.size(); ++e)
   {
-    if (isThere[e])
-    {
-      part.edges.push_back(grid.edges[e]);
-    }
+    edges.insert(edges.end(), isThere[e] ? 1 : 0, static_cast<int>(e));
   }
-  return part;
+  return shapeton::GraphWithEdges(shapeton::GridGraph(12, 10), edges);
 }
 
-/** Pairs of a packed half-edge and the graph half-edge that it starts; an edge may be a path along dummies. */
-std::map<int, int>
-HalfEdgesOfGraph(const shapeton::PackedMap & packed)
-{
-  std::map<int, int> image;
-  for (int h = 0; h < 2 * packed.graphEdges; ++h)
-  {
-    image[h] = h;
-  }
-  for (const std::vector<int> & path : packed.subdivided)
-  {
-    image.erase(path.front() + 1);
-  }
-  for (const std::vector<int> & path : packed.subdivided)
-  {
-    for (std::size_t i = 0; i + 1 < path.size(); ++i)
-    {
-      EXPECT_EQ(packed.map.Node(path[i] ^ 1), packed.map.Node(path[i + 1]));
-      EXPECT_GE(packed.map.Node(path[i + 1]), packed.graphNodes);
-    }
-    EXPECT_TRUE(image.emplace(path.back() ^ 1, path.front() + 1).second);
-  }
-  return image;
-}
-
-/** Checks that the map is packable and that its orders without dummies are unchanged, except for the placement of
+/** Checks that the map is packable and that its orders, ignoring dummies, are unchanged, except for the placement of
  * components. */
 void
 ExpectPackedMapOf(const shapeton::PackedMap & packed, const shapeton::CombinatorialMap & map)
@@ -60,20 +32,7 @@ ExpectPackedMapOf(const shapeton::PackedMap & packed, const shapeton::Combinator
   EXPECT_EQ(packed.map.Components(), 1);
   EXPECT_EQ(packed.map.Genus(), map.Genus());
   EXPECT_EQ(shapeton::FaceConflicts(packed.map).reason, "");
-  ASSERT_EQ(packed.graphNodes, map.Nodes());
-  ASSERT_EQ(packed.graphEdges, map.Edges());
-  const std::map<int, int> image = HalfEdgesOfGraph(packed);
-  ASSERT_EQ(image.size(), static_cast<std::size_t>(map.HalfEdges()));
-  for (const auto & [h, own] : image)
-  {
-    EXPECT_EQ(packed.map.Node(h), map.Node(own));
-    int next = packed.map.NextAround(h);
-    while (image.count(next) == 0)
-    {
-      next = packed.map.NextAround(next);
-    }
-    EXPECT_EQ(image.at(next), map.NextAround(own));
-  }
+  graphtest::ExpectOrdersOf(packed, map);
 }
 
 /** Number of graph nodes with unchanged surroundings, including dummies. */
@@ -110,11 +69,9 @@ RingWithTail(int length)
 
 struct PackedRing
 {
-  explicit PackedRing(int length) : graph(RingWithTail(length))
-  {
-    EXPECT_TRUE(shapeton::FindPlanarEmbedding(graph, map));
-    packed = shapeton::MakePackedMap(map);
-  }
+  explicit PackedRing(int length)
+    : graph(RingWithTail(length)), map(graphtest::PlanarMap(graph)), packed(shapeton::MakePackedMap(map))
+  {}
   shapeton::Graph            graph;
   shapeton::CombinatorialMap map;
   shapeton::PackedMap        packed;
@@ -163,7 +120,7 @@ TEST(CarriedPacking, AnEdgeAcrossALongFaceRunsAlongDummies)
   ExpectPackedMapOf(all, both);
   EXPECT_EQ(all.subdivided.size(), 3U);
   EXPECT_EQ(NodesAsBefore(packed, all), before.nodes);
-  // The next step recovers the path, and releases it with its edge.
+  // The next step recovers the path, and releases it when its edge is deleted.
   const shapeton::PackedMap again = shapeton::CarryPackedMap(after, all, after, both);
   ExpectPackedMapOf(again, both);
   EXPECT_EQ(again.map.GetRotation().size(), all.map.GetRotation().size());
@@ -181,10 +138,9 @@ TEST(CarriedPacking, RandomEditsGivePackableMapsOfTheGraph)
     flag = random() % 4 != 0;
   }
   shapeton::Graph            graph = PartOfGrid(isThere);
-  shapeton::CombinatorialMap map;
-  ASSERT_TRUE(shapeton::FindPlanarEmbedding(graph, map));
-  shapeton::PackedMap packed = shapeton::MakePackedMap(map);
-  int                 carriedSteps = 0;
+  shapeton::CombinatorialMap map = graphtest::PlanarMap(graph);
+  shapeton::PackedMap        packed = shapeton::MakePackedMap(map);
+  int                        carriedSteps = 0;
   for (int step = 0; step < 60; ++step)
   {
     for (int edit = 0; edit < 1 + step % 7; ++edit)

@@ -1,19 +1,12 @@
 #include "shapetonCarriedRotation.h"
 #include "shapetonGraphFamilies.h"
+#include "shapetonTestGraphs.h"
 
 #include <gtest/gtest.h>
 
 namespace
 {
-shapeton::Graph
-WithNames(shapeton::Graph graph)
-{
-  for (int v = 0; v < graph.nodes; ++v)
-  {
-    graph.names.push_back("n" + std::to_string(v));
-  }
-  return graph;
-}
+using graphtest::WithNames;
 
 /** For each half-edge, the next one around its node that is also in the other map, by node names. */
 int
@@ -39,10 +32,9 @@ TEST(CarriedRotation, SameGraphKeepsItsMap)
 
 TEST(CarriedRotation, RenumberedGraphHasTheSameMap)
 {
-  const shapeton::Graph      before = WithNames(shapeton::GridGraph(6, 5));
-  shapeton::CombinatorialMap map;
-  ASSERT_TRUE(shapeton::FindPlanarEmbedding(before, map));
-  std::vector<int> image(before.nodes);
+  const shapeton::Graph            before = WithNames(shapeton::GridGraph(6, 5));
+  const shapeton::CombinatorialMap map = graphtest::PlanarMap(before);
+  std::vector<int>                 image(before.nodes);
   for (int v = 0; v < before.nodes; ++v)
   {
     image[v] = (7 * v + 3) % before.nodes;
@@ -64,11 +56,10 @@ TEST(CarriedRotation, RenumberedGraphHasTheSameMap)
 
 TEST(CarriedRotation, EditsStayPlanarAndLocal)
 {
-  shapeton::Graph            before = WithNames(shapeton::GridGraph(12, 10));
-  shapeton::CombinatorialMap map;
-  ASSERT_TRUE(shapeton::FindPlanarEmbedding(before, map));
-  shapeton::Graph after = before;
-  const int       edges = static_cast<int>(before.edges.size());
+  const shapeton::Graph            before = WithNames(shapeton::GridGraph(12, 10));
+  const shapeton::CombinatorialMap map = graphtest::PlanarMap(before);
+  shapeton::Graph                  after = before;
+  const int                        edges = static_cast<int>(before.edges.size());
   after.edges.push_back({ 13, 26 }); // a diagonal of a square
   after.edges.push_back({ 50, 50 }); // a loop
   after.edges.push_back({ 60, 61 }); // parallel
@@ -95,10 +86,9 @@ TEST(CarriedRotation, OnlyWhatIsInTheWayTurnsOver)
                                                 { 120, 123 }, { 121, 124 }, { 122, 125 } };
   before.edges.insert(before.edges.end(), ladder.begin(), ladder.end());
   before = WithNames(before);
-  shapeton::CombinatorialMap map;
-  ASSERT_TRUE(shapeton::FindPlanarEmbedding(before, map));
-  const int edges = static_cast<int>(before.edges.size());
-  int       turned = 0;
+  const shapeton::CombinatorialMap map = graphtest::PlanarMap(before);
+  const int                        edges = static_cast<int>(before.edges.size());
+  int                              turned = 0;
   for (const int rail : { 121, 124 })
   {
     shapeton::Graph after = before;
@@ -116,11 +106,9 @@ TEST(CarriedRotation, OnlyWhatIsInTheWayTurnsOver)
 
 TEST(CarriedRotation, HandlesComeAndGo)
 {
-  const shapeton::Graph      k4 = WithNames(shapeton::CompleteGraph(4));
-  const shapeton::Graph      k5 = WithNames(shapeton::CompleteGraph(5));
-  shapeton::CombinatorialMap map;
-  ASSERT_TRUE(shapeton::FindPlanarEmbedding(k4, map));
-  const shapeton::CarriedRotation raised = shapeton::CarryRotation(k4, map, k5);
+  const shapeton::Graph           k4 = WithNames(shapeton::CompleteGraph(4));
+  const shapeton::Graph           k5 = WithNames(shapeton::CompleteGraph(5));
+  const shapeton::CarriedRotation raised = shapeton::CarryRotation(k4, graphtest::PlanarMap(k4), k5);
   EXPECT_EQ(raised.map.Genus(), 1);
   shapeton::Graph less = k5;
   less.edges.erase(less.edges.begin());

@@ -6,34 +6,14 @@
 #include "shapetonJson.h"
 #include "shapetonProgressTests.h"
 #include "shapetonSphereAlignment.h"
+#include "shapetonTestGraphs.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace
-{
-shapeton::Graph
-Shuffled(const shapeton::Graph & graph)
-{
-  std::vector<int> image(graph.nodes);
-  for (int v = 0; v < graph.nodes; ++v)
-  {
-    image[v] = static_cast<int>((7919LL * v + 11) % graph.nodes); // 7919 is a prime
-  }
-  return shapeton::RelabeledGraph(graph, image);
-}
-
-shapeton::Graph
-WithNames(shapeton::Graph graph)
-{
-  for (int v = 0; v < graph.nodes; ++v)
-  {
-    graph.names.push_back("n" + std::to_string(v));
-  }
-  return graph;
-}
-} // namespace
+using graphtest::Shuffled;
+using graphtest::WithNames;
 
 TEST(SphereAlignment, FindsTheRotation)
 {

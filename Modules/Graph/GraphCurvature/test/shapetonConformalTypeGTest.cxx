@@ -3,14 +3,15 @@
 #include "shapetonGraphFamilies.h"
 #include "shapetonGraphGenus.h"
 #include "shapetonGraphReader.h"
-#include "shapetonParallelFor.h"
 #include "shapetonPi.h"
+#include "shapetonTestThreads.h"
 
 #include "gtest/gtest.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 #include <random>
 
 using shapeton::ConformalType;
@@ -28,7 +29,7 @@ TypeOf(const Graph & graph, int root = -1)
   return shapeton::FindConformalType(graph, settings);
 }
 
-/** By the lemma of Schwarz and by Rayleigh's principle. */
+/** By Schwarz's lemma and Rayleigh's principle. */
 void
 ExpectMonotone(const shapeton::ConformalTypeResult & result)
 {
@@ -40,6 +41,18 @@ ExpectMonotone(const shapeton::ConformalTypeResult & result)
   }
 }
 
+void
+ExpectSameBalls(const shapeton::ConformalTypeResult & a, const shapeton::ConformalTypeResult & b)
+{
+  ASSERT_EQ(a.balls.size(), b.balls.size());
+  for (std::size_t i = 0; i < a.balls.size(); ++i)
+  {
+    EXPECT_EQ(a.balls[i].nodes, b.balls[i].nodes);
+    EXPECT_NEAR(a.balls[i].rootRadius, b.balls[i].rootRadius, 1e-10);
+    EXPECT_NEAR(a.balls[i].resistance, b.balls[i].resistance, 1e-12);
+  }
+}
+
 /** Hyperbolic radius of the circle of a node of the tiling {p, q}. */
 double
 RadiusInTiling(int p, int q)
@@ -48,7 +61,7 @@ RadiusInTiling(int p, int q)
 }
 } // namespace
 
-/** The verdicts have a margin: the decay is below half of its bound or above twice. */
+/** The verdicts have a margin: the decay is below half or above twice its bound. */
 TEST(ConformalType, EuclideanTilingsAreParabolic)
 {
   for (const auto & [p, q, rings] : { std::array<int, 3>{ 3, 6, 30 }, { 4, 4, 25 }, { 6, 3, 20 } })
@@ -141,26 +154,23 @@ TEST(ConformalType, NumberingAndThreadsDoNotMatter)
 {
   const Graph      graph = RegularTilingGraph(4, 5, 4);
   std::vector<int> image(graph.nodes);
-  for (int v = 0; v < graph.nodes; ++v)
-  {
-    image[v] = v;
-  }
+  std::iota(image.begin(), image.end(), 0);
   std::shuffle(image.begin(), image.end(), std::mt19937(3));
-  const unsigned int threads = shapeton::NumberOfThreads();
-  shapeton::SetNumberOfThreads(1);
+  basetest::ExpectSameWithAnyThreads(
+    [&] {
+      std::vector<std::pair<double, double>> balls;
+      const auto                             result = TypeOf(graph);
+      for (const auto & ball : result.balls)
+      {
+        balls.emplace_back(ball.rootRadius, ball.resistance);
+      }
+      return balls;
+    },
+    { 4 });
   const auto one = TypeOf(graph);
-  shapeton::SetNumberOfThreads(4);
-  const auto four = TypeOf(graph);
-  shapeton::SetNumberOfThreads(threads);
   const auto other = TypeOf(shapeton::RelabeledGraph(graph, image));
   EXPECT_EQ(image[0], other.root);
-  for (std::size_t i = 0; i < one.balls.size(); ++i)
-  {
-    EXPECT_EQ(one.balls[i].rootRadius, four.balls[i].rootRadius);
-    EXPECT_EQ(one.balls[i].resistance, four.balls[i].resistance);
-    EXPECT_NEAR(one.balls[i].rootRadius, other.balls[i].rootRadius, 1e-10);
-    EXPECT_NEAR(one.balls[i].resistance, other.balls[i].resistance, 1e-12);
-  }
+  ExpectSameBalls(one, other);
 }
 
 /** Graphs of a sequence are the balls of the last one. */
@@ -174,12 +184,7 @@ TEST(ConformalType, ASequenceOfGraphs)
   const auto sequence = shapeton::FindConformalType(graphs, std::vector<int>(graphs.size(), 0));
   const auto balls = TypeOf(graphs.back());
   ASSERT_EQ(graphs.size(), sequence.balls.size());
-  for (std::size_t i = 0; i < graphs.size(); ++i)
-  {
-    EXPECT_EQ(balls.balls[i].nodes, sequence.balls[i].nodes);
-    EXPECT_NEAR(balls.balls[i].rootRadius, sequence.balls[i].rootRadius, 1e-10);
-    EXPECT_NEAR(balls.balls[i].resistance, sequence.balls[i].resistance, 1e-12);
-  }
+  ExpectSameBalls(balls, sequence);
   EXPECT_EQ(ConformalType::Hyperbolic, sequence.type);
   std::swap(graphs[1], graphs[2]);
   EXPECT_THROW(shapeton::FindConformalType(graphs, std::vector<int>(graphs.size(), 0)), shapeton::InputError);

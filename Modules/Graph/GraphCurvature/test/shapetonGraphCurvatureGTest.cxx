@@ -2,7 +2,8 @@
 #include "shapetonGraphFamilies.h"
 #include "shapetonGraphReader.h"
 #include "shapetonGraphStructure.h"
-#include "shapetonParallelFor.h"
+#include "shapetonTestErrors.h"
+#include "shapetonTestThreads.h"
 
 #include "gtest/gtest.h"
 
@@ -56,7 +57,7 @@ AllDistances(const Graph & graph)
   return d;
 }
 
-/** Least cost of an assignment of n to n, by the Hungarian algorithm with potentials. */
+/** Minimum cost of an n-to-n assignment, by the Hungarian algorithm with potentials. */
 long
 Assignment(const std::vector<std::vector<int>> & cost)
 {
@@ -142,16 +143,19 @@ Atoms(const Graph & graph, int node, long units, long p, long q)
   return atoms;
 }
 
-/** Numerator and denominator, before reduction, of 1 - W by assignment of atoms at distances in the whole graph. */
+/** Number of equally heavy atoms that both walks can be cut into; `q` is the denominator of the idleness. */
+long
+Units(const Graph & graph, int a, int b, long q)
+{
+  const shapeton::Incidence incidence(graph);
+  return q * std::lcm(static_cast<long>(incidence.Degree(a)), static_cast<long>(incidence.Degree(b)));
+}
+
+/** Unreduced numerator and denominator of 1 - W, found by assigning atoms with distances in the whole graph. */
 std::pair<long, long>
 BruteForce(const Graph & graph, const std::vector<std::vector<int>> & d, int a, int b, long p, long q)
 {
-  const auto degree = [&](int v) {
-    return std::accumulate(graph.edges.begin(), graph.edges.end(), 0L, [v](long sum, const auto & edge) {
-      return sum + (edge[0] == v ? 1 : 0) + (edge[1] == v ? 1 : 0);
-    });
-  };
-  const long                    units = q * std::lcm(degree(a), degree(b));
+  const long                    units = Units(graph, a, b, q);
   const std::vector<int>        from = Atoms(graph, a, units, p, q);
   const std::vector<int>        to = Atoms(graph, b, units, p, q);
   std::vector<std::vector<int>> cost(from.size(), std::vector<int>(to.size()));
@@ -181,8 +185,7 @@ ExpectBruteForce(const Graph & graph, long p, long q, long mostUnits)
       EXPECT_FALSE(number.IsDefined());
       continue;
     }
-    const shapeton::Incidence incidence(graph);
-    if (q * std::lcm(static_cast<long>(incidence.Degree(a)), static_cast<long>(incidence.Degree(b))) > mostUnits)
+    if (Units(graph, a, b, q) > mostUnits)
     {
       continue; // the brute force takes the cube of this
     }
@@ -251,7 +254,7 @@ TEST(GraphCurvature, EqualsBruteForceWithLoopsAndParallelEdges)
   EXPECT_LT(20, ExpectBruteForce(graph, 1, 2, 200));
 }
 
-/** The limit is reached before idleness 1: (1 - W) / (1 - a) for a = 9/10 and brute force. */
+/** The limit is reached before idleness 1: (1 - W) / (1 - a) for a = 9/10, by brute force. */
 TEST(GraphCurvature, LinLuYauIsTheLimit)
 {
   for (const Graph & graph : { RandomGraph(14, 5.0, 11), shapeton::WheelGraph(6), shapeton::GridGraph(3, 3) })
@@ -336,7 +339,7 @@ TEST(GraphCurvature, Stars)
   }
 }
 
-/** Bounds of Jost and Liu 2014 (theorem 3 and 4) by degrees and triangles. */
+/** Bounds of Jost and Liu 2014 (theorems 3 and 4) in terms of degrees and triangles. */
 TEST(GraphCurvature, BoundsOfJostAndLiu)
 {
   for (const Graph & graph :
@@ -401,19 +404,17 @@ TEST(GraphCurvature, NumberingAndThreadsDoNotMatter)
   std::vector<int> image(graph.nodes);
   std::iota(image.begin(), image.end(), 0);
   std::shuffle(image.begin(), image.end(), std::mt19937(3));
-  const unsigned int threads = shapeton::NumberOfThreads();
-  shapeton::SetNumberOfThreads(1);
-  const auto one = Curvature(graph);
-  shapeton::SetNumberOfThreads(4);
-  const auto four = Curvature(graph);
-  const auto other = Curvature(shapeton::RelabeledGraph(graph, image));
-  shapeton::SetNumberOfThreads(threads);
-  for (std::size_t e = 0; e < graph.edges.size(); ++e)
-  {
-    EXPECT_EQ(one.edges[e].Text(), four.edges[e].Text());
-    EXPECT_EQ(one.edges[e].Text(), other.edges[e].Text());
-  }
-  EXPECT_EQ(one.nodeSums, four.nodeSums);
+  const auto curvaturesOf = [](const Graph & of) {
+    std::vector<std::string> texts;
+    const auto               curvature = Curvature(of);
+    for (const auto & edge : curvature.edges)
+    {
+      texts.push_back(edge.Text());
+    }
+    return std::make_pair(texts, curvature.nodeSums);
+  };
+  basetest::ExpectSameWithAnyThreads([&] { return curvaturesOf(graph); }, { 4 });
+  EXPECT_EQ(curvaturesOf(graph).first, curvaturesOf(shapeton::RelabeledGraph(graph, image)).first);
 }
 
 /** Each edge of a social network and of a power grid with parallel lines. */
@@ -434,17 +435,8 @@ TEST(GraphCurvature, EqualsBruteForceOnRealNetworks)
 
 TEST(GraphCurvature, Refusals)
 {
-  const Graph graph = shapeton::CompleteGraph(4);
-  const auto  messageOf = [&](CurvatureMethod method, double idleness) {
-    try
-    {
-      Curvature(graph, method, idleness);
-    }
-    catch (const std::exception & error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
+  const auto messageOf = [](CurvatureMethod method, double idleness) {
+    return basetest::ErrorOf<std::exception>([&] { Curvature(shapeton::CompleteGraph(4), method, idleness); });
   };
   EXPECT_EQ("", messageOf(CurvatureMethod::Ollivier, 0.123456789));
   EXPECT_NE(std::string::npos, messageOf(CurvatureMethod::Ollivier, 1.0).find("idleness"));

@@ -26,10 +26,10 @@ TEST(GraphML, AnEdgeMayBeUndirectedInADirectedGraph)
 
 TEST(GraphML, WrittenGraphReadsBack)
 {
-  const shapeton::Graph          graph{ 3, { { 0, 1 }, { 1, 2 }, { 2, 2 }, { 0, 1 } }, { "<a>", "b \"&\"", "c" } };
-  const graphtest::GraphTestFile file("written.graphml", "");
-  shapeton::WriteGraphML(graph, file.Path());
-  const shapeton::Graph read = shapeton::ReadGraph(file.Path()).graph;
+  const shapeton::Graph  graph{ 3, { { 0, 1 }, { 1, 2 }, { 2, 2 }, { 0, 1 } }, { "<a>", "b \"&\"", "c" } };
+  const basetest::Folder folder;
+  shapeton::WriteGraphML(graph, folder / "written.graphml");
+  const shapeton::Graph read = shapeton::ReadGraph(folder / "written.graphml").graph;
   EXPECT_EQ(graph.names, read.names);
   EXPECT_EQ(graph.edges, read.edges);
 }

@@ -1,6 +1,6 @@
 #include "shapetonGraphFamilies.h"
-#include "shapetonGraphGenus.h"
 #include "shapetonProgressTests.h"
+#include "shapetonTestGraphs.h"
 #include "itkMultiThreaderBase.h"
 #include "shapetonExceptions.h"
 
@@ -193,25 +193,15 @@ TEST(GraphGenus, LowerBoundsOfKnownGraphs)
 
 TEST(GraphGenus, PlanarGraphOfManyNodes)
 {
-  const shapeton::Graph      graph = shapeton::GridGraph(300, 300);
-  shapeton::CombinatorialMap map;
-  ASSERT_TRUE(shapeton::FindPlanarEmbedding(graph, map));
+  shapeton::CombinatorialMap map = graphtest::PlanarMap(shapeton::GridGraph(300, 300));
   EXPECT_EQ(map.Genus(), 0);
   EXPECT_FALSE(shapeton::FindPlanarEmbedding(shapeton::CompleteGraph(5), map));
 }
 
 TEST(GraphGenus, LargeTiledSurfacesAreFound)
 {
-  const auto shuffled = [](const shapeton::Graph & graph) {
-    std::vector<int> image(graph.nodes);
-    for (int v = 0; v < graph.nodes; ++v)
-    {
-      image[v] = static_cast<int>((7919LL * v + 11) % graph.nodes); // 7919 is a prime
-    }
-    return shapeton::RelabeledGraph(graph, image);
-  };
-  EXPECT_EQ(GenusOf(shuffled(shapeton::TorusGridMap(100, 100).ToGraph())), 1);
-  EXPECT_EQ(GenusOf(shuffled(shapeton::TorusGridMap(70, 50, true).ToGraph())), 1);
+  EXPECT_EQ(GenusOf(graphtest::Shuffled(shapeton::TorusGridMap(100, 100).ToGraph())), 1);
+  EXPECT_EQ(GenusOf(graphtest::Shuffled(shapeton::TorusGridMap(70, 50, true).ToGraph())), 1);
 }
 
 TEST(GraphGenus, SearchesAreAbortedByProgress)

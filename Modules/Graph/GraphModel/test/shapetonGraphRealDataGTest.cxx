@@ -39,7 +39,7 @@ TEST(GraphRealData, AllFilesAreRead)
   EXPECT_GE(files, 187); // the folder may grow
 }
 
-/** Numbers stated in the files, or known for the graphs. */
+/** Numbers stated in the files or known for these graphs. */
 TEST(GraphRealData, KnownSizes)
 {
   if (GraphFolder().empty())

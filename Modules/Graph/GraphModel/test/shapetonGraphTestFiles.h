@@ -5,41 +5,16 @@
 #include "shapetonGraphReader.h"
 #include "shapetonTestFolder.h"
 
-#include <cstdio>
-#include <filesystem>
 #include <string>
-#include <unistd.h>
 
 namespace graphtest
 {
-/** A file with this text, removed at scope exit. */
-class GraphTestFile
-{
-public:
-  GraphTestFile(const std::string & name, const std::string & text)
-    : m_Path((std::filesystem::temp_directory_path() / (std::to_string(getpid()) + '-' + name)).string())
-  {
-    shapeton::WriteFileBytes(m_Path, text);
-  }
-  GraphTestFile(const GraphTestFile &) = delete;
-  GraphTestFile &
-  operator=(const GraphTestFile &) = delete;
-  ~GraphTestFile() { std::remove(m_Path.c_str()); }
-
-  const std::string &
-  Path() const
-  {
-    return m_Path;
-  }
-
-private:
-  std::string m_Path;
-};
-
 inline shapeton::GraphFile
 ReadText(const std::string & name, const std::string & text)
 {
-  return shapeton::ReadGraph(GraphTestFile(name, text).Path());
+  const basetest::Folder folder;
+  shapeton::WriteFileBytes(folder / name, text);
+  return shapeton::ReadGraph(folder / name);
 }
 
 /** Text of a graph, such as "a-b b-c (a b c)": edges in order, then nodes. */

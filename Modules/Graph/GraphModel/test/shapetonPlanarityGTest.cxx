@@ -131,7 +131,7 @@ TEST(Planarity, KnownGraphs)
   EXPECT_FALSE(IsPlanar(shapeton::TorusGridMap(4, 4).ToGraph()));
 }
 
-/** The same edges as one test per edge by Boost; of K5 and K3,3 one edge is left out. */
+/** Compares the kept edges with one Boost test per edge; for K5 and K3,3, one edge is left out. */
 TEST(Planarity, PlanarEdgesAreGreedy)
 {
   EXPECT_EQ(9u, shapeton::PlanarEdges(shapeton::CompleteGraph(5)).size());

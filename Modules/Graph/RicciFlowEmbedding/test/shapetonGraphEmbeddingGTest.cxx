@@ -5,7 +5,7 @@
 #include "shapetonGraphFamilies.h"
 #include "shapetonProgressTests.h"
 #include "shapetonSplitArrangement.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestGraphs.h"
 #include "shapetonTestThreads.h"
 
 #include <gtest/gtest.h>
@@ -20,43 +20,20 @@ namespace
 shapeton::CombinatorialMap
 StackedTriangles(int nodes)
 {
+  shapeton::Graph                 graph{ 3, { { 0, 1 }, { 1, 2 }, { 2, 0 } }, {} };
   std::vector<std::array<int, 3>> triangles{ { 0, 1, 2 }, { 0, 2, 1 } };
   unsigned int                    state = 12345;
-  for (int node = 3; node < nodes; ++node)
+  for (; graph.nodes < nodes; ++graph.nodes)
   {
     state = state * 1664525U + 1013904223U;
-    std::array<int, 3> &     t = triangles[(state >> 8) % triangles.size()];
-    const std::array<int, 3> old = t;
-    t = { old[0], old[1], node };
-    triangles.push_back({ old[1], old[2], node });
-    triangles.push_back({ old[2], old[0], node });
+    std::array<int, 3> & t = triangles[(state >> 8) % triangles.size()];
+    const auto [a, b, c] = t;
+    const int node = graph.nodes;
+    graph.edges.insert(graph.edges.end(), { { a, node }, { b, node }, { c, node } });
+    t = { a, b, node };
+    triangles.insert(triangles.end(), { { b, c, node }, { c, a, node } });
   }
-  shapeton::Graph               graph;
-  std::vector<std::vector<int>> halfEdge(nodes, std::vector<int>(nodes, -1));
-  graph.nodes = nodes;
-  for (const auto & t : triangles)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const int a = t[k];
-      const int b = t[(k + 1) % 3];
-      if (halfEdge[a][b] < 0)
-      {
-        halfEdge[a][b] = static_cast<int>(2 * graph.edges.size());
-        halfEdge[b][a] = halfEdge[a][b] + 1;
-        graph.edges.push_back({ a, b });
-      }
-    }
-  }
-  std::vector<int> next(2 * graph.edges.size());
-  for (const auto & t : triangles)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      next[halfEdge[t[k]][t[(k + 1) % 3]]] = halfEdge[t[k]][t[(k + 2) % 3]];
-    }
-  }
-  return { nodes, graph.edges, next };
+  return graphtest::PlanarMap(graph);
 }
 
 /** The same map with nodes and edges renumbered. */
@@ -82,26 +59,6 @@ Renumbered(const shapeton::CombinatorialMap & map, std::vector<int> & image)
     next[to] = 2 * edgeImage[map.NextAround(h) / 2] + map.NextAround(h) % 2;
   }
   return { map.Nodes(), edges, next };
-}
-
-/** The order of half-edges around the nodes of a path. */
-shapeton::CombinatorialMap
-PathMap(int nodes)
-{
-  const shapeton::Graph path = shapeton::PathGraph(nodes);
-  shapeton::Rotation    rotation(nodes);
-  for (int i = 0; i < nodes; ++i)
-  {
-    if (i > 0)
-    {
-      rotation[i].push_back(2 * i - 1);
-    }
-    if (i + 1 < nodes)
-    {
-      rotation[i].push_back(2 * i);
-    }
-  }
-  return { path, rotation };
 }
 
 double
@@ -164,7 +121,7 @@ TEST(GraphEmbedding, TheSameBytesForAnyNumberOfThreads)
 
 TEST(GraphEmbedding, ALongPathKeepsItsCirclesLarge)
 {
-  const shapeton::CombinatorialMap map = PathMap(80);
+  const shapeton::CombinatorialMap map = graphtest::AnyMap(shapeton::PathGraph(80));
   const auto                       certificate = shapeton::EmbedGraph(map.ToGraph(), map);
   EXPECT_GT(Statistic(certificate, "smallestRadius"), 1e-5);
   EXPECT_LE(Statistic(certificate, "residual"), 1e-12);
@@ -173,49 +130,16 @@ TEST(GraphEmbedding, ALongPathKeepsItsCirclesLarge)
 TEST(GraphEmbedding, NestedTrianglesAreEmbeddedWithAWarning)
 {
   // In nested triangles radii decrease by a constant factor.
-  shapeton::Graph    graph;
-  shapeton::Rotation rotation;
-  constexpr int      layers = 20;
-  graph.nodes = 3 * layers;
-  rotation.resize(graph.nodes);
-  for (int layer = 0; layer < layers; ++layer)
+  shapeton::Graph graph{ 60, {}, {} };
+  for (int node = 0; node < graph.nodes; ++node)
   {
-    for (int k = 0; k < 3; ++k)
+    graph.edges.push_back({ node, node - node % 3 + (node + 1) % 3 });
+    if (node + 3 < graph.nodes)
     {
-      graph.edges.push_back({ 3 * layer + k, 3 * layer + (k + 1) % 3 }); // edge 6 layer + 2 k
-      graph.edges.push_back({ 3 * layer + k, layer + 1 < layers ? 3 * layer + 3 + k : 3 * layer + k });
+      graph.edges.push_back({ node, node + 3 });
     }
   }
-  std::vector<std::array<int, 2>> edges;
-  std::vector<int>                numberOf(graph.edges.size(), -1);
-  for (std::size_t e = 0; e < graph.edges.size(); ++e)
-  {
-    if (graph.edges[e][0] != graph.edges[e][1])
-    {
-      numberOf[e] = static_cast<int>(edges.size());
-      edges.push_back(graph.edges[e]);
-    }
-  }
-  for (int layer = 0; layer < layers; ++layer)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      std::vector<int> & around = rotation[3 * layer + k];
-      const auto         half = [&](int e, int end) { return 2 * numberOf[e] + end; };
-      around.push_back(half(6 * layer + 2 * k, 0));
-      if (layer + 1 < layers)
-      {
-        around.push_back(half(6 * layer + 2 * k + 1, 0));
-      }
-      around.push_back(half(6 * layer + 2 * ((k + 2) % 3), 1));
-      if (layer > 0)
-      {
-        around.push_back(half(6 * (layer - 1) + 2 * k + 1, 1));
-      }
-    }
-  }
-  graph.edges = edges;
-  const shapeton::CombinatorialMap map(graph, rotation);
+  const shapeton::CombinatorialMap map = graphtest::PlanarMap(graph);
   ASSERT_EQ(map.Genus(), 0);
   const auto certificate = shapeton::EmbedGraph(graph, map);
   EXPECT_EQ(certificate.packed.nodes, graph.nodes);

@@ -1,7 +1,9 @@
 #include "shapetonPackedMap.h"
 
 #include "shapetonGraphFamilies.h"
+#include "shapetonPackedMapTests.h"
 #include "shapetonTestErrors.h"
+#include "shapetonTestGraphs.h"
 
 #include <gtest/gtest.h>
 
@@ -15,26 +17,8 @@ namespace
 shapeton::CombinatorialMap
 TrianglesWithGaps(unsigned int seed)
 {
-  const shapeton::CombinatorialMap grid = shapeton::TorusGridMap(5, 4, true);
-  std::mt19937                     random(seed);
-  std::vector<int>                 number(grid.Edges(), -1);
-  shapeton::Graph                  graph;
-  graph.nodes = grid.Nodes();
-  for (int e = 0; e < grid.Edges(); ++e)
-  {
-    if (random() % 3 != 0)
-    {
-      number[e] = static_cast<int>(graph.edges.size());
-      graph.edges.push_back({ grid.Node(2 * e), grid.Node(2 * e + 1) });
-    }
-  }
-  shapeton::Rotation rotation = grid.GetRotation();
-  for (std::vector<int> & around : rotation)
-  {
-    around.erase(std::remove_if(around.begin(), around.end(), [&](int h) { return number[h / 2] < 0; }), around.end());
-    std::for_each(around.begin(), around.end(), [&](int & h) { h = 2 * number[h / 2] + h % 2; });
-  }
-  return { graph, rotation };
+  std::mt19937 random(seed);
+  return graphtest::MapOfEdges(shapeton::TorusGridMap(5, 4, true), [&](int) { return random() % 3 != 0; });
 }
 
 std::set<int>
@@ -85,19 +69,6 @@ SharesTwoNodes(const shapeton::CombinatorialMap & map)
   return shares;
 }
 
-/** The rotation system with ascending half-edges at each node. */
-shapeton::CombinatorialMap
-AnyMap(const shapeton::Graph & graph)
-{
-  shapeton::Rotation rotation(graph.nodes);
-  for (std::size_t e = 0; e < graph.edges.size(); ++e)
-  {
-    rotation[graph.edges[e][0]].push_back(static_cast<int>(2 * e));
-    rotation[graph.edges[e][1]].push_back(static_cast<int>(2 * e + 1));
-  }
-  return { graph, rotation };
-}
-
 void
 ExpectPackable(const shapeton::CombinatorialMap & original)
 {
@@ -114,36 +85,7 @@ ExpectPackable(const shapeton::CombinatorialMap & original)
   }
   EXPECT_EQ(shapeton::FaceConflicts(map).reason, "");
   EXPECT_NO_THROW(shapeton::MakePackedMap(map, shapeton::Augmentation::None));
-}
-
-/** The order around the graph nodes, without dummies. */
-void
-ExpectRotationKept(const shapeton::CombinatorialMap & original)
-{
-  const shapeton::PackedMap packed = shapeton::MakePackedMap(original, shapeton::Augmentation::Ring);
-  std::vector<int>          graphHalfEdge(packed.map.HalfEdges(), -1);
-  for (int h = 0; h < original.HalfEdges(); ++h)
-  {
-    graphHalfEdge[h] = h;
-  }
-  for (const std::vector<int> & path : packed.subdivided)
-  {
-    graphHalfEdge[path.front() + 1] = -1;
-    graphHalfEdge[path.back() ^ 1] = path.front() + 1;
-  }
-  for (int h = 0; h < packed.map.HalfEdges(); ++h)
-  {
-    if (graphHalfEdge[h] < 0)
-    {
-      continue;
-    }
-    int next = packed.map.NextAround(h);
-    while (graphHalfEdge[next] < 0)
-    {
-      next = packed.map.NextAround(next);
-    }
-    EXPECT_EQ(original.NextAround(graphHalfEdge[h]), graphHalfEdge[next]);
-  }
+  graphtest::ExpectOrdersOf(packed, original);
 }
 } // namespace
 
@@ -167,8 +109,7 @@ TEST(PackedMap, AllKindsOfGraphsBecomePackable)
                                Graph{ 3, {}, {} },
                                Graph{ 5, { { 0, 1 }, { 3, 3 }, { 3, 3 }, { 1, 0 }, { 1, 4 } }, {} } })
   {
-    ExpectPackable(AnyMap(graph));
-    ExpectRotationKept(AnyMap(graph));
+    ExpectPackable(graphtest::AnyMap(graph));
   }
 }
 
@@ -201,7 +142,7 @@ TEST(PackedMap, WithoutDummiesConflictsAreRefusedWithTheReason)
   k4.edges.pop_back();
   for (const Graph & graph : { k4, CompleteBipartiteGraph(2, 3), CycleGraph(3), CycleGraph(2), PathGraph(5) })
   {
-    EXPECT_TRUE(basetest::Refuses([&] { MakePackedMap(AnyMap(graph), Augmentation::None); },
+    EXPECT_TRUE(basetest::Refuses([&] { MakePackedMap(graphtest::AnyMap(graph), Augmentation::None); },
                                   "use the parameter \"augmentation\" = ring"));
   }
 }

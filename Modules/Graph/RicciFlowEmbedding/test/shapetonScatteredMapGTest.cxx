@@ -1,6 +1,7 @@
 #include "shapetonCirclePacking.h"
 #include "shapetonGraphFamilies.h"
 #include "shapetonSphericalPacking.h"
+#include "shapetonTestGraphs.h"
 
 #include <gtest/gtest.h>
 
@@ -35,70 +36,28 @@ ScatteredMap(const shapeton::CombinatorialMap & map)
 shapeton::CombinatorialMap
 TorusWithHoles(int columns, int rows)
 {
-  const shapeton::CombinatorialMap torus = shapeton::TorusGridMap(columns, rows);
-  const shapeton::Graph            whole = torus.ToGraph();
-  std::vector<int>                 number(torus.Edges(), -1);
-  shapeton::Graph                  graph{ torus.Nodes(), {}, {} };
-  for (int edge = 0; edge < torus.Edges(); ++edge)
-  {
-    if (edge % 13 != 0)
-    {
-      number[edge] = static_cast<int>(graph.edges.size());
-      graph.edges.push_back(whole.edges[edge]);
-    }
-  }
-  shapeton::Rotation rotation(torus.Nodes());
-  for (int node = 0; node < torus.Nodes(); ++node)
-  {
-    for (const int h : torus.Around(node))
-    {
-      if (number[h / 2] >= 0)
-      {
-        rotation[node].push_back(2 * number[h / 2] + h % 2);
-      }
-    }
-  }
-  return { graph, rotation };
+  return graphtest::MapOfEdges(shapeton::TorusGridMap(columns, rows), [](int edge) { return edge % 13 != 0; });
 }
 
 /** A tube of squares with a node at each end: genus 0, 3-connected. */
 shapeton::CombinatorialMap
 ClosedTube(int columns, int rows)
 {
-  const int          south = columns * rows;
-  shapeton::Graph    graph{ south + 2, {}, {} };
-  shapeton::Rotation rotation(graph.nodes);
-  const auto at = [=](int c, int r) { return r < 0 ? south : r == rows ? south + 1 : r * columns + c % columns; };
-  // Edges to the right, then upward edges, starting below the first row.
-  const auto right = [=](int c, int r) { return r * columns + (c + columns) % columns; };
-  const auto up = [=](int c, int r) { return (rows + 1 + r) * columns + c; };
-  for (int r = 0; r < rows; ++r)
-  {
-    for (int c = 0; c < columns; ++c)
-    {
-      graph.edges.push_back({ at(c, r), at(c + 1, r) });
-    }
-  }
+  const int       south = columns * rows;
+  shapeton::Graph graph{ south + 2, {}, {} };
+  const auto      at = [=](int c, int r) { return r < 0 ? south : r == rows ? south + 1 : r * columns + c % columns; };
   for (int r = -1; r < rows; ++r)
   {
     for (int c = 0; c < columns; ++c)
     {
       graph.edges.push_back({ at(c, r), at(c, r + 1) });
+      if (r >= 0)
+      {
+        graph.edges.push_back({ at(c, r), at(c + 1, r) });
+      }
     }
   }
-  for (int r = 0; r < rows; ++r)
-  {
-    for (int c = 0; c < columns; ++c)
-    {
-      rotation[at(c, r)] = { 2 * right(c, r), 2 * up(c, r), 2 * right(c - 1, r) + 1, 2 * up(c, r - 1) + 1 };
-    }
-  }
-  for (int c = 0; c < columns; ++c)
-  {
-    rotation[south].push_back(2 * up(columns - 1 - c, -1));
-    rotation[south + 1].push_back(2 * up(c, rows - 1) + 1);
-  }
-  return { graph, rotation };
+  return graphtest::PlanarMap(graph);
 }
 
 double
@@ -151,17 +110,13 @@ TEST(ScatteredMap, CirclesOfTheSphereTouch)
 TEST(ScatteredMap, AHubIsFarFromItsNeighborsInAnyOrder)
 {
   // A wheel with its hub first.
-  constexpr int      spokes = 101'000;
-  shapeton::Graph    graph{ spokes + 1, {}, {} };
-  shapeton::Rotation rotation(graph.nodes);
+  constexpr int   spokes = 101'000;
+  shapeton::Graph graph{ spokes + 1, {}, {} };
   for (int i = 0; i < spokes; ++i)
   {
-    graph.edges.push_back({ 0, 1 + i });
-    graph.edges.push_back({ 1 + i, 1 + (i + 1) % spokes });
-    rotation[0].push_back(4 * i);
-    rotation[1 + i] = { 4 * i + 2, 4 * i + 1, 4 * ((i + spokes - 1) % spokes) + 3 };
+    graph.edges.insert(graph.edges.end(), { { 0, 1 + i }, { 1 + i, 1 + (i + 1) % spokes } });
   }
-  const shapeton::CombinatorialMap map(graph, rotation);
+  const shapeton::CombinatorialMap map = graphtest::PlanarMap(graph);
   ASSERT_EQ(map.Genus(), 0);
   ASSERT_GT(map.Edges(), 200'000);
   const shapeton::SphericalPacking sphere = shapeton::PackOnSphere(map, shapeton::PointAtInfinity::Circle);

@@ -2,13 +2,12 @@
 
 #include "shapetonGraphFamilies.h"
 #include "shapetonPackedMap.h"
+#include "shapetonTestGraphs.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
 
 namespace
 {
@@ -41,26 +40,6 @@ ExpectPacking(const shapeton::CombinatorialMap & map, const shapeton::SphericalP
                 1e-11);
   }
 }
-
-/** A wheel with an explicit rotation system. */
-shapeton::CombinatorialMap
-WheelMap(int spokes)
-{
-  shapeton::Graph    graph;
-  shapeton::Rotation rotation(spokes + 1);
-  graph.nodes = spokes + 1;
-  for (int i = 0; i < spokes; ++i)
-  {
-    graph.edges.push_back({ i, (i + 1) % spokes });
-    graph.edges.push_back({ i, spokes });
-  }
-  for (int i = 0; i < spokes; ++i)
-  {
-    rotation[i] = { 4 * i, 4 * i + 2, 4 * ((i + spokes - 1) % spokes) + 1 };
-    rotation[spokes].push_back(4 * i + 3);
-  }
-  return { graph, rotation };
-}
 } // namespace
 
 TEST(SphericalPacking, WheelsHaveTheRadiiOfTheClosedForm)
@@ -72,7 +51,7 @@ TEST(SphericalPacking, WheelsHaveTheRadiiOfTheClosedForm)
                                            { 5, shapeton::PointAtInfinity::Circle },
                                            { 60, shapeton::PointAtInfinity::Circle } })
   {
-    const shapeton::CombinatorialMap map = WheelMap(spokes);
+    const shapeton::CombinatorialMap map = graphtest::PlanarMap(shapeton::WheelGraph(spokes));
     ASSERT_EQ(map.Genus(), 0);
     shapeton::SphericalPacking packing = shapeton::PackOnSphere(map, infinity);
     EXPECT_LE(packing.residual, 1e-10);
@@ -90,20 +69,8 @@ TEST(SphericalPacking, WheelsHaveTheRadiiOfTheClosedForm)
 
 TEST(SphericalPacking, ATreeIsPackedWithDummies)
 {
-  const shapeton::Graph path = shapeton::PathGraph(40);
-  shapeton::Rotation    rotation(40);
-  for (int i = 0; i < 40; ++i)
-  {
-    if (i > 0)
-    {
-      rotation[i].push_back(2 * i - 1);
-    }
-    if (i < 39)
-    {
-      rotation[i].push_back(2 * i);
-    }
-  }
-  const shapeton::PackedMap  packed = shapeton::MakePackedMap({ path, rotation }, shapeton::Augmentation::Ring);
+  const shapeton::PackedMap packed =
+    shapeton::MakePackedMap(graphtest::AnyMap(shapeton::PathGraph(40)), shapeton::Augmentation::Ring);
   shapeton::SphericalPacking packing = shapeton::PackOnSphere(packed.map, shapeton::PointAtInfinity::Circle);
   ExpectPacking(packed.map, packing);
   double smallest = 1.0;
@@ -139,22 +106,7 @@ NestedTriangles(int chain, int more)
   {
     fill(0);
   }
-  std::map<std::array<int, 2>, int> halfEdges;
-  for (std::size_t e = 0; e < graph.edges.size(); ++e)
-  {
-    const auto [a, b] = graph.edges[e];
-    halfEdges[{ a, b }] = static_cast<int>(2 * e);
-    halfEdges[{ b, a }] = static_cast<int>(2 * e + 1);
-  }
-  std::vector<int> next(2 * graph.edges.size());
-  for (const auto & t : triangles)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      next[halfEdges.at({ t[k], t[(k + 1) % 3] })] = halfEdges.at({ t[k], t[(k + 2) % 3] });
-    }
-  }
-  return { graph.nodes, graph.edges, next };
+  return graphtest::PlanarMap(graph);
 }
 } // namespace
 
@@ -202,18 +154,7 @@ TEST(SphericalPacking, VerySmallVisibleCapsAreEnlarged)
 TEST(SphericalPacking, LongRingsKeepTheirAccuracy)
 {
   // All node circles of a prism are equal; in double precision, errors would grow with the square of their number.
-  constexpr int      sides = 1500;
-  shapeton::Graph    graph{ 2 * sides, {}, {} };
-  shapeton::Rotation rotation(graph.nodes);
-  for (int i = 0; i < sides; ++i)
-  {
-    const int next = (i + 1) % sides;
-    const int before = (i + sides - 1) % sides;
-    graph.edges.insert(graph.edges.end(), { { i, next }, { sides + i, sides + next }, { i, sides + i } });
-    rotation[i] = { 6 * i, 6 * i + 4, 6 * before + 1 };
-    rotation[sides + i] = { 6 * before + 3, 6 * i + 5, 6 * i + 2 };
-  }
-  const shapeton::CombinatorialMap map(graph, rotation);
+  const shapeton::CombinatorialMap map = graphtest::PlanarMap(shapeton::GeneralizedPetersenGraph(1500, 1));
   ASSERT_EQ(map.Genus(), 0);
   const shapeton::SphericalPacking packing = shapeton::PackOnSphere(map, shapeton::PointAtInfinity::Circle);
   const auto [least, most] =
@@ -221,7 +162,7 @@ TEST(SphericalPacking, LongRingsKeepTheirAccuracy)
       return shapeton::RadiusOf(a) < shapeton::RadiusOf(b);
     });
   EXPECT_NEAR(shapeton::RadiusOf(*least) / shapeton::RadiusOf(*most), 1.0, 1e-9);
-  for (const std::array<int, 2> & edge : graph.edges)
+  for (const std::array<int, 2> & edge : map.ToGraph().edges)
   {
     const shapeton::SphereCircle & a = packing.nodes[edge[0]];
     const shapeton::SphereCircle & b = packing.nodes[edge[1]];

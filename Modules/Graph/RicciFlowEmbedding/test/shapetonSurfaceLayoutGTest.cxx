@@ -2,6 +2,7 @@
 
 #include "shapetonGraphFamilies.h"
 #include "shapetonPackedMap.h"
+#include "shapetonTestGraphs.h"
 
 #include <gtest/gtest.h>
 
@@ -12,17 +13,10 @@ namespace
 {
 const double pi = std::acos(-1.0);
 
-/** The rotation system with ascending half-edges at each node, which has high genus. */
 shapeton::PackedMap
 AnyPackedMap(const shapeton::Graph & graph)
 {
-  shapeton::Rotation rotation(graph.nodes);
-  for (std::size_t e = 0; e < graph.edges.size(); ++e)
-  {
-    rotation[graph.edges[e][0]].push_back(static_cast<int>(2 * e));
-    rotation[graph.edges[e][1]].push_back(static_cast<int>(2 * e + 1));
-  }
-  return shapeton::MakePackedMap({ graph, rotation }, shapeton::Augmentation::Ring);
+  return shapeton::MakePackedMap(graphtest::AnyMap(graph), shapeton::Augmentation::Ring);
 }
 
 std::vector<shapeton::PlaneMotion>
