@@ -92,12 +92,12 @@ def constructor(function):
 def definition(head, words):
     if not words.strip():
         return f"    def {head}: ...\n"
-    return f"    def {head}:\n{docstring(words, ' ' * 8)}\n        ...\n"
+    return f"    def {head}:\n{docstring(words, ' ' * 8)}\n"
 
 
 def property_of(name, member):
     result = annotation(member.fget.__doc__.splitlines()[0].rpartition(" -> ")[2], RESULTS)
-    return f"    @property\n    def {name}(self) -> {result}:\n{docstring(member.__doc__, ' ' * 8)}\n        ...\n"
+    return f"    @property\n    def {name}(self) -> {result}:\n{docstring(member.__doc__, ' ' * 8)}\n"
 
 
 def class_of(name, kind):
