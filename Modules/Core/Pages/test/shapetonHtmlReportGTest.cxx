@@ -1,14 +1,9 @@
 #include "shapetonHtmlReport.h"
 #include "shapetonFileBytes.h"
 #include "shapetonTestFolder.h"
+#include "shapetonTestXml.h"
 
 #include "gtest/gtest.h"
-
-#if __has_include("itk_expat.h") // in an ITK source tree
-#  include "itk_expat.h"
-#else
-#  include <expat.h>
-#endif
 
 #include <algorithm>
 #include <map>
@@ -17,74 +12,17 @@
 namespace
 {
 using basetest::Folder;
+using Page = basetest::XmlPage;
+using Element = basetest::XmlElement;
 
 const std::string pngSignature = "\x89PNG\r\n\x1A\n";
-
-struct Element
-{
-  std::string                        tag;
-  std::map<std::string, std::string> attributes;
-  std::string                        text; ///< text without that of its children
-};
-
-struct Page
-{
-  std::string              bytes;
-  std::vector<Element>     elements; // in the order of their start tags
-  std::vector<std::size_t> open;
-
-  std::vector<std::string>
-  TextsOf(const std::string & tag) const
-  {
-    std::vector<std::string> texts;
-    for (const auto & element : elements)
-    {
-      if (element.tag == tag)
-      {
-        texts.push_back(element.text);
-      }
-    }
-    return texts;
-  }
-};
-
-/** The page as parsed by a strict browser; fails if it is not well-formed. */
-Page
-Parse(const std::string & bytes)
-{
-  Page page;
-  page.bytes = bytes;
-  XML_Parser parser = XML_ParserCreate("UTF-8");
-  XML_SetUserData(parser, &page);
-  XML_SetElementHandler(
-    parser,
-    [](void * data, const char * tag, const char ** attributes) {
-      auto & here = *static_cast<Page *>(data);
-      here.open.push_back(here.elements.size());
-      here.elements.push_back({ tag, {}, {} });
-      for (; *attributes; attributes += 2)
-      {
-        here.elements.back().attributes[attributes[0]] = attributes[1];
-      }
-    },
-    [](void * data, const char *) { static_cast<Page *>(data)->open.pop_back(); });
-  XML_SetCharacterDataHandler(parser, [](void * data, const char * text, int size) {
-    auto & here = *static_cast<Page *>(data);
-    here.elements[here.open.back()].text.append(text, size);
-  });
-  const auto status = XML_Parse(parser, bytes.data(), static_cast<int>(bytes.size()), 1);
-  EXPECT_EQ(status, XML_STATUS_OK) << XML_ErrorString(XML_GetErrorCode(parser)) << " in line "
-                                   << XML_GetCurrentLineNumber(parser);
-  XML_ParserFree(parser);
-  return page;
-}
 
 Page
 Written(const shapeton::HtmlReport & report)
 {
   const Folder folder;
   report.Write(folder / "index.html");
-  return Parse(shapeton::ReadFileBytes(folder / "index.html"));
+  return Page(shapeton::ReadFileBytes(folder / "index.html"));
 }
 
 shapeton::HtmlReport
@@ -195,7 +133,7 @@ TEST(HtmlReport, TextIsNeverMarkup)
   EXPECT_EQ(picture->attributes.at("alt"), text);
 }
 
-/** The style class of the elements of a tag, by their text. */
+/** The style class of each element with this tag, by the text of the element. */
 std::map<std::string, std::string>
 StylesOf(const Page & page, const std::string & tag)
 {

@@ -406,19 +406,6 @@ TEST(CommandLineArguments, PointsMayBeGivenSeveralTimes)
 
 TEST(CommandLineArguments, NumbersDoNotDependOnTheLocale)
 {
-  struct Comma : std::numpunct<char>
-  {
-    char
-    do_decimal_point() const override
-    {
-      return ',';
-    }
-    std::string
-    do_grouping() const override
-    {
-      return "\3";
-    }
-  };
   const auto outcome = InProcess([] {
     std::locale::global(std::locale(std::locale::classic(), new Comma));
     return RunHere({ "in", "out", "--gamma", "2.5", "--steps", "1234567" }, [](shapeton::CommandLine & commandLine) {

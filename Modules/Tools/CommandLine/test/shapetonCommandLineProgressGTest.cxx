@@ -3,14 +3,9 @@
 #include "itkImage.h"
 #include "itkImageSource.h"
 #include "shapetonExceptions.h"
+#include "shapetonTestXml.h"
 
 #include "gtest/gtest.h"
-
-#if __has_include("itk_expat.h") // in an ITK source tree
-#  include "itk_expat.h"
-#else
-#  include <expat.h>
-#endif
 
 #include <algorithm>
 #include <chrono>
@@ -24,56 +19,18 @@ namespace
 {
 using namespace tooltest;
 
-using Elements = std::vector<std::pair<std::string, std::string>>; // in the order of their ends
-
-struct XmlReader
-{
-  Elements    elements;
-  std::string text;
-};
-
-/** The elements of `fragment`; fails if it is not well-formed. */
-Elements
+/** The elements of the output of a tool. */
+basetest::XmlPage
 ReadXml(const std::string & fragment)
 {
-  XmlReader  reader;
-  XML_Parser parser = XML_ParserCreate("UTF-8");
-  XML_SetUserData(parser, &reader);
-  XML_SetElementHandler(
-    parser,
-    [](void * data, const char *, const char **) { static_cast<XmlReader *>(data)->text.clear(); },
-    [](void * data, const char * tag) {
-      auto & here = *static_cast<XmlReader *>(data);
-      here.elements.emplace_back(tag, here.text);
-    });
-  XML_SetCharacterDataHandler(
-    parser, [](void * data, const char * text, int size) { static_cast<XmlReader *>(data)->text.append(text, size); });
-  const std::string document = "<all>" + fragment + "</all>";
-  const auto        status = XML_Parse(parser, document.data(), static_cast<int>(document.size()), 1);
-  EXPECT_EQ(status, XML_STATUS_OK) << XML_ErrorString(XML_GetErrorCode(parser)) << " in:\n" << fragment;
-  XML_ParserFree(parser);
-  return reader.elements;
-}
-
-Words
-TextsOf(const Elements & elements, const std::string & tag)
-{
-  Words texts;
-  for (const auto & element : elements)
-  {
-    if (element.first == tag)
-    {
-      texts.push_back(element.second);
-    }
-  }
-  return texts;
+  return basetest::XmlPage("<all>" + fragment + "</all>");
 }
 
 std::vector<double>
-NumbersOf(const Elements & elements, const std::string & tag)
+NumbersOf(const basetest::XmlPage & page, const std::string & tag)
 {
   std::vector<double> numbers;
-  for (const auto & text : TextsOf(elements, tag))
+  for (const auto & text : page.TextsOf(tag))
   {
     numbers.push_back(std::stod(text));
   }
@@ -98,8 +55,8 @@ TEST(CommandLineProgress, IsWellFormedMonotoneAndShort)
   const auto outcome = RunWithOptions({}, TwoStages);
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err, "");
-  const auto elements = ReadXml(outcome.out);
-  const auto progress = NumbersOf(elements, "filter-progress");
+  const auto page = ReadXml(outcome.out);
+  const auto progress = NumbersOf(page, "filter-progress");
   EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
   EXPECT_EQ(progress.front(), 0.0);
   EXPECT_EQ(progress.back(), 1.0);
@@ -107,11 +64,11 @@ TEST(CommandLineProgress, IsWellFormedMonotoneAndShort)
   EXPECT_GE(progress.size(), 50u);
   EXPECT_LE(progress.size(), 110u);
   const Words stages = { "Diffusing <1> & \"more\"", "Classifying" };
-  EXPECT_EQ(TextsOf(elements, "filter-comment"), stages);
-  EXPECT_EQ(TextsOf(elements, "filter-start").size(), 2u);
-  EXPECT_EQ(TextsOf(elements, "filter-end").size(), 2u);
-  EXPECT_EQ(TextsOf(elements, "filter-name"), Words({ stages[0], stages[0], stages[1], stages[1] })) << "start and end";
-  for (const double seconds : NumbersOf(elements, "filter-time"))
+  EXPECT_EQ(page.TextsOf("filter-comment"), stages);
+  EXPECT_EQ(page.TextsOf("filter-start").size(), 2u);
+  EXPECT_EQ(page.TextsOf("filter-end").size(), 2u);
+  EXPECT_EQ(page.TextsOf("filter-name"), Words({ stages[0], stages[0], stages[1], stages[1] })) << "start and end";
+  for (const double seconds : NumbersOf(page, "filter-time"))
   {
     EXPECT_GE(seconds, 0.0);
     EXPECT_LT(seconds, 60.0);
@@ -144,7 +101,7 @@ TEST(CommandLineProgress, OfAFailedRunIsWellFormedToo)
   });
   EXPECT_EQ(outcome.status, 3);
   EXPECT_EQ(outcome.err, "TestTool: no\n");
-  EXPECT_EQ(TextsOf(ReadXml(outcome.out), "filter-end").size(), 1u);
+  EXPECT_EQ(ReadXml(outcome.out).TextsOf("filter-end").size(), 1u);
 }
 
 TEST(CommandLineProgress, ReachesOneOnceAndWhenTheBodyHasReturned)
@@ -171,9 +128,9 @@ TEST(CommandLineProgress, WithoutAStageContinuesTheLastOne)
     commandLine.Progress("Work", 0.25);
     commandLine.Progress("", 0.5);
   });
-  const auto elements = ReadXml(outcome.out);
-  EXPECT_EQ(NumbersOf(elements, "filter-progress"), std::vector<double>({ 0.25, 0.5, 1.0 }));
-  EXPECT_EQ(TextsOf(elements, "filter-name"), Words({ "Work", "Work" }));
+  const auto page = ReadXml(outcome.out);
+  EXPECT_EQ(NumbersOf(page, "filter-progress"), std::vector<double>({ 0.25, 0.5, 1.0 }));
+  EXPECT_EQ(page.TextsOf("filter-name"), Words({ "Work", "Work" }));
 }
 
 TEST(CommandLineProgress, IsSilentWithQuietOrWithoutReports)
@@ -202,7 +159,7 @@ TEST(CommandLineProgress, WarningsAreKeptAndToldAsWellFormedComments)
   });
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_EQ(TextsOf(ReadXml(outcome.out), "filter-comment"),
+  EXPECT_EQ(ReadXml(outcome.out).TextsOf("filter-comment"),
             Words({ "slices 3 <and> 4 & \"5\" of [31m????? \xC3\xA4", "another" }));
 }
 
@@ -236,9 +193,9 @@ TEST(CommandLineProgress, OfAFilterIsItsShareOfTheRun)
     source->Update();
     commandLine.Progress("Writing", 0.8);
   });
-  const auto   elements = ReadXml(outcome.out);
-  const auto   progress = NumbersOf(elements, "filter-progress");
-  const auto   ofStage = NumbersOf(elements, "filter-stage-progress");
+  const auto   page = ReadXml(outcome.out);
+  const auto   progress = NumbersOf(page, "filter-progress");
+  const auto   ofStage = NumbersOf(page, "filter-stage-progress");
   const double expected[] = { 0.2, 0.3, 0.4, 0.6, 0.8, 1.0 };
   const double expectedOfStage[] = { 0.0, 0.25, 0.5, 1.0 };
   ASSERT_EQ(progress.size(), 6u) << outcome.out;
@@ -289,14 +246,6 @@ TEST(CommandLineProgress, MayComeFromManyThreads)
 
 TEST(CommandLineProgress, HasAFullStopInEveryLocale)
 {
-  struct Comma : std::numpunct<char>
-  {
-    char
-    do_decimal_point() const override
-    {
-      return ',';
-    }
-  };
   const auto outcome = InProcess([] {
     std::locale::global(std::locale(std::locale::classic(), new Comma));
     return RunHere({ "in", "out" }, [](shapeton::CommandLine & commandLine) { commandLine.Progress("Work", 0.5); });

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <locale>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,21 @@ ReadText(const std::string & path);
 /** The names in a folder, including hidden ones, in alphabetical order. */
 Words
 NamesIn(const std::string & folder = ".");
+
+/** Numbers as some countries write them: 1.234,5. */
+struct Comma : std::numpunct<char>
+{
+  char
+  do_decimal_point() const override
+  {
+    return ',';
+  }
+  std::string
+  do_grouping() const override
+  {
+    return "\3";
+  }
+};
 
 /** Drops root privileges, which permit writing everywhere. */
 void

@@ -2,24 +2,15 @@
 #include "shapetonFileBytes.h"
 #include "shapetonGraphFamilies.h"
 #include "shapetonTestFolder.h"
+#include "shapetonTestReports.h"
 
 #include "gtest/gtest.h"
 
+using basetest::CountOf;
 using basetest::Folder;
 
 namespace
 {
-int
-Count(const std::string & text, const std::string & word)
-{
-  int count = 0;
-  for (auto place = text.find(word); place != std::string::npos; place = text.find(word, place + 1))
-  {
-    ++count;
-  }
-  return count;
-}
-
 std::string
 Same(const std::string & path)
 {
@@ -51,7 +42,7 @@ TEST(GraphComparisonPictures, PartnersHaveOneColor)
   const auto        colors = shapeton::ColorsOfNodes(comparison);
   for (const std::string & color : colors[0])
   {
-    EXPECT_EQ(2, Count(picture, "fill=\"" + color + "\" stroke")) << color;
+    EXPECT_EQ(2U, CountOf(picture, "fill=\"" + color + "\" stroke")) << color;
   }
   EXPECT_NE(std::string::npos,
             shapeton::ReadFileBytes(folder / "index.html").find("The graphs are isomorphic. 7 nodes have a partner"));
@@ -72,9 +63,9 @@ TEST(GraphComparisonPictures, ChangedNodesAreHighlighted)
   }
   shapeton::WriteSequencePictures(sequence, { 0, 2 }, { "n6" }, { folder / "", false, {}, {} }, Same);
   const std::string steps = shapeton::ReadFileBytes(folder / "steps.svg");
-  EXPECT_EQ(3, Count(steps, "#1e88e5"));     // the tracked node in each step
-  EXPECT_EQ(2 * 2, Count(steps, "#43a047")); // two ends in each of two steps
-  EXPECT_EQ(3, Count(shapeton::ReadFileBytes(folder / "compare.svg"), "#43a047"));
-  EXPECT_EQ(3, Count(shapeton::ReadFileBytes(folder / "index.html"), "<figure data-graph"));
-  EXPECT_EQ(4, Count(shapeton::ReadFileBytes(folder / "correspondence.svg"), "<svg"));
+  EXPECT_EQ(3U, CountOf(steps, "#1e88e5"));     // the tracked node in each step
+  EXPECT_EQ(2U * 2, CountOf(steps, "#43a047")); // two ends in each of two steps
+  EXPECT_EQ(3U, CountOf(shapeton::ReadFileBytes(folder / "compare.svg"), "#43a047"));
+  EXPECT_EQ(3U, CountOf(shapeton::ReadFileBytes(folder / "index.html"), "<figure data-graph"));
+  EXPECT_EQ(4U, CountOf(shapeton::ReadFileBytes(folder / "correspondence.svg"), "<svg"));
 }
