@@ -1,12 +1,13 @@
 #include "shapetonComponentTree.h"
 #include "shapetonExceptions.h"
-#include "shapetonParallelFor.h"
+#include "shapetonTestThreads.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 #include <random>
+#include <tuple>
 
 using namespace shapeton;
 
@@ -14,7 +15,7 @@ namespace
 {
 using Index = ComponentTree::Index;
 
-/** Random values with many ties if there are few of them. */
+/** Random values, with many ties if `different` is small. */
 std::vector<float>
 RandomValues(const VoxelGrid & grid, int different, unsigned int seed)
 {
@@ -27,7 +28,7 @@ RandomValues(const VoxelGrid & grid, int different, unsigned int seed)
   return values;
 }
 
-/** By flooding: the voxels connected to this one by voxels that are `sign` times at least its value, sorted. */
+/** The sorted region of a voxel, by flooding: voxels connected to it by values >= its own (<= if `sign` is -1). */
 std::vector<Index>
 Flood(const std::vector<float> & values, const VoxelGrid & grid, std::size_t voxel, float sign)
 {
@@ -140,17 +141,12 @@ TEST(ComponentTree, NegatedValuesExchangeTheTrees)
 
 TEST(ComponentTree, TheNumberOfThreadsDoesNotChangeTheResult)
 {
-  const VoxelGrid    grid(33, 31, 70);
-  const auto         values = RandomValues(grid, 100, 3);
-  const unsigned int threads = NumberOfThreads();
-  SetNumberOfThreads(1);
-  const auto one = BuildComponentTrees(values.data(), grid);
-  SetNumberOfThreads(4);
-  const auto four = BuildComponentTrees(values.data(), grid);
-  SetNumberOfThreads(threads);
-  EXPECT_EQ(one.maxTree.GetVoxels(), four.maxTree.GetVoxels());
-  EXPECT_EQ(one.minTree.GetVoxels(), four.minTree.GetVoxels());
-  EXPECT_EQ(one.maxTree.GetArcOfVoxel(), four.maxTree.GetArcOfVoxel());
+  const VoxelGrid grid(33, 31, 70);
+  const auto      values = RandomValues(grid, 100, 3);
+  basetest::ExpectSameWithAnyThreads([&] {
+    const auto trees = BuildComponentTrees(values.data(), grid);
+    return std::make_tuple(trees.maxTree.GetVoxels(), trees.minTree.GetVoxels(), trees.maxTree.GetArcOfVoxel());
+  });
 }
 
 TEST(ComponentTree, RejectsValuesThatAreNotNumbers)

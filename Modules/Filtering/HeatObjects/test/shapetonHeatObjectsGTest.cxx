@@ -1,6 +1,7 @@
 #include "shapetonExceptions.h"
 #include "shapetonHeatObjectsImageFilter.h"
-#include "shapetonParallelFor.h"
+#include "shapetonTestImages.h"
+#include "shapetonTestThreads.h"
 #include "shapetonVoxelGrid.h"
 
 #include <gtest/gtest.h>
@@ -16,13 +17,11 @@ using HeatImage = itk::Image<float, 3>;
 
 constexpr int side = 40;
 
-/** Heat of each voxel by its distances from the middle of the volume, in voxels. */
+/** A heat volume computed from the offsets of each voxel from the center of the volume, in voxels. */
 HeatImage::Pointer
 MakeHeat(const std::function<float(double x, double y, double z)> & heat)
 {
-  const auto image = HeatImage::New();
-  image->SetRegions(HeatImage::SizeType::Filled(side));
-  image->Allocate();
+  const auto      image = basetest::NewImage<HeatImage>(HeatImage::SizeType::Filled(side));
   const VoxelGrid grid(side, side, side);
   for (std::size_t voxel = 0; voxel < grid.NumberOfVoxels(); ++voxel)
   {
@@ -99,14 +98,9 @@ TEST(HeatObjects, LabelsAreTheSmallestObjects)
 TEST(HeatObjects, GeometryIsThatOfTheImage)
 {
   const auto heat = MakeHeat(Scene);
-  heat->SetSpacing(itk::Vector<double, 3>(std::array<double, 3>{ { 0.5, 1.0, 2.0 } }.data()));
-  heat->SetOrigin(itk::Point<double, 3>(std::array<double, 3>{ { 10.0, -20.0, 30.0 } }.data()));
-  HeatImage::DirectionType direction;
-  direction.SetIdentity();
-  direction[0][0] = direction[2][2] = 0.8;
-  direction[0][2] = 0.6;
-  direction[2][0] = -0.6;
-  heat->SetDirection(direction);
+  heat->SetSpacing(std::array<double, 3>{ { 0.5, 1.0, 2.0 } }.data());
+  heat->SetOrigin(std::array<double, 3>{ { 10.0, -20.0, 30.0 } }.data());
+  heat->SetDirection(basetest::Rotation(1, 0.6));
   const auto   list = FindHeatObjects({ heat }, AllObjects());
   const auto & box = list.objects[1];
   EXPECT_DOUBLE_EQ(box.volume, static_cast<double>(box.voxels)); // 0.5 x 1 x 2 mm^3 per voxel
@@ -160,18 +154,16 @@ TEST(HeatObjects, AnObjectOfTwoTimesCountsOnce)
 
 TEST(HeatObjects, TheFilterAndThreadsDoNotChangeTheResult)
 {
-  const auto         heat = MakeHeat(Scene);
-  const unsigned int threads = NumberOfThreads();
-  SetNumberOfThreads(1);
-  const auto list = FindHeatObjects({ heat });
-  SetNumberOfThreads(threads);
+  const auto heat = MakeHeat(Scene);
+  const auto list = [&] {
+    const basetest::ThreadNumber single(1);
+    return FindHeatObjects({ heat });
+  }();
   const auto filter = HeatObjectsImageFilter::New();
   filter->SetInput(heat);
   filter->Update();
   ASSERT_EQ(filter->GetObjects().size(), list.objects.size());
-  EXPECT_TRUE(std::equal(list.labels->GetBufferPointer(),
-                         list.labels->GetBufferPointer() + side * side * side,
-                         filter->GetOutput()->GetBufferPointer()));
+  EXPECT_EQ(basetest::BytesOf(list.labels), basetest::BytesOf(filter->GetOutput()));
   filter->SetLeastVoxels(2000); // only the ball
   filter->Update();
   EXPECT_EQ(filter->GetObjects().size(), 1U);

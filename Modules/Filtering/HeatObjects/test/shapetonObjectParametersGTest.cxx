@@ -1,6 +1,7 @@
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonHeatObjects.h"
 #include "shapetonObjectParameters.h"
+#include "shapetonTestImages.h"
 #include "shapetonVoxelGrid.h"
 
 #include <gtest/gtest.h>
@@ -16,21 +17,16 @@ constexpr int phantomSide = 64;
 
 struct Phantom
 {
-  itk::Image<float, 3>::Pointer         image;
-  itk::Image<unsigned char, 3>::Pointer labels;
+  itk::Image<float, 3>::Pointer image =
+    basetest::NewImage<itk::Image<float, 3>>(itk::Size<3>::Filled(phantomSide), { { 1.0, 1.0, 1.3 } });
+  itk::Image<unsigned char, 3>::Pointer labels = basetest::NewImageLike<itk::Image<unsigned char, 3>>(image);
 };
 
 /** Two balls joined by a thin rod, a box, and a cylinder (intensities 600 to 1000) in noise, in anisotropic voxels. */
 Phantom
 MakePhantom()
 {
-  Phantom phantom{ itk::Image<float, 3>::New(), itk::Image<unsigned char, 3>::New() };
-  phantom.image->SetRegions(itk::Image<float, 3>::SizeType::Filled(phantomSide));
-  phantom.image->SetSpacing(itk::Vector<double, 3>(std::array<double, 3>{ { 1.0, 1.0, 1.3 } }.data()));
-  phantom.image->Allocate();
-  phantom.labels->CopyInformation(phantom.image);
-  phantom.labels->SetRegions(phantom.image->GetBufferedRegion());
-  phantom.labels->Allocate(true);
+  const Phantom                   phantom;
   const VoxelGrid                 grid(phantomSide, phantomSide, phantomSide);
   std::mt19937                    random(7);
   std::normal_distribution<float> noise(0.0F, 60.0F);
@@ -120,7 +116,7 @@ TEST(ObjectParameters, AConstantVolumeHasNoObjects)
 
 TEST(ObjectParameters, ThereIsAWindowForEachScaleOfIntensity)
 {
-  // A body of 300 with two bones of 1000: one threshold shows the body, another one the bones.
+  // A body of 300 with two bones of 1000: one threshold shows the body, another shows the bones.
   constexpr int                   side = 48;
   const VoxelGrid                 grid(side, side, side);
   std::vector<float>              values(grid.NumberOfVoxels(), 0.0F);

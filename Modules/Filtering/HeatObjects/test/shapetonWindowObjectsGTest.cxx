@@ -1,4 +1,5 @@
 #include "shapetonExceptions.h"
+#include "shapetonTestImages.h"
 #include "shapetonVoxelGrid.h"
 #include "shapetonWindowObjects.h"
 
@@ -21,13 +22,11 @@ struct Box
   float              heat;
 };
 
-/** Even heat in boxes, later ones over earlier ones, and nearly none elsewhere. */
+/** Uniform heat in boxes, the later ones drawn over the earlier ones, and almost none elsewhere. */
 HeatImage::Pointer
 HeatOf(const std::vector<Box> & boxes)
 {
-  const auto image = HeatImage::New();
-  image->SetRegions(HeatImage::SizeType::Filled(windowSide));
-  image->Allocate();
+  const auto      image = basetest::NewImage<HeatImage>(HeatImage::SizeType::Filled(windowSide));
   const VoxelGrid grid(windowSide, windowSide, windowSide);
   for (std::size_t voxel = 0; voxel < grid.NumberOfVoxels(); ++voxel)
   {

@@ -162,14 +162,14 @@ TEST(DicomResultsOfOtherPrograms, LabelsThatAreNotDeclaredAreRefused)
 {
   LabelMap   map({ 0, 2, 8 }, 8, { 2, 7 });
   const auto file = map.Read();
-  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSegments(file, { 2 }, map.source); }),
-                       "has pixels of segment 8, which it does not declare"));
+  EXPECT_TRUE(
+    Refuses([&] { ReadDicomSegments(file, { 2 }, map.source); }, "has pixels of segment 8, which it does not declare"));
   LabelMap zero({ 0, 2 }, 8, { 0, 2 }); // a separate structure; 0 means none in derived data
   EXPECT_THROW(ReadDicomSegments(zero.Read(), { 0, 2 }, zero.source), ParameterError);
   EXPECT_NO_THROW(ReadDicomSegments(zero.Read(), { 2 }, zero.source));
   LabelMap wide({ 0, 2 }, 8, { 2 });
   wide.Dataset().putAndInsertUint16(DCM_BitsAllocated, 32);
-  EXPECT_TRUE(Contains(InputErrorOf([&] { wide.Read(); }), "LABELMAP with 32 bits"));
+  EXPECT_TRUE(Refuses([&] { wide.Read(); }, "LABELMAP with 32 bits"));
 }
 
 TEST(DicomResultsOfOtherPrograms, AttributesWithUnknownRepresentationAreDecoded)
@@ -199,8 +199,8 @@ TEST(DicomResultsOfOtherPrograms, FaultsAreNamed)
     LabelMap encoded({ 0, 2 }, 8, { 2 });
     SaveDicom(*encoded.file, encoded.path, syntax);
     StateTransferSyntax(encoded.path, "1.2.840.10008.1.2.4.110");
-    EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSegmentation(encoded.path); }),
-                         "is encoded as JPEG XL Lossless (1.2.840.10008.1.2.4.110), which is not supported"));
+    EXPECT_TRUE(Refuses([&] { ReadDicomSegmentation(encoded.path); },
+                        "is encoded as JPEG XL Lossless (1.2.840.10008.1.2.4.110), which is not supported"));
   }
   LabelMap native({ 0, 2 }, 8, { 2 });
   SaveDicom(*native.file, native.path);
@@ -233,7 +233,7 @@ TEST(DicomResultsOfOtherPrograms, CompressedFramesAreRead)
       map.Expect(ReadDicomSegmentation(map.path), { 2, large }, name + ", bits " + std::to_string(bits));
     }
   }
-  // The JPEG 2000 encoder of GDCM writes beyond its buffer unless the frame becomes smaller.
+  // The JPEG 2000 encoder of GDCM writes past its buffer if the frame does not become smaller.
   LabelMap map({ 0, 2, 7 }, 8, { 2, 7 }, FixtureOf(64, 48), 64);
   map.Read();
   CompressSegmentation(map.path, "1.2.840.10008.1.2.4.90");
@@ -259,15 +259,11 @@ public:
   Bits()
     : m_Folder(TestFolder())
     , m_Source(SourceOf(ObliqueFixture(), m_Folder))
-    , m_Labels(DicomLabelImage::New())
+    , m_Labels(basetest::NewImageLike<DicomLabelImage>(m_Source.grid))
     , m_Path(m_Folder + "/seg.dcm")
-  {
-    m_Labels->CopyInformation(m_Source.grid);
-    m_Labels->SetRegions(m_Source.grid->GetLargestPossibleRegion().GetSize());
-    m_Labels->Allocate();
-  }
+  {}
 
-  /** Labels each voxel, from the first one of the first slice. */
+  /** Labels each voxel; voxels are numbered from the first one of the first slice. */
   void
   Write(const std::function<unsigned short(std::size_t)> & labelOf, unsigned short count)
   {
@@ -326,7 +322,7 @@ TEST(DicomResultsOfOtherPrograms, DeflatedFramesOfBitsAreRead)
   EXPECT_TRUE(bits.AreReadBack());
 }
 
-/** The frames are streams of opj_compress of OpenJPEG 2.5.0. */
+/** The frames are streams written by opj_compress of OpenJPEG 2.5.0. */
 TEST(DicomResultsOfOtherPrograms, FramesOfBitsInJpeg2000AreRead)
 {
   const std::string patterns[2] = { "110100001101000011010001000000001100001101100101101011111011001",
@@ -355,14 +351,14 @@ TEST(DicomResultsOfOtherPrograms, FramesOfBitsInJpeg2000AreRead)
     std::vector<std::string> others = frames;
     others[3][place] = value;
     ReplaceFrames(bits.Path(), others, lossless);
-    EXPECT_TRUE(Contains(InputErrorOf([&] { bits.AreReadBack(); }), "not the single bits of its header")) << place;
+    EXPECT_TRUE(Refuses([&] { bits.AreReadBack(); }, "not the single bits of its header")) << place;
   }
   std::vector<std::string> truncated = frames;
   truncated[5].resize(50);
   ReplaceFrames(bits.Path(), truncated, lossless);
   EXPECT_NE(InputErrorOf([&] { bits.AreReadBack(); }), "");
   ReplaceFrames(bits.Path(), frames, "1.2.840.10008.1.2.4.80");
-  EXPECT_TRUE(Contains(InputErrorOf([&] { bits.AreReadBack(); }), "which is not supported; decompress it"));
+  EXPECT_TRUE(Refuses([&] { bits.AreReadBack(); }, "which is not supported; decompress it"));
 }
 
 TEST(DicomResultsOfOtherPrograms, NamesOfSegmentsAreDecoded)
@@ -401,12 +397,12 @@ TEST(DicomResultsOfOtherPrograms, ASegmentationIsDeshearedWithItsSeries)
   const std::vector<Uint16> labels(std::size_t{ 6 } * fixture.columns * fixture.rows, 3); // all pixels
   SaveDicom(*fixture.MakeLabelMap(places, labels, 8, { 3 }), MakeFolder(folder + "/map") + "/map.dcm");
 
-  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSource(folder + "/im0001.dcm"); }), "single slice"));
+  EXPECT_TRUE(Refuses([&] { ReadDicomSource(folder + "/im0001.dcm"); }, "single slice"));
   std::filesystem::rename(folder + "/map", folder + ".map");
   DicomSourceOptions options;
   EXPECT_FALSE(Contains(InputErrorOf([&] { ReadDicomSource(folder, options); }), "deshear"));
   options.offersDeshear = true;
-  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSource(folder, options); }), "the parameter \"deshear\""));
+  EXPECT_TRUE(Refuses([&] { ReadDicomSource(folder, options); }, "the parameter \"deshear\""));
   options.deshear = true;
   const DicomSource source = ReadDicomSource(folder, options);
   VolumeReadOptions volume;
@@ -415,18 +411,13 @@ TEST(DicomResultsOfOtherPrograms, ASegmentationIsDeshearedWithItsSeries)
 
   const auto read = ReadDicomSegments(ReadDicomSegmentation(folder + ".map/map.dcm"), { 3 }, source);
   EXPECT_EQ(read.voxels[0], labels.size());
-  const auto  region = read.labels->GetLargestPossibleRegion();
   std::size_t painted = 0;
-  for (std::size_t i = 0; i < region.GetNumberOfPixels(); ++i)
-  {
-    const auto index = read.labels->ComputeIndex(static_cast<itk::OffsetValueType>(i));
+  basetest::ForVoxels(read.labels, [&](const auto & index, const auto & point) {
     if (read.labels->GetPixel(index) != 3)
     {
-      continue;
+      return;
     }
     ++painted; // each within half a pixel of a pixel in its slice
-    DicomFixture::PointType point;
-    read.labels->TransformIndexToPhysicalPoint(index, point);
     const auto step = point - places[static_cast<std::size_t>(index[2])];
     const auto along = [&](unsigned int axis, double spacing) {
       double sum = 0;
@@ -439,7 +430,7 @@ TEST(DicomResultsOfOtherPrograms, ASegmentationIsDeshearedWithItsSeries)
     EXPECT_TRUE(along(0, fixture.columnSpacing) >= -0.501 && along(0, fixture.columnSpacing) <= 6.501);
     EXPECT_TRUE(along(1, fixture.rowSpacing) >= -0.501 && along(1, fixture.rowSpacing) <= 8.501);
     EXPECT_NEAR(along(2, 1.0), 0.0, 1e-6);
-  }
+  });
   EXPECT_EQ(painted, labels.size());
   std::filesystem::remove_all(folder + ".map");
 }
@@ -466,16 +457,16 @@ TEST(DicomResultsOfOtherPrograms, PointsInPixelsNeedNeitherAVolumeNorAFrameOfRef
   DcmFileFormat slice = Loaded(folder + "/im0003.dcm");
   slice.getDataset()->findAndDeleteElement(DCM_FrameOfReferenceUID);
   SaveDicom(slice, MakeFolder(folder + ".one") + "/slice.dcm");
-  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSource(folder + ".one"); }), "a single slice"));
+  EXPECT_TRUE(Refuses([&] { ReadDicomSource(folder + ".one"); }, "a single slice"));
   DicomSourceOptions options;
   options.forPoints = true;
   const DicomSource one = ReadDicomSource(folder + ".one", options);
   const auto        points = ReadDicomReportPoints(inPixels, one);
   ASSERT_EQ(points.size(), 1U);
   EXPECT_LT(points[0].places.at(0).EuclideanDistanceTo(place), 1e-4); // the report stores floats
-  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomReportPoints(inSpace, one); }), "has no frame of reference"));
+  EXPECT_TRUE(Refuses([&] { ReadDicomReportPoints(inSpace, one); }, "has no frame of reference"));
   std::filesystem::remove(folder + "/im0002.dcm"); // a gap
-  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSource(folder); }), "gap"));
+  EXPECT_TRUE(Refuses([&] { ReadDicomSource(folder); }, "gap"));
   EXPECT_LT(
     ReadDicomReportPoints(inPixels, ReadDicomSource(folder, options)).at(0).places.at(0).EuclideanDistanceTo(place),
     1e-4);

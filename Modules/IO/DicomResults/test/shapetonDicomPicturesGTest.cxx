@@ -17,13 +17,13 @@ Tetrahedron()
   mesh.F << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
   return mesh;
 }
+
+using DicomPictures = ResultsOfASeries;
 } // namespace
 
-TEST(DicomPictures, PixelsComeBack)
+TEST_F(DicomPictures, PixelsComeBack)
 {
-  const std::string folder = TestFolder();
-  const DicomSource source = SourceOf(ObliqueFixture(), folder);
-  const auto        picture = itk::Image<itk::RGBPixel<unsigned char>, 2>::New();
+  const auto picture = itk::Image<itk::RGBPixel<unsigned char>, 2>::New();
   picture->SetRegions(itk::Size<2>{ { 3, 5 } });
   picture->Allocate();
   auto * const bytes = reinterpret_cast<unsigned char *>(picture->GetBufferPointer());
@@ -42,10 +42,8 @@ TEST(DicomPictures, PixelsComeBack)
   EXPECT_EQ(std::vector<Uint8>(pixels, pixels + 45), std::vector<Uint8>(bytes, bytes + 45));
 }
 
-TEST(DicomPictures, SurfaceComesBack)
+TEST_F(DicomPictures, SurfaceComesBack)
 {
-  const std::string folder = TestFolder();
-  const DicomSource source = SourceOf(ObliqueFixture(), folder);
   WriteDicomSurface(source, Tetrahedron(), { "WALL", "99SHAPETON", "Wall" }, HeaderOfTest(), folder + "/stl.dcm");
   DcmFileFormat file = Loaded(folder + "/stl.dcm");
   EXPECT_EQ(ValueOf(file, DCM_FrameOfReferenceUID), "1.2.4");
@@ -59,14 +57,9 @@ TEST(DicomPictures, SurfaceComesBack)
   EXPECT_EQ(back.V.maxCoeff(), 10.0);
 }
 
-TEST(DicomPictures, MapKeepsItsValuesAndPlaces)
+TEST_F(DicomPictures, MapKeepsItsValuesAndPlaces)
 {
-  const std::string folder = TestFolder();
-  const DicomSource source = SourceOf(ObliqueFixture(), folder);
-  const auto        image = itk::Image<float, 3>::New();
-  image->CopyInformation(source.grid);
-  image->SetRegions(source.grid->GetLargestPossibleRegion().GetSize());
-  image->Allocate();
+  const auto         image = basetest::NewImageLike<itk::Image<float, 3>>(source.grid);
   std::vector<float> values;
   for (int i = 0; i < 7 * 9 * 6; ++i)
   {
@@ -88,7 +81,6 @@ TEST(DicomPictures, MapKeepsItsValuesAndPlaces)
   EXPECT_EQ(ValueOf(file, DCM_NumberOfFrames), "6");
   EXPECT_EQ(ValueOf(file, DCM_ReferencedSOPInstanceUID), source.series.slices.front().sopInstanceUID);
   image->SetOrigin(itk::Point<double, 3>(0.0));
-  EXPECT_TRUE(
-    Contains(InputErrorOf([&] { WriteDicomMap(source, image, meaning, HeaderOfTest(), folder + "/other.dcm"); }),
-             "is not on the grid of the series"));
+  EXPECT_TRUE(Refuses([&] { WriteDicomMap(source, image, meaning, HeaderOfTest(), folder + "/other.dcm"); },
+                      "is not on the grid of the series"));
 }

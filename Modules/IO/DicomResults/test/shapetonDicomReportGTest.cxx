@@ -3,6 +3,7 @@
 #include "shapetonDicomResultsTesting.h"
 #include "shapetonExceptions.h"
 #include "shapetonFileBytes.h"
+#include "shapetonTestReports.h"
 
 #include <ctime>
 #include <functional>
@@ -43,14 +44,31 @@ RootWith(std::vector<DicomContent> contents)
 {
   return ContainerContent({}, { "126000", "DCM", "Imaging Measurement Report" }, std::move(contents), "1500");
 }
+
+class DicomReport : public ResultsOfASeries
+{
+protected:
+  DcmFileFormat
+  Measured(const DicomMeasurementReport & report = ReportWithTwoGroups())
+  {
+    WriteDicomMeasurements(source, report, HeaderOfTest(), path);
+    return Loaded(path);
+  }
+
+  void
+  WriteCad(std::vector<DicomContent> contents)
+  {
+    WriteDicomReport(source, DicomReportKind::ColonCAD, RootWith(std::move(contents)), {}, HeaderOfTest(), path);
+  }
+
+  std::string path = folder + "/sr.dcm";
+};
 } // namespace
 
-TEST(DicomReport, PointsComeBack)
+TEST_F(DicomReport, PointsComeBack)
 {
-  const std::string folder = TestFolder();
-  const DicomSource source = SourceOf(ObliqueFixture(), folder);
-  WriteDicomMeasurements(source, ReportWithTwoGroups(), HeaderOfTest(), folder + "/sr.dcm");
-  const auto points = ReadDicomReportPoints(folder + "/sr.dcm", source);
+  this->Measured();
+  const auto points = ReadDicomReportPoints(path, source);
   ASSERT_EQ(points.size(), 2u); // once each, although the first is also written in pixels
   EXPECT_EQ(points[0].name, "candidate 1");
   ASSERT_EQ(points[0].places.size(), 1u);
@@ -61,17 +79,14 @@ TEST(DicomReport, PointsComeBack)
   EXPECT_EQ(points[1].places[0][0], 1000.0);
 }
 
-TEST(DicomReport, CentersAreInPixelsOfASliceBeforeTheyAreInSpace)
+TEST_F(DicomReport, CentersAreInPixelsOfASliceBeforeTheyAreInSpace)
 {
-  const std::string      folder = TestFolder();
-  const DicomSource      source = SourceOf(ObliqueFixture(), folder);
   DicomMeasurementReport report = ReportWithTwoGroups();
   const auto             place = source.grid->TransformIndexToPhysicalPoint<double>({ 2, 4, 3 });
   report.groups[0].center = { place[0], place[1], place[2] };
-  WriteDicomMeasurements(source, report, HeaderOfTest(), folder + "/sr.dcm");
-  DcmFileFormat file = Loaded(folder + "/sr.dcm");
+  DcmFileFormat file = this->Measured(report);
   EXPECT_EQ(ValueOf(file, DCM_GraphicData), "2.5\\4.5"); // the first center: pixels count from the corner
-  const std::string text = ReadFileBytes(folder + "/sr.dcm");
+  const std::string text = ReadFileBytes(path);
   const std::size_t pixel = text.find("SCOORD\x40");
   const std::size_t image = text.find(source.series.slices[3].sopInstanceUID, pixel);
   const std::size_t space = text.find("SCOORD3D\x40");
@@ -80,37 +95,27 @@ TEST(DicomReport, CentersAreInPixelsOfASliceBeforeTheyAreInSpace)
   EXPECT_EQ(text.find("SCOORD\x40", space), std::string::npos) << "the point outside the series has no pixel";
 }
 
-TEST(DicomReport, PlacesInPixelsComeBackWithinTheirSlice)
+TEST_F(DicomReport, PlacesInPixelsComeBackWithinTheirSlice)
 {
-  const std::string folder = TestFolder();
-  const DicomSource source = SourceOf(ObliqueFixture(), folder);
-  // In the plane of slice 3, at column 2.25 and row 4.5.
+  // A point in the plane of slice 3, at column 2.25 and row 4.5.
   itk::ContinuousIndex<double, 3> index;
   index[0] = 2.25;
   index[1] = 4.5;
   index[2] = 3.0;
   const auto                  place = source.grid->TransformContinuousIndexToPhysicalPoint<double>(index);
   const std::array<double, 3> point{ place[0], place[1], place[2] };
-  WriteDicomReport(source,
-                   DicomReportKind::ColonCAD,
-                   RootWith({ PixelPointContent("CONTAINS", center, point, source) }),
-                   {},
-                   HeaderOfTest(),
-                   folder + "/cad.dcm");
-  DcmFileFormat file = Loaded(folder + "/cad.dcm");
+  this->WriteCad({ PixelPointContent("CONTAINS", center, point, source) });
+  DcmFileFormat file = Loaded(path);
   EXPECT_EQ(ValueOf(file, DCM_GraphicData), "2.75\\5");
-  const auto points = ReadDicomReportPoints(folder + "/cad.dcm", source);
+  const auto points = ReadDicomReportPoints(path, source);
   ASSERT_EQ(points.size(), 1u);
   EXPECT_EQ(points[0].name, "Center");
   EXPECT_LT(points[0].places[0].EuclideanDistanceTo(place), 1e-5);
 }
 
-TEST(DicomReport, IsPartialUnverifiedAndForResearch)
+TEST_F(DicomReport, IsPartialUnverifiedAndForResearch)
 {
-  const std::string folder = TestFolder();
-  const DicomSource source = SourceOf(ObliqueFixture(), folder);
-  WriteDicomMeasurements(source, ReportWithTwoGroups(), HeaderOfTest(), folder + "/sr.dcm");
-  DcmFileFormat file = Loaded(folder + "/sr.dcm");
+  DcmFileFormat file = this->Measured();
   EXPECT_EQ(ValueOf(file, DCM_CompletionFlag), "PARTIAL");
   EXPECT_EQ(ValueOf(file, DCM_VerificationFlag), "UNVERIFIED");
   EXPECT_EQ(ValueOf(file, DCM_PreliminaryFlag), "PRELIMINARY");
@@ -118,13 +123,11 @@ TEST(DicomReport, IsPartialUnverifiedAndForResearch)
   EXPECT_EQ(ValueOf(file, DCM_ContentDate), "20010204");
   EXPECT_EQ(ValueOf(file, DCM_NumericValue), "7.5");
   WriteDicomMeasurements(source, ReportWithTwoGroups(), HeaderOfTest(), folder + "/again.dcm");
-  EXPECT_EQ(ReadFileBytes(folder + "/sr.dcm"), ReadFileBytes(folder + "/again.dcm"));
+  EXPECT_EQ(ReadFileBytes(path), ReadFileBytes(folder + "/again.dcm"));
 }
 
-TEST(DicomReport, OfAPersonNamesNoProgramForItsMeasurements)
+TEST_F(DicomReport, OfAPersonNamesNoProgramForItsMeasurements)
 {
-  const std::string      folder = TestFolder();
-  const DicomSource      source = SourceOf(ObliqueFixture(), folder);
   DicomMeasurementReport report = ReportWithTwoGroups();
   report.observer = "M\xC3\xBCller";
   report.completion = DicomCompletion::Complete;
@@ -134,72 +137,57 @@ TEST(DicomReport, OfAPersonNamesNoProgramForItsMeasurements)
     group.measurements[0].isByObserver = true;
     group.evaluations = { { { "SHAPE", "99SHAPETON", "Shape" }, DicomCode{ "6041008", "SCT", "Flat" }, {} } };
   }
-  WriteDicomMeasurements(source, report, HeaderOfTest(), folder + "/sr.dcm");
-  DcmFileFormat file = Loaded(folder + "/sr.dcm");
+  DcmFileFormat file = this->Measured(report);
   EXPECT_EQ(ValueOf(file, DCM_CompletionFlag), "COMPLETE");
   EXPECT_EQ(ValueOf(file, DCM_VerificationFlag), "UNVERIFIED");
   EXPECT_EQ(ValueOf(file, DCM_SpecificCharacterSet), "ISO_IR 192");
   EXPECT_EQ(ValueOf(file, DCM_PersonName), "M\xC3\xBCller^");
-  const std::string bytes = ReadFileBytes(folder + "/sr.dcm");
+  const std::string bytes = ReadFileBytes(path);
   EXPECT_FALSE(Contains(bytes, "Algorithm Name"));
   EXPECT_FALSE(Contains(bytes, "Device Observer"));
   EXPECT_TRUE(Contains(bytes, "Colon Overall Assessment"));
   EXPECT_TRUE(Contains(bytes, "6041008"));
-  EXPECT_EQ(ReadDicomReportPoints(folder + "/sr.dcm", source).size(), 2u);
+  EXPECT_EQ(ReadDicomReportPoints(path, source).size(), 2u);
 }
 
-TEST(DicomReport, NamesItsAlgorithmOncePerGroupOrForTheNumbersOfTheProgram)
+TEST_F(DicomReport, NamesItsAlgorithmOncePerGroupOrForTheNumbersOfTheProgram)
 {
-  const auto count = [](const std::string & text, const std::string & part) {
-    int found = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    {
-      ++found;
-    }
-    return found;
-  };
-  const std::string      folder = TestFolder();
-  const DicomSource      source = SourceOf(ObliqueFixture(), folder);
   DicomMeasurementReport report = ReportWithTwoGroups();
   for (DicomMeasurementGroup & group : report.groups)
   {
     group.measurements.push_back(group.measurements[0]);
   }
-  WriteDicomMeasurements(source, report, HeaderOfTest(), folder + "/sr.dcm");
-  EXPECT_EQ(count(ReadFileBytes(folder + "/sr.dcm"), "Algorithm Name"), 2);
+  this->Measured(report);
+  EXPECT_EQ(basetest::CountOf(ReadFileBytes(path), "Algorithm Name"), 2U);
   report.groups[0].measurements[1].isByObserver = true;
-  WriteDicomMeasurements(source, report, HeaderOfTest(), folder + "/sr.dcm");
-  EXPECT_EQ(count(ReadFileBytes(folder + "/sr.dcm"), "Algorithm Name"), 1);
-  EXPECT_EQ(count(ReadFileBytes(folder + "/sr.dcm"), "Diameter: measured by Shapeton Test 1.0"), 1);
+  this->Measured(report);
+  EXPECT_EQ(basetest::CountOf(ReadFileBytes(path), "Algorithm Name"), 1U);
+  EXPECT_EQ(basetest::CountOf(ReadFileBytes(path), "Diameter: measured by Shapeton Test 1.0"), 1U);
 }
 
-TEST(DicomReport, IdentifiesPrivateCodesOnly)
+TEST_F(DicomReport, IdentifiesPrivateCodesOnly)
 {
-  const std::string      folder = TestFolder();
-  const DicomSource      source = SourceOf(ObliqueFixture(), folder);
   DicomMeasurementReport report = ReportWithTwoGroups();
-  WriteDicomMeasurements(source, report, HeaderOfTest(), folder + "/sr.dcm");
-  EXPECT_FALSE(Loaded(folder + "/sr.dcm").getDataset()->tagExists(DCM_CodingSchemeIdentificationSequence));
+  this->Measured(report);
+  EXPECT_FALSE(Loaded(path).getDataset()->tagExists(DCM_CodingSchemeIdentificationSequence));
   report.groups[0].finding = { "X", "99SHAPETON", "Something" };
   report.groups[1].finding = report.groups[0].finding;
-  WriteDicomMeasurements(source, report, HeaderOfTest(), folder + "/sr.dcm");
-  DcmFileFormat        file = Loaded(folder + "/sr.dcm");
+  DcmFileFormat        file = this->Measured(report);
   DcmSequenceOfItems * schemes = nullptr;
   ASSERT_TRUE(file.getDataset()->findAndGetSequence(DCM_CodingSchemeIdentificationSequence, schemes).good());
   EXPECT_EQ(schemes->card(), 1u);
   EXPECT_EQ(ValueOf(file, DCM_CodingSchemeResponsibleOrganization), "Shapeton");
 }
 
-TEST(DicomReport, HasTheCurrentDateOfItsTimeZoneOnRequest)
+TEST_F(DicomReport, HasTheCurrentDateOfItsTimeZoneOnRequest)
 {
-  const std::string folder = TestFolder();
-  const DicomSource source = SourceOf(ObliqueFixture(), folder, "+1400");
+  source = SourceOf(ObliqueFixture(), folder, "+1400");
   DicomResultHeader header = HeaderOfTest();
   header.dates = DicomResultDates::Now;
   const std::time_t before = std::time(nullptr);
-  WriteDicomMeasurements(source, ReportWithTwoGroups(), header, folder + "/sr.dcm");
+  WriteDicomMeasurements(source, ReportWithTwoGroups(), header, path);
   const std::time_t after = std::time(nullptr);
-  DcmFileFormat     file = Loaded(folder + "/sr.dcm");
+  DcmFileFormat     file = Loaded(path);
   EXPECT_EQ(ValueOf(file, DCM_StudyDate), "20010203");
   EXPECT_EQ(ValueOf(file, DCM_TimezoneOffsetFromUTC), "+1400");
   std::tm parts{};
@@ -211,7 +199,7 @@ TEST(DicomReport, HasTheCurrentDateOfItsTimeZoneOnRequest)
   EXPECT_EQ(ValueOf(file, DCM_InstanceCreationDate), ValueOf(file, DCM_ContentDate));
 }
 
-TEST(DicomReport, RefusesInvalidPersonNames)
+TEST_F(DicomReport, RefusesInvalidPersonNames)
 {
   for (const std::string & name : { std::string("Family^Given"), std::string("anonymous"), std::string(64, 'x') })
   {
@@ -229,53 +217,36 @@ TEST(DicomReport, RefusesInvalidPersonNames)
   }
 }
 
-TEST(DicomReport, RefusesPointsOfAnotherPlace)
+TEST_F(DicomReport, RefusesPointsOfAnotherPlace)
 {
-  const std::string folder = TestFolder();
-  const DicomSource source = SourceOf(ObliqueFixture(), folder);
-  WriteDicomMeasurements(source, ReportWithTwoGroups(), HeaderOfTest(), folder + "/sr.dcm");
+  this->Measured();
   DicomSource other = source;
   other.series.frameOfReferenceUID = "1.9";
-  EXPECT_TRUE(
-    Contains(InputErrorOf([&] { ReadDicomReportPoints(folder + "/sr.dcm", other); }), "another frame of reference"));
-  WriteDicomReport(source,
-                   DicomReportKind::ColonCAD,
-                   RootWith({ PixelPointContent("CONTAINS", center, { 0.0, 0.0, 0.0 }, source) }),
-                   {},
-                   HeaderOfTest(),
-                   folder + "/cad.dcm");
+  EXPECT_TRUE(Refuses([&] { ReadDicomReportPoints(path, other); }, "another frame of reference"));
+  this->WriteCad({ PixelPointContent("CONTAINS", center, { 0.0, 0.0, 0.0 }, source) });
   for (auto & slice : other.series.slices)
   {
     slice.sopInstanceUID += ".1";
   }
-  EXPECT_TRUE(
-    Contains(InputErrorOf([&] { ReadDicomReportPoints(folder + "/cad.dcm", other); }), "not a slice of the series"));
-  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomReportPoints(folder + "/im0001.dcm", source); }), "is of the kind"));
-  WriteDicomReport(source, DicomReportKind::ColonCAD, RootWith({}), {}, HeaderOfTest(), folder + "/empty.dcm");
-  EXPECT_TRUE(
-    Contains(InputErrorOf([&] { ReadDicomReportPoints(folder + "/empty.dcm", source); }), "contains no points"));
+  EXPECT_TRUE(Refuses([&] { ReadDicomReportPoints(path, other); }, "not a slice of the series"));
+  EXPECT_TRUE(Refuses([&] { ReadDicomReportPoints(folder + "/im0001.dcm", source); }, "is of the kind"));
+  this->WriteCad({});
+  EXPECT_TRUE(Refuses([&] { ReadDicomReportPoints(path, source); }, "contains no points"));
 }
 
-TEST(DicomReport, RefusesGraphicsThatAreNone)
+TEST_F(DicomReport, RefusesGraphicsThatAreNone)
 {
-  const std::string folder = TestFolder();
-  const DicomSource source = SourceOf(ObliqueFixture(), folder);
-  const auto        read = [&](const std::function<void(DcmItem &)> & change) {
-    WriteDicomReport(source,
-                     DicomReportKind::ColonCAD,
-                     RootWith({ PixelPointContent("CONTAINS", center, { 0.0, 0.0, 0.0 }, source) }),
-                     {},
-                     HeaderOfTest(),
-                     folder + "/cad.dcm");
-    DcmFileFormat file = Loaded(folder + "/cad.dcm");
+  const auto read = [&](const std::function<void(DcmItem &)> & change) {
+    this->WriteCad({ PixelPointContent("CONTAINS", center, { 0.0, 0.0, 0.0 }, source) });
+    DcmFileFormat file = Loaded(path);
     DcmItem *     item = nullptr;
     EXPECT_TRUE(file.getDataset()->findAndGetSequenceItem(DCM_ContentSequence, item, -1).good());
     change(*item);
-    SaveDicom(file, folder + "/cad.dcm");
-    return ReadDicomReportPoints(folder + "/cad.dcm", source).front().places.size();
+    SaveDicom(file, path);
+    return ReadDicomReportPoints(path, source).front().places.size();
   };
-  const auto faultOf = [&](const std::function<void(DcmItem &)> & change) {
-    return InputErrorOf([&] { read(change); });
+  const auto refuses = [&](const std::function<void(DcmItem &)> & change, const std::string & words) {
+    return Refuses([&] { read(change); }, words);
   };
   const auto graphic = [](const char * type, std::vector<Float32> values) {
     return [type, values](DcmItem & item) {
@@ -285,26 +256,27 @@ TEST(DicomReport, RefusesGraphicsThatAreNone)
   };
   EXPECT_EQ(read(graphic("POINT", { 1, 1 })), 1u);
   EXPECT_EQ(read(graphic("POLYLINE", { 1, 1, 2, 2, 3, 3 })), 3u);
-  EXPECT_TRUE(Contains(faultOf(graphic("POINT", { 1, 1, 2, 2 })), "invalid coordinates of a POINT"));
-  EXPECT_TRUE(Contains(faultOf(graphic("ELLIPSE", { 1, 1, 2, 2 })), "invalid coordinates of a ELLIPSE"));
-  EXPECT_TRUE(Contains(faultOf(graphic("FOO", { 1, 1 })), "invalid coordinates of a FOO"));
-  EXPECT_TRUE(Contains(faultOf(graphic("POINT", { 5000, 1 })), "outside their image"));
-  EXPECT_TRUE(Contains(faultOf(graphic("POINT", { 1, -1 })), "outside their image"));
-  EXPECT_TRUE(
-    Contains(faultOf([](DcmItem & item) { item.findAndDeleteElement(DCM_ContentSequence); }), "reference no image"));
-  EXPECT_TRUE(Contains(faultOf([](DcmItem & item) {
-                         DcmItem * image = nullptr;
-                         DcmItem * reference = nullptr;
-                         item.findAndGetSequenceItem(DCM_ContentSequence, image, 0);
-                         image->findAndGetSequenceItem(DCM_ReferencedSOPSequence, reference, 0);
-                         reference->putAndInsertString(DCM_ReferencedFrameNumber, "2");
-                       }),
-                       "not a slice of the series"));
-  EXPECT_TRUE(Contains(faultOf([](DcmItem & item) {
-                         DcmItem * image = nullptr;
-                         item.findAndGetSequenceItem(DCM_ContentSequence, image, 0);
-                         auto * const second = new DcmItem(*image);
-                         item.insertSequenceItem(DCM_ContentSequence, second);
-                       }),
-                       "or more than one"));
+  EXPECT_TRUE(refuses(graphic("POINT", { 1, 1, 2, 2 }), "invalid coordinates of a POINT"));
+  EXPECT_TRUE(refuses(graphic("ELLIPSE", { 1, 1, 2, 2 }), "invalid coordinates of a ELLIPSE"));
+  EXPECT_TRUE(refuses(graphic("FOO", { 1, 1 }), "invalid coordinates of a FOO"));
+  EXPECT_TRUE(refuses(graphic("POINT", { 5000, 1 }), "outside their image"));
+  EXPECT_TRUE(refuses(graphic("POINT", { 1, -1 }), "outside their image"));
+  EXPECT_TRUE(refuses([](DcmItem & item) { item.findAndDeleteElement(DCM_ContentSequence); }, "reference no image"));
+  EXPECT_TRUE(refuses(
+    [](DcmItem & item) {
+      DcmItem * image = nullptr;
+      DcmItem * reference = nullptr;
+      item.findAndGetSequenceItem(DCM_ContentSequence, image, 0);
+      image->findAndGetSequenceItem(DCM_ReferencedSOPSequence, reference, 0);
+      reference->putAndInsertString(DCM_ReferencedFrameNumber, "2");
+    },
+    "not a slice of the series"));
+  EXPECT_TRUE(refuses(
+    [](DcmItem & item) {
+      DcmItem * image = nullptr;
+      item.findAndGetSequenceItem(DCM_ContentSequence, image, 0);
+      auto * const second = new DcmItem(*image);
+      item.insertSequenceItem(DCM_ContentSequence, second);
+    },
+    "or more than one"));
 }

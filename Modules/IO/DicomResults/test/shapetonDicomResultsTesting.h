@@ -60,6 +60,22 @@ ValueOf(DcmFileFormat & file, const DcmTagKey & tag)
   file.getDataset()->findAndGetOFStringArray(tag, value, OFTrue);
   return value.c_str();
 }
+
+/** Whether a call throws an InputError whose message contains these words. */
+inline ::testing::AssertionResult
+Refuses(const std::function<void()> & call, const std::string & words)
+{
+  const std::string message = InputErrorOf(call);
+  return Contains(message, words) ? ::testing::AssertionSuccess() : ::testing::AssertionFailure() << message;
+}
+
+/** Fixture for tests of results of a series, which are written to the folder of the test. */
+class ResultsOfASeries : public ::testing::Test
+{
+protected:
+  std::string folder = TestFolder();
+  DicomSource source = SourceOf(ObliqueFixture(), folder);
+};
 } // namespace shapeton
 
 #endif

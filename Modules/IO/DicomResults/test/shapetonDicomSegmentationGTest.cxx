@@ -14,21 +14,11 @@ namespace
 {
 using namespace shapeton;
 
-DicomLabelImage::Pointer
-Labels(const DicomSource & source)
-{
-  const auto labels = DicomLabelImage::New();
-  labels->CopyInformation(source.grid);
-  labels->SetRegions(source.grid->GetLargestPossibleRegion().GetSize());
-  labels->Allocate(true);
-  return labels;
-}
-
 /** 0 to 2 at random, slice 2 empty; 3 does not occur. */
 DicomLabelImage::Pointer
 RandomLabels(const DicomSource & source, unsigned int seed)
 {
-  const auto        labels = Labels(source);
+  const auto        labels = basetest::NewImageLike<DicomLabelImage>(source.grid);
   std::mt19937      random(seed);
   const std::size_t pixels = source.series.size[0] * source.series.size[1];
   for (std::size_t i = 0; i < pixels * source.series.size[2]; ++i)
@@ -126,7 +116,7 @@ TEST(DicomSegmentation, LabelMapsComeBack)
   const DicomSource source = SourceOf(ObliqueFixture(), folder);
   for (const unsigned short count : { 2, 300 }) // 8 and 16 bits
   {
-    const auto        labels = Labels(source);
+    const auto        labels = basetest::NewImageLike<DicomLabelImage>(source.grid);
     const std::size_t voxels = labels->GetLargestPossibleRegion().GetNumberOfPixels();
     for (std::size_t i = 0; i < voxels; ++i)
     {
@@ -195,16 +185,13 @@ TEST(DicomSegmentation, CentersAreTheVoxelsNearestToTheCentroid)
     const auto                         label = static_cast<unsigned short>(k == 0 ? 1 : 2);
     std::vector<itk::Point<double, 3>> places;
     itk::Vector<double, 3>             sum(0.0);
-    const auto                         size = labels->GetLargestPossibleRegion().GetSize();
-    for (std::size_t i = 0; i < size[0] * size[1] * size[2]; ++i)
-    {
-      if (labels->GetBufferPointer()[i] == label)
+    basetest::ForVoxels(labels, [&](const auto & index, const auto & point) {
+      if (labels->GetPixel(index) == label)
       {
-        places.push_back(
-          labels->TransformIndexToPhysicalPoint<double>(labels->ComputeIndex(static_cast<itk::OffsetValueType>(i))));
-        sum += places.back().GetVectorFromOrigin();
+        places.push_back(point);
+        sum += point.GetVectorFromOrigin();
       }
-    }
+    });
     const itk::Point<double, 3> centroid(sum / static_cast<double>(places.size()));
     double                      least = std::numeric_limits<double>::infinity();
     for (const auto & place : places)
@@ -294,20 +281,18 @@ TEST(DicomSegmentation, RefusesAnotherGrid)
   DicomFixture  moved = ObliqueFixture();
   moved.origin[0] += 0.4;
   const DicomSource other = SourceOf(moved, MakeFolder(written.folder + "/moved"));
-  EXPECT_TRUE(
-    Contains(InputErrorOf([&] { WriteDicomSegmentation(other, written.Segments(), HeaderOfTest(), written.path); }),
-             "is not on the grid of the series"));
-  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSegments(ReadDicomSegmentation(written.path), { 1 }, other); }),
-                       "do not match the slices of the given series"));
+  EXPECT_TRUE(Refuses([&] { WriteDicomSegmentation(other, written.Segments(), HeaderOfTest(), written.path); },
+                      "is not on the grid of the series"));
+  EXPECT_TRUE(Refuses([&] { ReadDicomSegments(ReadDicomSegmentation(written.path), { 1 }, other); },
+                      "do not match the slices of the given series"));
 }
 
 TEST(DicomSegmentation, RefusesWhatIsNoSegmentation)
 {
   const Written written(ObliqueFixture());
-  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSegmentation(written.folder + "/im0001.dcm"); }),
-                       "is of the kind CTImageStorage"));
+  EXPECT_TRUE(Refuses([&] { ReadDicomSegmentation(written.folder + "/im0001.dcm"); }, "is of the kind CTImageStorage"));
   Truncate(written.path, std::filesystem::file_size(written.path) - 20);
-  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSegmentation(written.path); }), "seg.dcm\" "));
+  EXPECT_TRUE(Refuses([&] { ReadDicomSegmentation(written.path); }, "seg.dcm\" "));
   EXPECT_THROW(
     WriteDicomSegmentation(written.source, { Segment("none", written.labels, 9) }, HeaderOfTest(), written.path),
     InputError);
@@ -340,43 +325,43 @@ TEST(DicomSegmentation, BelongsToTheSeriesThatItNames)
   EXPECT_NO_THROW(RequireMadeOn(file, written.source));
   DicomSource other = written.source; // same grid at another position
   other.series.uid += ".1";
-  EXPECT_TRUE(Contains(InputErrorOf([&] { RequireMadeOn(file, other); }), "created from another series"));
+  EXPECT_TRUE(Refuses([&] { RequireMadeOn(file, other); }, "created from another series"));
   other = written.source;
   other.series.frameOfReferenceUID += ".1";
-  EXPECT_TRUE(Contains(InputErrorOf([&] { RequireMadeOn(file, other); }), "created from another series"));
+  EXPECT_TRUE(Refuses([&] { RequireMadeOn(file, other); }, "created from another series"));
   file.seriesUID.clear();
   EXPECT_NO_THROW(RequireMadeOn(file, written.source));
   file.frameOfReferenceUID.clear();
-  EXPECT_TRUE(Contains(InputErrorOf([&] { RequireMadeOn(file, written.source); }), "does not reference the series"));
+  EXPECT_TRUE(Refuses([&] { RequireMadeOn(file, written.source); }, "does not reference the series"));
 }
 
 TEST(DicomSegmentation, RefusesFramesAndSegmentsThatContradictEachOther)
 {
-  const auto faultOf = [](const std::function<void(DcmDataset &)> & change) {
+  const auto refuses = [](const std::function<void(DcmDataset &)> & change, const std::string & words) {
     const Written written(ObliqueFixture());
     DcmFileFormat file = Loaded(written.path);
     change(*file.getDataset());
     SaveDicom(file, written.path);
-    return InputErrorOf([&] { ReadDicomSegments(ReadDicomSegmentation(written.path), { 1 }, written.source); });
+    return Refuses([&] { ReadDicomSegments(ReadDicomSegmentation(written.path), { 1 }, written.source); }, words);
   };
   const auto numberOf = [](DcmDataset & dataset, signed long item, Uint16 number) {
     DcmItem * segment = nullptr;
     ASSERT_TRUE(dataset.findAndGetSequenceItem(DCM_SegmentSequence, segment, item).good());
     segment->putAndInsertUint16(DCM_SegmentNumber, number);
   };
-  EXPECT_TRUE(Contains(faultOf([&](DcmDataset & dataset) { numberOf(dataset, 1, 1); }), "declares segment 1 twice"));
-  EXPECT_TRUE(Contains(faultOf([&](DcmDataset & dataset) { numberOf(dataset, 0, 99); }), "which it does not declare"));
-  EXPECT_TRUE(
-    Contains(faultOf([](DcmDataset & dataset) { dataset.findAndDeleteElement(DCM_SegmentSequence); }), "no segment"));
-  EXPECT_TRUE(Contains(faultOf([](DcmDataset & dataset) {
-                         DcmItem * frames[2];
-                         for (signed long i = 0; i < 2; ++i)
-                         {
-                           dataset.findAndGetSequenceItem(DCM_PerFrameFunctionalGroupsSequence, frames[i], i);
-                         }
-                         *frames[1] = *frames[0];
-                       }),
-                       "two frames of segment 1 in one plane"));
+  EXPECT_TRUE(refuses([&](DcmDataset & dataset) { numberOf(dataset, 1, 1); }, "declares segment 1 twice"));
+  EXPECT_TRUE(refuses([&](DcmDataset & dataset) { numberOf(dataset, 0, 99); }, "which it does not declare"));
+  EXPECT_TRUE(refuses([](DcmDataset & dataset) { dataset.findAndDeleteElement(DCM_SegmentSequence); }, "no segment"));
+  EXPECT_TRUE(refuses(
+    [](DcmDataset & dataset) {
+      DcmItem * frames[2];
+      for (signed long i = 0; i < 2; ++i)
+      {
+        dataset.findAndGetSequenceItem(DCM_PerFrameFunctionalGroupsSequence, frames[i], i);
+      }
+      *frames[1] = *frames[0];
+    },
+    "two frames of segment 1 in one plane"));
 }
 
 TEST(DicomSegmentation, ASegmentIsAskedForOnce)

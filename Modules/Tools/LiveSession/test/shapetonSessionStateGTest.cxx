@@ -32,103 +32,62 @@ struct Transition
   Work         work; ///< the next one, before the goal is reached
 };
 
+// States that occur several times
+const SessionState parked{ View::Density, Walk::Parked };
+const SessionState placed{ View::Density, Walk::Placed };
+const SessionState heatOfParked{ View::Heat, Walk::Parked };
+const SessionState heatOfPlaced{ View::Heat, Walk::Placed };
+const SessionState coarse{ View::Heat, Walk::Placed, Heat::Coarse };
+const SessionState exact{ View::Heat, Walk::Parked, Heat::Exact };
+const SessionState failedLater{ View::Heat, Walk::Placed, Heat::Exact, Wish::None, failed };
+const SessionState failedAtOnce{ View::Density, Walk::Stale, Heat::None, Wish::None, failed };
+const SessionState choosingAgain{ View::Heat, Walk::Parked, Heat::Exact, Wish::ChooseAndFind };
+const SessionState choosing{ View::Heat, Walk::Placed, Heat::None, Wish::ChooseAndFind };
+const SessionState finding{ View::Heat, Walk::Parked, Heat::Exact, Wish::Find };
+
 const std::vector<Transition> transitions{
   // A walk
-  { {}, Event::WalkPlaced, { View::Density, Walk::Placed }, Work::MoveWalk },
-  { { View::Density, Walk::Placed }, Event::WalkChanged, {}, Work::PlaceWalk },
-  { { View::Density, Walk::Placed }, Event::WalkParked, { View::Density, Walk::Parked }, Work::PlaceWalk },
+  { {}, Event::WalkPlaced, placed, Work::MoveWalk },
+  { placed, Event::WalkChanged, {}, Work::PlaceWalk },
+  { placed, Event::WalkParked, parked, Work::PlaceWalk },
   { {}, Event::WalkParked, {}, Work::PlaceWalk },
-  { { View::Density, Walk::Parked }, Event::WalkPlaced, { View::Density, Walk::Placed }, Work::MoveWalk },
-  { {}, Event::Failed, { View::Density, Walk::Stale, Heat::None, Wish::None, failed }, Work::None },
-  { { View::Density, Walk::Stale, Heat::None, Wish::None, failed }, Event::WalkChanged, {}, Work::PlaceWalk },
-  { { View::Density, Walk::Placed, Heat::None, Wish::None, failed },
-    Event::WalkMoved,
-    { View::Density, Walk::Placed },
-    Work::MoveWalk },
+  { parked, Event::WalkPlaced, placed, Work::MoveWalk },
+  { {}, Event::Failed, failedAtOnce, Work::None },
+  { failedAtOnce, Event::WalkChanged, {}, Work::PlaceWalk },
+  { { View::Density, Walk::Placed, Heat::None, Wish::None, failed }, Event::WalkMoved, placed, Work::MoveWalk },
   // Heat of the same walk
-  { { View::Density, Walk::Placed }, Event::HeatTimeChanged, { View::Heat, Walk::Placed }, Work::ComputeCoarseHeat },
-  { { View::Heat, Walk::Placed },
-    Event::CoarseHeatComputed,
-    { View::Heat, Walk::Placed, Heat::Coarse },
-    Work::ComputeExactHeat },
-  { { View::Heat, Walk::Placed, Heat::Coarse },
-    Event::WalkParked,
-    { View::Heat, Walk::Parked, Heat::Coarse },
-    Work::ComputeExactHeat },
-  { { View::Heat, Walk::Parked, Heat::Coarse },
-    Event::ExactHeatComputed,
-    { View::Heat, Walk::Parked, Heat::Exact },
-    Work::None },
-  { { View::Heat, Walk::Parked, Heat::Exact },
-    Event::HeatTimeChanged,
-    { View::Heat, Walk::Parked },
-    Work::ComputeCoarseHeat },
-  { { View::Heat, Walk::Parked, Heat::Exact },
-    Event::DensityShown,
-    { View::Density, Walk::Parked, Heat::Exact },
-    Work::PlaceWalk },
+  { placed, Event::HeatTimeChanged, heatOfPlaced, Work::ComputeCoarseHeat },
+  { heatOfPlaced, Event::CoarseHeatComputed, coarse, Work::ComputeExactHeat },
+  { coarse, Event::WalkParked, { View::Heat, Walk::Parked, Heat::Coarse }, Work::ComputeExactHeat },
+  { { View::Heat, Walk::Parked, Heat::Coarse }, Event::ExactHeatComputed, exact, Work::None },
+  { exact, Event::HeatTimeChanged, heatOfParked, Work::ComputeCoarseHeat },
+  { exact, Event::DensityShown, { View::Density, Walk::Parked, Heat::Exact }, Work::PlaceWalk },
   { { View::Density, Walk::Placed, Heat::Exact },
     Event::HeatShown,
     { View::Heat, Walk::Placed, Heat::Exact },
     Work::None },
   { { View::Density, Walk::Stale, Heat::Exact }, Event::HeatReleased, {}, Work::PlaceWalk },
-  { { View::Heat, Walk::Parked, Heat::Exact }, Event::WalkChanged, { View::Heat }, Work::ComputeCoarseHeat },
+  { exact, Event::WalkChanged, { View::Heat }, Work::ComputeCoarseHeat },
   // Objects of this heat
-  { { View::Heat, Walk::Parked, Heat::Exact },
-    Event::ObjectsWanted,
-    { View::Heat, Walk::Parked, Heat::Exact, Wish::Find },
-    Work::FindObjects },
-  { { View::Heat, Walk::Placed, Heat::Coarse },
-    Event::ObjectsWanted,
-    { View::Heat, Walk::Placed, Heat::Coarse, Wish::Find },
-    Work::ComputeExactHeat },
-  { { View::Heat, Walk::Parked, Heat::Exact, Wish::Find },
-    Event::ObjectsFound,
-    { View::Heat, Walk::Parked, Heat::Exact },
-    Work::None },
-  { { View::Heat, Walk::Parked, Heat::Exact, Wish::Find },
-    Event::ObjectsFailed,
-    { View::Heat, Walk::Parked, Heat::Exact, Wish::None, failed },
-    Work::None },
-  // Objects of chosen parameters: the choice starts again and still wants its objects
-  { { View::Density, Walk::Placed },
-    Event::ChoiceWanted,
-    { View::Heat, Walk::Placed, Heat::None, Wish::ChooseAndFind },
-    Work::ChooseParameters },
-  { { View::Heat, Walk::Placed, Heat::None, Wish::ChooseAndFind },
-    Event::ObjectsWanted,
-    { View::Heat, Walk::Placed, Heat::None, Wish::ChooseAndFind },
-    Work::ChooseParameters },
-  { { View::Heat, Walk::Parked, Heat::Exact, Wish::ChooseAndFind },
+  { exact, Event::ObjectsWanted, finding, Work::FindObjects },
+  { coarse, Event::ObjectsWanted, { View::Heat, Walk::Placed, Heat::Coarse, Wish::Find }, Work::ComputeExactHeat },
+  { finding, Event::ObjectsFound, exact, Work::None },
+  { finding, Event::ObjectsFailed, { View::Heat, Walk::Parked, Heat::Exact, Wish::None, failed }, Work::None },
+  // Objects with chosen parameters: the choice restarts, and its objects are still requested
+  { placed, Event::ChoiceWanted, choosing, Work::ChooseParameters },
+  { choosing, Event::ObjectsWanted, choosing, Work::ChooseParameters },
+  { choosingAgain,
     Event::ParametersChosen,
     { View::Heat, Walk::Stale, Heat::None, Wish::Find },
     Work::ComputeCoarseHeat },
   // A later command wins
-  { { View::Heat, Walk::Parked, Heat::Exact, Wish::ChooseAndFind },
-    Event::WalkChanged,
-    { View::Heat },
-    Work::ComputeCoarseHeat },
-  { { View::Heat, Walk::Parked, Heat::Exact, Wish::ChooseAndFind },
-    Event::DensityShown,
-    { View::Density, Walk::Parked, Heat::Exact },
-    Work::PlaceWalk },
-  { { View::Heat, Walk::Parked, Heat::Exact, Wish::Find },
-    Event::HeatShown,
-    { View::Heat, Walk::Parked, Heat::Exact },
-    Work::None },
-  { { View::Heat, Walk::Parked, Heat::Exact, Wish::Find },
-    Event::HeatTimeChanged,
-    { View::Heat, Walk::Parked },
-    Work::ComputeCoarseHeat },
-  // An error belongs to what is shown
-  { { View::Heat, Walk::Placed, Heat::Exact, Wish::None, failed },
-    Event::HeatShown,
-    { View::Heat, Walk::Placed, Heat::Exact, Wish::None, failed },
-    Work::None },
-  { { View::Heat, Walk::Placed, Heat::Exact, Wish::None, failed },
-    Event::DensityShown,
-    { View::Density, Walk::Placed, Heat::Exact },
-    Work::MoveWalk },
+  { choosingAgain, Event::WalkChanged, { View::Heat }, Work::ComputeCoarseHeat },
+  { choosingAgain, Event::DensityShown, { View::Density, Walk::Parked, Heat::Exact }, Work::PlaceWalk },
+  { finding, Event::HeatShown, exact, Work::None },
+  { finding, Event::HeatTimeChanged, heatOfParked, Work::ComputeCoarseHeat },
+  // A failure concerns only the view in which it occurred
+  { failedLater, Event::HeatShown, failedLater, Work::None },
+  { failedLater, Event::DensityShown, { View::Density, Walk::Placed, Heat::Exact }, Work::MoveWalk },
 };
 
 /** The event of a completed piece of work. */
@@ -152,8 +111,8 @@ TEST(SessionState, FollowsTheTableOfTransitions)
 
 TEST(SessionState, AWalkAtItsGoalRests)
 {
-  EXPECT_EQ(NextWork({ View::Density, Walk::Placed }, true), Work::None);
-  EXPECT_EQ(NextWork({ View::Density, Walk::Parked }, true), Work::PlaceWalk); // to be shown
+  EXPECT_EQ(NextWork(placed, true), Work::None);
+  EXPECT_EQ(NextWork(parked, true), Work::PlaceWalk); // to be shown
 }
 
 TEST(SessionState, EveryStateThatCommandsReachComesToRest)
