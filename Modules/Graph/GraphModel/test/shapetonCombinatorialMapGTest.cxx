@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 namespace
 {
 /** The tetrahedron seen from above: node 3 at the center of the counter-clockwise triangle 0 1 2. */

@@ -1,6 +1,6 @@
 #include "shapetonGraphFamilies.h"
-#include "shapetonGraphGenus.h"
 #include "shapetonPhiloxStream.h"
+#include "shapetonTestGraphs.h"
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/boyer_myrvold_planar_test.hpp>
@@ -61,18 +61,7 @@ RandomGraph(int nodes, int edges, shapeton::PhiloxStream & random)
 shapeton::Graph
 RandomTriangulation(int nodes, shapeton::PhiloxStream & random)
 {
-  shapeton::Graph                 graph{ 3, { { 0, 1 }, { 1, 2 }, { 2, 0 } }, {} };
-  std::vector<std::array<int, 3>> triangles{ { 0, 1, 2 }, { 2, 1, 0 } };
-  for (; graph.nodes < nodes; ++graph.nodes)
-  {
-    auto &                   triangle = triangles[random.Below(static_cast<int>(triangles.size()))];
-    const std::array<int, 3> t = triangle;
-    const int                node = graph.nodes;
-    triangle = { t[0], t[1], node };
-    triangles.push_back({ t[1], t[2], node });
-    triangles.push_back({ t[2], t[0], node });
-    graph.edges.insert(graph.edges.end(), { { t[0], node }, { node, t[1] }, { node, t[2] } });
-  }
+  shapeton::Graph graph = graphtest::StackedTriangles(nodes, [&](int triangles) { return random.Below(triangles); });
   for (int i = static_cast<int>(graph.edges.size()); i > 1; --i)
   {
     std::swap(graph.edges[i - 1], graph.edges[random.Below(i)]);
@@ -118,6 +107,7 @@ TEST(Planarity, DeepGraphsNeedNoStack)
   EXPECT_TRUE(IsPlanar(shapeton::PathGraph(300000)));
   EXPECT_TRUE(IsPlanar(shapeton::CycleGraph(300000)));
   EXPECT_TRUE(IsPlanar(shapeton::WheelGraph(100000)));
+  EXPECT_TRUE(IsPlanar(shapeton::GridGraph(300, 300)));
 }
 
 TEST(Planarity, KnownGraphs)

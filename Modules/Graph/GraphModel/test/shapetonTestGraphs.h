@@ -56,6 +56,26 @@ MapOfEdges(const shapeton::CombinatorialMap & map, const TCondition & isKept)
   return { graph, rotation };
 }
 
+/** A triangulation of the sphere: each node after the first three is joined to the corners of a triangle. `choose`
+ * takes the number of triangles and gives the index of one. */
+template <typename TChoice>
+shapeton::Graph
+StackedTriangles(int nodes, TChoice && choose)
+{
+  shapeton::Graph                 graph{ 3, { { 0, 1 }, { 1, 2 }, { 2, 0 } }, {} };
+  std::vector<std::array<int, 3>> triangles{ { 0, 1, 2 }, { 0, 2, 1 } };
+  for (; graph.nodes < nodes; ++graph.nodes)
+  {
+    std::array<int, 3> & triangle = triangles[choose(static_cast<int>(triangles.size()))];
+    const auto [a, b, c] = triangle;
+    const int node = graph.nodes;
+    graph.edges.insert(graph.edges.end(), { { a, node }, { b, node }, { c, node } });
+    triangle = { a, b, node };
+    triangles.insert(triangles.end(), { { b, c, node }, { c, a, node } });
+  }
+  return graph;
+}
+
 /** The graph with its nodes in another order. */
 inline shapeton::Graph
 Shuffled(const shapeton::Graph & graph)

@@ -3,9 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 // Tables 6.1 to 6.5 of the dissertation: deck transformations T(z) = e^{i theta} (z - z0) / (1 - conj(z0) z) of five
-// graphs of genus 2 and 3, printed with six digits. Rows 4k and 4k + 2 are inverses, as are 4k + 1 and 4k + 3.
+// graphs of genus 2 and 3, printed with six digits. The tables print the inverse of each, too.
 namespace
 {
 struct Row
@@ -19,60 +20,36 @@ const std::vector<std::vector<Row>> tables{
   {
     { 0.554278, 0.784424, 2.13226 },
     { -0.595666, 0.638663, 1.16896 },
-    { 0.959107, -0.0515265, -2.13223 },
-    { 0.820739, 0.298469, -1.16883 },
     { 0.763219, -0.536063, 1.67342 },
     { 0.92414, -0.274074, 2.21251 },
-    { -0.455089, -0.814097, -1.67339 },
-    { 0.333543, -0.904376, -2.21247 },
   },
   {
     { 0.473141, 0.793373, 1.68923 },
     { -0.0444407, 0.926901, 1.77595 },
-    { 0.843724, -0.376077, -1.68923 },
-    { 0.89841, 0.232338, -1.77595 },
     { -0.511646, -0.718428, 1.47841 },
     { 0.241374, -0.875041, 1.4262 },
-    { -0.668161, 0.575745, -1.47841 },
-    { -0.90069, -0.112767, -1.4262 },
   },
   {
     { -0.423878, 0.767216, 1.16253 },
     { -0.867863, 0.127443, 1.39665 },
-    { 0.872451, 0.0844032, -1.16252 },
-    { 0.275935, 0.832636, -1.39664 },
     { 0.140488, -0.936178, 1.9649 },
     { 0.636244, -0.688274, 1.90233 },
-    { -0.810489, -0.489155, -1.9649 },
-    { -0.443586, -0.825681, -1.90229 },
   },
   {
     { -0.483681, -0.846774, 2.31836 },
     { -0.228992, -0.959415, 2.51752 },
-    { -0.949812, -0.220979, -2.31836 },
-    { -0.746462, -0.644755, -2.51752 },
     { 0.574592, -0.803201, 2.53001 },
     { 0.837867, -0.511424, 2.44972 },
-    { 0.00927105, -0.987523, -2.53001 },
-    { 0.31892, -0.928367, -2.44972 },
     { 0.0897692, 0.93249, 1.59591 },
     { -0.705865, 0.527996, 1.34124 },
-    { 0.93445, -0.0663243, -1.59591 },
-    { 0.674762, 0.567205, -1.34124 },
   },
   {
     { 0.684803, -0.664529, 1.69622 },
     { 0.911636, -0.204362, 1.81809 },
-    { -0.573648, -0.762549, -1.69622 },
-    { 0.0250182, -0.933926, -1.8181 },
     { 0.277177, 0.927289, 2.24515 },
     { -0.13187, 0.967995, 2.29782 },
-    { 0.897412, 0.362412, -2.24513 },
-    { 0.635588, 0.741912, -2.29781 },
     { -0.954146, 0.186617, 2.30815 },
     { -0.919973, -0.315278, 2.16587 },
-    { -0.503332, 0.831792, -2.30815 },
-    { -0.776821, 0.585064, -2.16585 },
   },
 };
 
@@ -88,11 +65,7 @@ std::vector<shapeton::PlaneMotion>
 GeneratorsOf(const std::vector<Row> & table)
 {
   std::vector<shapeton::PlaneMotion> generators;
-  for (std::size_t i = 0; i < table.size(); i += 4)
-  {
-    generators.push_back(MotionOf(table[i]));
-    generators.push_back(MotionOf(table[i + 1]));
-  }
+  std::transform(table.begin(), table.end(), std::back_inserter(generators), MotionOf);
   return generators;
 }
 
@@ -119,11 +92,8 @@ std::vector<int>
 ClosestRelation(const std::vector<shapeton::PlaneMotion> & generators)
 {
   const int        handles = static_cast<int>(generators.size()) / 2;
-  std::vector<int> order;
-  for (int k = 0; k < handles; ++k)
-  {
-    order.push_back(k);
-  }
+  std::vector<int> order(handles);
+  std::iota(order.begin(), order.end(), 0);
   std::vector<int> best;
   double           least = 1e300;
   do
@@ -147,19 +117,6 @@ ClosestRelation(const std::vector<shapeton::PlaneMotion> & generators)
   return best;
 }
 } // namespace
-
-TEST(DeckTransformationTables, RowsArePairsOfInverses)
-{
-  for (const std::vector<Row> & table : tables)
-  {
-    for (std::size_t i = 0; i < table.size(); i += i % 4 == 1 ? 3 : 1)
-    {
-      const shapeton::PlaneMotion product = MotionOf(table[i]) * MotionOf(table[i + 2]);
-      EXPECT_LT(std::abs(product.b), 2e-3) << i;
-      EXPECT_LT(std::abs(std::abs(product.a) - 1.0), 1e-5) << i;
-    }
-  }
-}
 
 TEST(DeckTransformationTables, ThePrintedGeneratorsObeyTheRelationOfTheirSurface)
 {

@@ -11,8 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
+#include <map>
 
 namespace
 {
@@ -20,20 +19,11 @@ namespace
 shapeton::CombinatorialMap
 StackedTriangles(int nodes)
 {
-  shapeton::Graph                 graph{ 3, { { 0, 1 }, { 1, 2 }, { 2, 0 } }, {} };
-  std::vector<std::array<int, 3>> triangles{ { 0, 1, 2 }, { 0, 2, 1 } };
-  unsigned int                    state = 12345;
-  for (; graph.nodes < nodes; ++graph.nodes)
-  {
+  unsigned int state = 12345;
+  return graphtest::PlanarMap(graphtest::StackedTriangles(nodes, [&state](unsigned int triangles) {
     state = state * 1664525U + 1013904223U;
-    std::array<int, 3> & t = triangles[(state >> 8) % triangles.size()];
-    const auto [a, b, c] = t;
-    const int node = graph.nodes;
-    graph.edges.insert(graph.edges.end(), { { a, node }, { b, node }, { c, node } });
-    t = { a, b, node };
-    triangles.insert(triangles.end(), { { b, c, node }, { c, a, node } });
-  }
-  return graphtest::PlanarMap(graph);
+    return (state >> 8) % triangles;
+  }));
 }
 
 /** The same map with nodes and edges renumbered. */
@@ -64,15 +54,7 @@ Renumbered(const shapeton::CombinatorialMap & map, std::vector<int> & image)
 double
 Statistic(const shapeton::EmbeddingCertificate & certificate, const std::string & name)
 {
-  for (const auto & [key, value] : certificate.statistics)
-  {
-    if (key == name)
-    {
-      return value;
-    }
-  }
-  ADD_FAILURE() << name;
-  return 0.0;
+  return std::map<std::string, double>(certificate.statistics.begin(), certificate.statistics.end()).at(name);
 }
 } // namespace
 

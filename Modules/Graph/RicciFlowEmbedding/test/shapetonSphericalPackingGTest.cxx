@@ -14,14 +14,8 @@ namespace
 double
 Angle(const std::array<double, 3> & a, const std::array<double, 3> & b)
 {
-  double difference = 0.0;
-  double sum = 0.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    difference += (a[i] - b[i]) * (a[i] - b[i]);
-    sum += (a[i] + b[i]) * (a[i] + b[i]);
-  }
-  return 2.0 * std::atan2(std::sqrt(difference), std::sqrt(sum));
+  return 2.0 * std::atan2(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]),
+                          std::hypot(a[0] + b[0], a[1] + b[1], a[2] + b[2]));
 }
 
 void
@@ -88,25 +82,11 @@ namespace
 shapeton::CombinatorialMap
 NestedTriangles(int chain, int more)
 {
-  std::vector<std::array<int, 3>> triangles{ { 0, 1, 2 }, { 0, 2, 1 } };
-  shapeton::Graph                 graph{ 3, { { 0, 1 }, { 1, 2 }, { 2, 0 } }, {} };
-  const auto                      fill = [&](std::size_t triangle) {
-    const auto [a, b, c] = triangles[triangle];
-    const int node = graph.nodes++;
-    graph.edges.insert(graph.edges.end(), { { node, a }, { node, b }, { node, c } });
-    triangles[triangle] = { a, b, node };
-    triangles.push_back({ b, c, node });
-    triangles.push_back({ c, a, node });
-  };
-  for (int i = 0; i < chain; ++i)
-  {
-    fill(i == 0 ? 1 : triangles.size() - 2); // triangle of the last node and two older ones, alternating
-  }
-  for (int i = 0; i < more; ++i)
-  {
-    fill(0);
-  }
-  return graphtest::PlanarMap(graph);
+  // The first triangle, then that of the last node and two older ones, alternating.
+  return graphtest::PlanarMap(graphtest::StackedTriangles(3 + chain + more, [chain, node = 0](int triangles) mutable {
+    ++node;
+    return node == 1 ? 1 : node <= chain ? triangles - 2 : 0;
+  }));
 }
 } // namespace
 
