@@ -36,20 +36,14 @@ SurfaceMesh
 Face()
 {
   const SurfaceMesh sphere = Icosphere(4, 50.0);
-  std::vector<int>  faces;
-  for (int face = 0; face < sphere.NumberOfFaces(); ++face)
-  {
+  return FacesWhere(sphere, [&](int face) {
     const Eigen::RowVector3d center =
       (sphere.V.row(sphere.F(face, 0)) + sphere.V.row(sphere.F(face, 1)) + sphere.V.row(sphere.F(face, 2))) / 3.0;
     const auto isHole = [&](double x, double y, double size) {
       return std::hypot(center.x() - x, center.y() - y) < size;
     };
-    if (center.z() > 0.0 && !isHole(-18, 15, 7) && !isHole(18, 15, 7) && !isHole(0, -20, 9))
-    {
-      faces.push_back(face);
-    }
-  }
-  return FacesOfSurface(sphere, faces);
+    return center.z() > 0.0 && !isHole(-18, 15, 7) && !isHole(18, 15, 7) && !isHole(0, -20, 9);
+  });
 }
 
 TEST(ConformalMap, OfAFaceToAllSlitMaps)
@@ -145,13 +139,8 @@ TEST(ConformalMap, OfASphericalPatchToARectangle)
 
 TEST(ConformalMap, OfASurfaceWithAHandleSaysSo)
 {
-  const SurfaceMesh torus = Torus(40, 30, 30.0, 12.0);
-  std::vector<int>  faces;
-  for (int face = 8; face < torus.NumberOfFaces(); ++face)
-  {
-    faces.push_back(face);
-  }
-  const ConformalMap map = MapTo(ConformalDomain::Rectangle, FacesOfSurface(torus, faces));
+  const SurfaceMesh  torus = Torus(40, 30, 30.0, 12.0);
+  const ConformalMap map = MapTo(ConformalDomain::Rectangle, FacesWhere(torus, [](int face) { return face >= 8; }));
   EXPECT_EQ(map.genus, 1);
   EXPECT_GT(map.ModulusGap(), 0.05); // the handle is most of the surface
   ASSERT_FALSE(map.warnings.empty());
@@ -209,15 +198,7 @@ TEST(ConformalMap, NoiseDoesNotFoldMaps)
     rough.noise = 0.8;
     const shapeton::SurfaceMesh tube = MakeRoughTube(rough);
     // Removing the faces of two columns leaves one boundary.
-    std::vector<int> faces;
-    for (int face = 0; face < tube.NumberOfFaces(); ++face)
-    {
-      if (face % (2 * rough.around) > 3)
-      {
-        faces.push_back(face);
-      }
-    }
-    const shapeton::SurfaceMesh    sheet = shapeton::FacesOfSurface(tube, faces);
+    const shapeton::SurfaceMesh    sheet = FacesWhere(tube, [&](int face) { return face % (2 * rough.around) > 3; });
     shapeton::ConformalMapSettings options;
     for (const auto domain :
          { shapeton::ConformalDomain::Rectangle, shapeton::ConformalDomain::Annulus, shapeton::ConformalDomain::Slit })

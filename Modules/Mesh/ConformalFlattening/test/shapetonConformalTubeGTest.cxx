@@ -3,6 +3,7 @@
 #include "shapetonColonTube.h"
 #include "shapetonFlatDistortion.h"
 #include "shapetonHeatDiffusionMetric.h"
+#include "shapetonSurfaceHandles.h"
 #include "shapetonTestSurfaces.h"
 #include "shapetonExceptions.h"
 #include "shapetonTestThreads.h"
@@ -44,11 +45,7 @@ struct Flattened
 ColonTubeOptions
 SmallColon(int handles = 0)
 {
-  ColonTubeOptions options;
-  options.faces = 6000;
-  options.length = 750.0;
-  options.handles = handles;
-  return options;
+  return { 6000, handles, 1, 750.0 };
 }
 
 shapeton::SurfaceMesh
@@ -62,46 +59,15 @@ Cone(int around, int along, double r0, double r1, double height)
   });
 }
 
-/** Number of handle vertices on the cut. */
-int
-HandlesOnCut(const ColonTube & tube, const std::vector<int> & path)
+std::set<int>
+VerticesOfHandles(const ColonTube & tube)
 {
   std::set<int> vertices;
   for (const auto & handle : tube.handles)
   {
     vertices.insert(handle.begin(), handle.end());
   }
-  return static_cast<int>(std::count_if(path.begin(), path.end(), [&](int v) { return vertices.count(v) > 0; }));
-}
-
-/** Marks faces with a vertex within the given rings of a handle. */
-std::vector<char>
-FacesNearHandles(const ColonTube & tube, int rings)
-{
-  std::vector<char> near(tube.mesh.NumberOfVertices(), 0);
-  for (const auto & handle : tube.handles)
-  {
-    for (const int v : handle)
-    {
-      near[v] = 1;
-    }
-  }
-  std::vector<char> faces(tube.mesh.NumberOfFaces(), 0);
-  for (int ring = 0; ring <= rings; ++ring)
-  {
-    for (int f = 0; f < tube.mesh.NumberOfFaces(); ++f)
-    {
-      faces[f] = near[tube.mesh.F(f, 0)] || near[tube.mesh.F(f, 1)] || near[tube.mesh.F(f, 2)];
-    }
-    for (int f = 0; f < tube.mesh.NumberOfFaces(); ++f)
-    {
-      for (int k = 0; k < 3 && faces[f]; ++k)
-      {
-        near[tube.mesh.F(f, k)] = 1;
-      }
-    }
-  }
-  return faces;
+  return vertices;
 }
 } // namespace
 
@@ -207,11 +173,9 @@ TEST(ConformalTube, SeamIsOnePeriodApart)
 
 TEST(ConformalTube, ColonWithoutHandlesIsConformal)
 {
-  ColonTubeOptions options;
   for (const std::uint64_t seed : { 1, 2, 3 })
   {
-    options.seed = seed;
-    const Flattened flat(MakeColonTube(options).mesh);
+    const Flattened flat(MakeColonTube({ 12000, 0, seed }).mesh);
     EXPECT_EQ(0, flat.distortion.flips);
     EXPECT_GE(flat.map.Gap(), 0.0);
     EXPECT_LE(flat.map.Gap(), 0.003);
@@ -226,17 +190,18 @@ TEST(ConformalTube, HandlesSpoilOnlyTheirNeighborhood)
 {
   for (const std::uint64_t seed : { 1, 2, 3 })
   {
-    ColonTubeOptions options;
-    options.handles = 10;
-    options.seed = seed;
-    const ColonTube         tube = MakeColonTube(options);
+    const ColonTube         tube = MakeColonTube({ 12000, 10, seed });
     const Flattened         flat(tube.mesh);
-    const std::vector<char> near = FacesNearHandles(tube, 3);
+    const std::set<int>     onHandles = VerticesOfHandles(tube);
+    shapeton::SurfaceHandle handles;
+    handles.vertices.assign(onHandles.begin(), onHandles.end());
+    const std::vector<char> near = shapeton::FacesNearHandles(flat.connectivity, { handles }, 3);
     for (int f = 0; f < tube.mesh.NumberOfFaces(); ++f)
     {
       EXPECT_FALSE(flat.distortion.isFlipped[f] && !near[f]) << f;
     }
-    EXPECT_EQ(0, HandlesOnCut(tube, flat.map.cutPath));
+    EXPECT_TRUE(
+      std::none_of(flat.map.cutPath.begin(), flat.map.cutPath.end(), [&](int v) { return onHandles.count(v) > 0; }));
     EXPECT_GE(flat.map.saddles, 20);
   }
 }
@@ -286,9 +251,7 @@ TEST(ConformalTube, DiffusionMetricHidesHandles)
 {
   const double time = 60.0;
   const auto   moduliOf = [&](int handles) {
-    ColonTubeOptions options;
-    options.handles = handles;
-    Flattened                   flat(MakeColonTube(options).mesh);
+    Flattened                   flat(MakeColonTube({ 12000, handles }).mesh);
     const std::array<double, 2> euclidean{ flat.map.modulusU, flat.map.modulusV };
     flat.lengths = shapeton::ComputeHeatDiffusionMetric(flat.mesh, time).edgeLengths;
     flat.Map({});

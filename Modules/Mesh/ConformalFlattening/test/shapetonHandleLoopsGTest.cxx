@@ -16,43 +16,7 @@ namespace
 {
 using namespace testsurfaces;
 
-shapeton::SurfaceMesh
-TubeWithHandles(int faces, int handles, std::uint64_t seed)
-{
-  ColonTubeOptions options;
-  options.faces = faces;
-  options.handles = handles;
-  options.seed = seed;
-  return MakeColonTube(options).mesh;
-}
-
-/** A torus of `around` x `along` quadrilaterals, each split in two; its axis is z. */
-shapeton::SurfaceMesh
-GridTorus(int along, int around, double ring, double tube)
-{
-  shapeton::SurfaceMesh mesh;
-  mesh.V.resize(along * around, 3);
-  mesh.F.resize(2 * along * around, 3);
-  for (int i = 0; i < along; ++i)
-  {
-    for (int j = 0; j < around; ++j)
-    {
-      const double angle = 2.0 * Pi * i / along;
-      const double turn = 2.0 * Pi * j / around;
-      const double radius = ring + tube * std::cos(turn);
-      const int    v = i * around + j;
-      mesh.V.row(v) << radius * std::cos(angle), radius * std::sin(angle), tube * std::sin(turn);
-      const int right = (i + 1) % along * around + j;
-      const int up = i * around + (j + 1) % around;
-      const int both = (i + 1) % along * around + (j + 1) % around;
-      mesh.F.row(2 * v) << v, right, both;
-      mesh.F.row(2 * v + 1) << v, both, up;
-    }
-  }
-  return mesh;
-}
-
-/** A tube bent to a U, 10 mm from leg to leg, whose legs a handle joins near their ends. */
+/** A tube bent into a U with legs 10 mm apart, joined by a handle near their ends. */
 struct BentTube
 {
   static constexpr double leg = 80.0;
@@ -124,24 +88,18 @@ PartsBeside(const shapeton::SurfaceMesh & mesh, const std::vector<shapeton::Hand
   {
     vertices.insert(loop.vertices.begin(), loop.vertices.end());
   }
-  std::vector<int> kept;
-  for (int f = 0; f < mesh.NumberOfFaces(); ++f)
-  {
-    const bool isBeside =
-      vertices.count(mesh.F(f, 0)) + vertices.count(mesh.F(f, 1)) + vertices.count(mesh.F(f, 2)) == 0;
-    if (isBeside)
-    {
-      kept.push_back(f);
-    }
-  }
-  return shapeton::SurfaceConnectivity(shapeton::FacesOfSurface(mesh, kept)).Components().size();
+  const auto isApart = [&](int f) {
+    return vertices.count(mesh.F(f, 0)) + vertices.count(mesh.F(f, 1)) + vertices.count(mesh.F(f, 2)) == 0;
+  };
+  return shapeton::SurfaceConnectivity(FacesWhere(mesh, isApart)).Components().size();
 }
 } // namespace
 
 TEST(HandleLoops, ShortestLoopOfATorusIsItsMeridian)
 {
-  // A polygon of 12 sides around the tube, shortest at any place; the other kind of loop is at least 2 pi 16 long.
-  const shapeton::SurfaceMesh         torus = GridTorus(60, 12, 20.0, 4.0);
+  // The shortest loop is a 12-sided polygon around the tube, at any place; the other kind of loop is at least 2 pi 16
+  // long.
+  const shapeton::SurfaceMesh         torus = Torus(60, 12, 20.0, 4.0);
   const shapeton::SurfaceConnectivity connectivity(torus);
   const auto                          loops = shapeton::FindHandleLoops(torus, connectivity);
   ASSERT_EQ(1U, loops.size());
@@ -149,7 +107,7 @@ TEST(HandleLoops, ShortestLoopOfATorusIsItsMeridian)
   EXPECT_EQ(12U, loops[0].vertices.size());
   EXPECT_EQ(1U, PartsBeside(torus, loops));
   // A fat torus with a small hole: the shortest loop passes through the hole, around it on the inside.
-  const shapeton::SurfaceMesh fat = GridTorus(24, 48, 12.0, 10.0);
+  const shapeton::SurfaceMesh fat = Torus(24, 48, 12.0, 10.0);
   const auto                  inside = shapeton::FindHandleLoops(fat, shapeton::SurfaceConnectivity(fat));
   ASSERT_EQ(1U, inside.size());
   const double least = 24 * 2.0 * 2.0 * std::sin(Pi / 24);
@@ -160,7 +118,7 @@ TEST(HandleLoops, ShortestLoopOfATorusIsItsMeridian)
 
 TEST(HandleLoops, ClosedSurfacesBecomeSpheres)
 {
-  for (const auto & torus : { GridTorus(60, 12, 20.0, 4.0), GridTorus(24, 48, 12.0, 10.0) })
+  for (const auto & torus : { Torus(60, 12, 20.0, 4.0), Torus(24, 48, 12.0, 10.0) })
   {
     const shapeton::HandleCuts          cuts = shapeton::CutHandles(torus);
     const shapeton::SurfaceConnectivity after(cuts.mesh);
@@ -176,7 +134,7 @@ TEST(HandleLoops, LoopsAreDisjointAndLeaveTheTubeWhole)
 {
   for (const std::uint64_t seed : { 1, 2, 3 })
   {
-    const shapeton::SurfaceMesh         mesh = TubeWithHandles(12000, 15, seed);
+    const shapeton::SurfaceMesh         mesh = MakeColonTube({ 12000, 15, seed }).mesh;
     const shapeton::SurfaceConnectivity connectivity(mesh);
     const auto                          loops = shapeton::FindHandleLoops(mesh, connectivity);
     EXPECT_LE(loops.size(), 15U); // some may touch
@@ -202,8 +160,8 @@ TEST(HandleLoops, LoopsAreDisjointAndLeaveTheTubeWhole)
 
 TEST(HandleLoops, NoneWithoutHandles)
 {
-  // The loop around a tube is not one of a handle: it separates the ends.
-  const shapeton::SurfaceMesh mesh = TubeWithHandles(6000, 0, 1);
+  // The loop around a tube does not belong to a handle: it separates the ends.
+  const shapeton::SurfaceMesh mesh = MakeColonTube({ 6000, 0, 1 }).mesh;
   EXPECT_TRUE(shapeton::FindHandleLoops(mesh, shapeton::SurfaceConnectivity(mesh)).empty());
   const shapeton::HandleCuts cuts = shapeton::CutHandles(mesh);
   EXPECT_EQ(mesh.F, cuts.mesh.F);
@@ -212,8 +170,8 @@ TEST(HandleLoops, NoneWithoutHandles)
 
 TEST(HandleLoops, CutsGiveTheTubeBack)
 {
-  const shapeton::SurfaceMesh         plain = TubeWithHandles(12000, 0, 2);
-  const shapeton::SurfaceMesh         mesh = TubeWithHandles(12000, 15, 2);
+  const shapeton::SurfaceMesh         plain = MakeColonTube({ 12000, 0, 2 }).mesh;
+  const shapeton::SurfaceMesh         mesh = MakeColonTube({ 12000, 15, 2 }).mesh;
   const shapeton::HandleCuts          cuts = shapeton::CutHandles(mesh);
   const shapeton::SurfaceConnectivity after(cuts.mesh);
   EXPECT_EQ(0, cuts.genus);
@@ -236,7 +194,7 @@ TEST(HandleLoops, CutsGiveTheTubeBack)
 
 TEST(HandleLoops, WrongSurfacesAreRefused)
 {
-  shapeton::SurfaceMesh two = GridTorus(12, 6, 10.0, 3.0);
+  shapeton::SurfaceMesh two = Torus(12, 6, 10.0, 3.0);
   const auto            faces = two.F.rows();
   two.F.conservativeResize(faces + 1, Eigen::NoChange);
   two.F.row(faces) = two.F.row(0);
@@ -256,7 +214,7 @@ TEST(HandleLoops, TheCutOfATubeTakesNoShortcut)
   {
     EXPECT_LT(std::abs(tube.along[map.cutPath[i]] - tube.along[map.cutPath[i + 1]]), 10.0);
   }
-  // The loop is around the handle, not around the tube; if the tube is narrower, arcLength tells which one to cut.
+  // The loop is around the handle, not around the tube; if the tube is narrower, arcLength shows which one to cut.
   const shapeton::HandleCuts cuts = shapeton::CutHandles(tube.mesh);
   EXPECT_EQ(0, cuts.genus);
   EXPECT_LT(cuts.longestLoop, 15.0);

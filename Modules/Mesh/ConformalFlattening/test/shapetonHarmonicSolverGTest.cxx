@@ -1,7 +1,7 @@
 #include "shapetonHarmonicSolver.h"
 
 #include "shapetonColonTube.h"
-#include "shapetonTestSurfaces.h"
+#include "shapetonIntrinsicSurfaces.h"
 #include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
@@ -9,12 +9,6 @@
 namespace
 {
 using namespace testsurfaces;
-
-shapeton::SurfaceLaplacian
-LaplacianOf(const shapeton::SurfaceMesh & mesh)
-{
-  return shapeton::MakeSurfaceLaplacian(shapeton::SurfaceConnectivity(mesh), mesh.V);
-}
 
 std::string
 ErrorOf(const shapeton::SurfaceMesh & mesh, const std::vector<int> & fixed)
@@ -57,11 +51,7 @@ TEST(HarmonicSolver, HeightIsHarmonicOnACylinderWithFixedEnds)
 
 TEST(HarmonicSolver, SolvesPoissonsEquationWithOneFixedVertex)
 {
-  ColonTubeOptions options;
-  options.faces = 3000;
-  options.handles = 2;
-  options.length = 400.0;
-  const shapeton::SurfaceMesh      mesh = MakeColonTube(options).mesh;
+  const shapeton::SurfaceMesh      mesh = MakeColonTube({ 3000, 2, 1, 400.0 }).mesh;
   const shapeton::SurfaceLaplacian laplacian = LaplacianOf(mesh);
   Eigen::MatrixXd                  source(mesh.NumberOfVertices(), 2);
   for (int i = 0; i < mesh.NumberOfVertices(); ++i)
@@ -82,11 +72,7 @@ TEST(HarmonicSolver, SolvesPoissonsEquationWithOneFixedVertex)
 TEST(HarmonicSolver, RefusesWhatHasNoUniqueSolution)
 {
   EXPECT_NE(std::string::npos, ErrorOf(Octahedron(), {}).find("has none"));
-  shapeton::SurfaceMesh two = Octahedron();
-  two.V.conservativeResize(12, Eigen::NoChange);
-  two.V.bottomRows(6) = two.V.topRows(6).array() + 10.0;
-  two.F.conservativeResize(16, Eigen::NoChange);
-  two.F.bottomRows(8) = two.F.topRows(8).array() + 6;
+  const shapeton::SurfaceMesh two = Together({ Octahedron(), Octahedron() });
   EXPECT_NE(std::string::npos, ErrorOf(two, { 0 }).find("the component of vertex 6 has none"));
   EXPECT_EQ("", ErrorOf(two, { 0, 6 }));
   EXPECT_NE(std::string::npos, ErrorOf(two, { 0, 0, 6 }).find("two fixed values"));

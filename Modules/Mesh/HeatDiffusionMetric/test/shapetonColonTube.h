@@ -15,6 +15,7 @@
 /** Colon-like surfaces with known topology and handles at known positions. */
 namespace testsurfaces
 {
+/** Tests give these in this order, such as { 12000, 10, seed }. */
 struct ColonTubeOptions
 {
   int           faces{ 12000 };

@@ -9,10 +9,7 @@ using namespace shapeton;
 
 TEST(ColonTube, IsATubeWithTheHandlesAskedFor)
 {
-  testsurfaces::ColonTubeOptions options;
-  options.faces = 12000;
-  options.handles = 10;
-  const testsurfaces::ColonTube tube = testsurfaces::MakeColonTube(options);
+  const testsurfaces::ColonTube tube = testsurfaces::MakeColonTube({ 12000, 10 });
   const SurfaceConnectivity     connectivity(tube.mesh);
   ASSERT_EQ(connectivity.Components().size(), 1u);
   EXPECT_TRUE(connectivity.IsManifold());
@@ -37,9 +34,6 @@ TEST(ColonTube, HasANarrowestRadiusAndASeed)
 
 TEST(ColonTube, RefusesHandlesThatDoNotFit)
 {
-  testsurfaces::ColonTubeOptions options;
-  options.faces = 1000;
-  options.handles = 100;
-  EXPECT_THROW(testsurfaces::MakeColonTube(options), std::runtime_error);
+  EXPECT_THROW(testsurfaces::MakeColonTube({ 1000, 100 }), std::runtime_error);
 }
 } // namespace

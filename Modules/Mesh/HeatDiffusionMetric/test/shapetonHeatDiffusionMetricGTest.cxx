@@ -21,12 +21,6 @@ namespace
 using namespace shapeton;
 using namespace testsurfaces;
 
-SurfaceLaplacian
-LaplacianOf(const SurfaceMesh & mesh)
-{
-  return MakeSurfaceLaplacian(SurfaceConnectivity(mesh), mesh.V);
-}
-
 double
 MeanEdge(const SurfaceMesh & mesh)
 {
@@ -124,10 +118,7 @@ TEST(HeatDiffusionMetric, IsThatOfAllEigenpairs)
 
 TEST(HeatDiffusionMetric, IsThatOfEnoughEigenpairsOnAColonOf12000Faces)
 {
-  ColonTubeOptions options;
-  options.faces = 12000;
-  options.length = 700.0;
-  const SurfaceMesh     mesh = MakeColonTube(options).mesh;
+  const SurfaceMesh     mesh = MakeColonTube({ 12000, 0, 1, 700.0 }).mesh;
   const auto            laplacian = LaplacianOf(mesh);
   const double          t = 32.0 * std::pow(MeanEdge(mesh), 2);
   const SurfaceSpectrum spectrum = ComputeSurfaceSpectrum(laplacian, 150);
@@ -139,11 +130,9 @@ TEST(HeatDiffusionMetric, IsThatOfEnoughEigenpairsOnAColonOf12000Faces)
 
 TEST(HeatDiffusionMetric, KeepsItsDigitsOnASimplifiedSurface)
 {
-  ColonTubeOptions options;
-  options.faces = 30000;
   SurfaceSimplificationSettings simplification;
   simplification.faces = 6000;
-  const SurfaceMesh               mesh = SimplifySurface(MakeColonTube(options).mesh, simplification);
+  const SurfaceMesh               mesh = SimplifySurface(MakeColonTube({ 30000 }).mesh, simplification);
   const HeatDiffusionMetricSolver solver(LaplacianOf(mesh));
   for (const double factor : { 0.5, 2.0, 4.0 })
   {
@@ -211,10 +200,7 @@ TEST(HeatDiffusionMetric, DoesNotDependOnTheNumbersOfTheVertices)
 
 TEST(HeatDiffusionMetric, MakesATriangleOfEachFace)
 {
-  ColonTubeOptions options;
-  options.faces = 8000;
-  options.handles = 5;
-  const SurfaceMesh         mesh = MakeColonTube(options).mesh;
+  const SurfaceMesh         mesh = MakeColonTube({ 8000, 5 }).mesh;
   const SurfaceConnectivity connectivity(mesh);
   const double              h = MeanEdge(mesh);
   const auto                metric = ComputeHeatDiffusionMetric(mesh, 4.0 * h * h);
@@ -254,9 +240,7 @@ TEST(HeatDiffusionMetric, BeginsWithTheMassesAndEndsWithTheSlowestFunction)
 
 TEST(HeatDiffusionMetric, GivesTheSameBytesForAnyNumberOfThreads)
 {
-  ColonTubeOptions options;
-  options.faces = 8000;
-  const HeatDiffusionMetricSolver solver(LaplacianOf(MakeColonTube(options).mesh));
+  const HeatDiffusionMetricSolver solver(LaplacianOf(MakeColonTube({ 8000 }).mesh));
   Eigen::VectorXd                 first;
   for (const unsigned int threads : { 1, 2, 3 })
   {
@@ -312,9 +296,7 @@ TEST(HeatDiffusionMetric, FacesFollowAreaAndRadius)
 TEST(HeatDiffusionMetric, MeanEdgeAt55000FacesDoesNotDependOnTheMesh)
 {
   const auto meanEdge = [](int faces) {
-    ColonTubeOptions options;
-    options.faces = faces;
-    const SurfaceMesh         mesh = MakeColonTube(options).mesh;
+    const SurfaceMesh         mesh = MakeColonTube({ faces }).mesh;
     const SurfaceConnectivity connectivity(mesh);
     return MeanEdgeAt55000Faces(connectivity, EdgeLengths(connectivity, mesh.V));
   };

@@ -4,9 +4,15 @@
 #include "shapetonSurfaceLaplacian.h"
 #include "shapetonTestSurfaces.h"
 
-/** Flat surfaces defined by edge lengths, with closed-form spectra. */
+/** Laplacians of surfaces, and flat surfaces defined by edge lengths, with closed-form spectra. */
 namespace testsurfaces
 {
+inline shapeton::SurfaceLaplacian
+LaplacianOf(const shapeton::SurfaceMesh & mesh, const shapeton::SurfaceLaplacianOptions & options = {})
+{
+  return shapeton::MakeSurfaceLaplacian(shapeton::SurfaceConnectivity(mesh), mesh.V, options);
+}
+
 /** A grid with its planar edge lengths, independent of wrapping. */
 struct FlatGrid
 {

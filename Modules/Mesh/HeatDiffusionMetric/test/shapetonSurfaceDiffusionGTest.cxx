@@ -1,6 +1,6 @@
 #include "shapetonSurfaceDiffusion.h"
 
-#include "shapetonTestSurfaces.h"
+#include "shapetonIntrinsicSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ TEST(SurfaceDiffusion, CoordinatesOfASphereDecayAsKnown)
 {
   constexpr double       radius = 5.0, time = 4.0;
   const SurfaceMesh      sphere = Icosphere(4, radius);
-  const SurfaceLaplacian laplacian = MakeSurfaceLaplacian(SurfaceConnectivity(sphere), sphere.V);
+  const SurfaceLaplacian laplacian = LaplacianOf(sphere);
   Eigen::MatrixXd        values(sphere.V.rows(), 4);
   values << sphere.V, Eigen::VectorXd::Constant(sphere.V.rows(), 7.0);
   DiffuseOverSurface(laplacian, time, values);
@@ -29,7 +29,7 @@ TEST(SurfaceDiffusion, CoordinatesOfASphereDecayAsKnown)
 TEST(SurfaceDiffusion, HeatIsConservedAndNoTimeChangesNothing)
 {
   const SurfaceMesh      tube = Cylinder(20, 15, 5.0, 12.0);
-  const SurfaceLaplacian laplacian = MakeSurfaceLaplacian(SurfaceConnectivity(tube), tube.V);
+  const SurfaceLaplacian laplacian = LaplacianOf(tube);
   Eigen::MatrixXd        values = Eigen::MatrixXd::Zero(tube.V.rows(), 1);
   values(37, 0) = 1.0;
   const Eigen::MatrixXd before = values;

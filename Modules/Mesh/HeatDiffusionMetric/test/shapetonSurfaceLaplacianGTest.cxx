@@ -2,13 +2,13 @@
 
 #include "shapetonColonTube.h"
 #include "shapetonIntrinsicSurfaces.h"
+#include "shapetonSurfaceQuality.h"
 #include "shapetonExceptions.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <numeric>
 #include <set>
 
 namespace
@@ -16,33 +16,16 @@ namespace
 using namespace shapeton;
 using namespace testsurfaces;
 
-SurfaceLaplacian
-LaplacianOf(const SurfaceMesh & mesh, const SurfaceLaplacianOptions & options = {})
-{
-  return MakeSurfaceLaplacian(SurfaceConnectivity(mesh), mesh.V, options);
-}
-
-double
-AreaOf(const SurfaceMesh & mesh)
-{
-  double area = 0.0;
-  for (int f = 0; f < mesh.NumberOfFaces(); ++f)
-  {
-    const Eigen::Vector3d a = mesh.V.row(mesh.F(f, 0)), b = mesh.V.row(mesh.F(f, 1)), c = mesh.V.row(mesh.F(f, 2));
-    area += 0.5 * (b - a).cross(c - a).norm();
-  }
-  return area;
-}
-
 TEST(SurfaceLaplacian, MassAddsUpToTheArea)
 {
   const SurfaceMesh mesh = Roughened(Cylinder(20, 15, 5.0, 12.0), 0.4, 1);
+  const double      area = SurfaceArea(mesh.V, mesh.F);
   for (const auto lumping : { MassLumping::Barycentric, MassLumping::MixedVoronoi })
   {
     SurfaceLaplacianOptions options;
     options.lumping = lumping;
     const SurfaceLaplacian laplacian = LaplacianOf(mesh, options);
-    EXPECT_NEAR(laplacian.mass.sum(), AreaOf(mesh), 1e-11 * AreaOf(mesh));
+    EXPECT_NEAR(laplacian.mass.sum(), area, 1e-11 * area);
     EXPECT_GT(laplacian.mass.minCoeff(), 0.0);
   }
 }
@@ -76,17 +59,15 @@ TEST(SurfaceLaplacian, GradientEnergyOfALinearFunctionIsExact)
   mesh.V.col(2).setZero();
   const Eigen::VectorXd u = 3.0 * mesh.V.col(0) - 2.0 * mesh.V.col(1);
   const auto            laplacian = LaplacianOf(mesh);
-  EXPECT_NEAR(GradientEnergy(laplacian, u), 13.0 * AreaOf(mesh), 1e-10);
-  EXPECT_NEAR(u.dot(StiffnessMatrix(laplacian) * u), 13.0 * AreaOf(mesh), 1e-10);
+  EXPECT_NEAR(GradientEnergy(laplacian, u), 13.0 * SurfaceArea(mesh.V, mesh.F), 1e-10);
+  EXPECT_NEAR(u.dot(StiffnessMatrix(laplacian) * u), 13.0 * SurfaceArea(mesh.V, mesh.F), 1e-10);
 }
 
 TEST(SurfaceLaplacian, WeightsOfEquilateralTriangles)
 {
-  SurfaceMesh mesh;
-  mesh.V.resize(4, 3);
-  mesh.V << 0, 0, 0, 1, 0, 0, 0.5, std::sqrt(0.75), 0, 0.5, -std::sqrt(0.75), 0;
-  mesh.F.resize(2, 3);
-  mesh.F << 0, 1, 2, 1, 0, 3;
+  const double      height = std::sqrt(0.75);
+  const SurfaceMesh mesh =
+    FromLists({ { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, height, 0 }, { 0.5, -height, 0 } }, { { 0, 1, 2 }, { 1, 0, 3 } });
   const SurfaceConnectivity connectivity(mesh);
   const auto                laplacian = MakeSurfaceLaplacian(connectivity, mesh.V);
   const double              cotangent = 1.0 / std::sqrt(3.0);

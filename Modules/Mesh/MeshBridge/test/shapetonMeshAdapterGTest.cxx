@@ -30,18 +30,6 @@ Square()
   return mesh;
 }
 
-void
-ExpectEqual(const std::vector<SurfaceArray> & a, const std::vector<SurfaceArray> & b)
-{
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    EXPECT_EQ(a[i].name, b[i].name);
-    EXPECT_EQ(a[i].areIntegers, b[i].areIntegers);
-    EXPECT_EQ(a[i].values, b[i].values);
-  }
-}
-
 template <typename TMesh>
 class MeshAdapter : public testing::Test
 {};
@@ -60,9 +48,9 @@ TYPED_TEST(MeshAdapter, ASurfaceComesBackWithAllThatIsOnIt)
   const SurfaceMesh back = SurfaceOf(*mesh);
   EXPECT_TRUE(back.V.isApprox(surface.V, 1e-7)); // coordinates of some meshes are floats
   EXPECT_EQ(back.F.rows(), 2);
-  ExpectEqual(back.pointArrays, surface.pointArrays);
-  ExpectEqual(back.cellArrays, surface.cellArrays);
-  ExpectEqual(back.fieldArrays, surface.fieldArrays);
+  EXPECT_EQ(back.pointArrays, surface.pointArrays);
+  EXPECT_EQ(back.cellArrays, surface.cellArrays);
+  EXPECT_EQ(back.fieldArrays, surface.fieldArrays);
   EXPECT_EQ(back.facts, surface.facts);
   for (Eigen::Index f = 0; f < 2; ++f) // the same corners in the same cyclic order
   {

@@ -1,4 +1,5 @@
 #include "shapetonPolyDataAdapter.h"
+#include "shapetonMeshArrays.h"
 #include "shapetonExceptions.h"
 
 #include <vtkCellArray.h>
@@ -33,18 +34,6 @@ Tetrahedron()
   mesh.facts = { { "tool", "ColonSegmentation" } };
   return mesh;
 }
-
-void
-ExpectEqual(const std::vector<SurfaceArray> & a, const std::vector<SurfaceArray> & b)
-{
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    EXPECT_EQ(a[i].name, b[i].name);
-    EXPECT_EQ(a[i].areIntegers, b[i].areIntegers);
-    EXPECT_EQ(a[i].values, b[i].values);
-  }
-}
 } // namespace
 
 TEST(PolyDataAdapter, ASurfaceComesBackWithAllThatIsOnIt)
@@ -55,9 +44,9 @@ TEST(PolyDataAdapter, ASurfaceComesBackWithAllThatIsOnIt)
     const SurfaceMesh back = SurfaceOf(*PolyDataOf(mesh, space));
     EXPECT_EQ(back.V, mesh.V);
     EXPECT_EQ(back.F, mesh.F);
-    ExpectEqual(back.pointArrays, mesh.pointArrays);
-    ExpectEqual(back.cellArrays, mesh.cellArrays);
-    ExpectEqual(back.fieldArrays, mesh.fieldArrays);
+    EXPECT_EQ(back.pointArrays, mesh.pointArrays);
+    EXPECT_EQ(back.cellArrays, mesh.cellArrays);
+    EXPECT_EQ(back.fieldArrays, mesh.fieldArrays);
     EXPECT_EQ(back.facts, mesh.facts);
   }
 }
@@ -138,8 +127,8 @@ TEST(PolyDataAdapter, CurvesComeBack)
     const CurveSet back = CurvesOf(*PolyDataOf(curves, space));
     EXPECT_EQ(back.V, curves.V);
     EXPECT_EQ(back.curves, curves.curves);
-    ExpectEqual(back.pointArrays, curves.pointArrays);
-    ExpectEqual(back.cellArrays, curves.cellArrays);
+    EXPECT_EQ(back.pointArrays, curves.pointArrays);
+    EXPECT_EQ(back.cellArrays, curves.cellArrays);
   }
 }
 

@@ -6,6 +6,7 @@
 #include "shapetonJson.h"
 
 #include <limits>
+#include <numeric>
 
 namespace
 {
@@ -49,11 +50,8 @@ TEST(SurfaceQuality, LoopsOfACylinderHaveTheLengthOfItsPolygon)
 
 TEST(SurfaceQuality, StatisticsInterpolate)
 {
-  std::vector<double> values;
-  for (int i = 100; i >= 0; --i)
-  {
-    values.push_back(i);
-  }
+  std::vector<double> values(101);
+  std::iota(values.rbegin(), values.rend(), 0.0);
   const shapeton::SurfaceStatistics statistics = shapeton::StatisticsOf(values);
   EXPECT_EQ(statistics.minimum, 0.0);
   EXPECT_EQ(statistics.percentile1, 1.0);

@@ -95,30 +95,22 @@ TEST(SurfaceRepair, LeavesAMoebiusStripAndSaysSo)
   EXPECT_EQ(repaired.F, strip.F);
 }
 
-TEST(SurfaceRepair, TwoCubesThatShareAnEdgeComeApart)
+TEST(SurfaceRepair, TwoCubesThatShareAnEdgeOrACornerComeApart)
 {
-  shapeton::SurfaceMesh second = CubeOfSixSquares(2.0);
-  second.V.rowwise() += Eigen::RowVector3d(2.0, 2.0, 0.0);
-  shapeton::SurfaceRepairReport report;
-  const shapeton::SurfaceMesh   repaired =
-    shapeton::RepairSurface(Together({ CubeOfSixSquares(2.0), second }), {}, &report);
-  const shapeton::SurfaceQuality quality = shapeton::InspectSurface(repaired);
-  EXPECT_TRUE(quality.isManifold);
-  EXPECT_TRUE(quality.isClosed);
-  EXPECT_NEAR(*quality.volume, 16.0, 1e-12);
-  EXPECT_GT(report.addedVertices, 0);
-}
-
-TEST(SurfaceRepair, TwoCubesThatShareACornerComeApart)
-{
-  shapeton::SurfaceMesh second = CubeOfSixSquares(2.0);
-  second.V.rowwise() += Eigen::RowVector3d(2.0, 2.0, 2.0);
-  shapeton::SurfaceRepairReport report;
-  const shapeton::SurfaceMesh   repaired =
-    shapeton::RepairSurface(Together({ CubeOfSixSquares(2.0), second }), {}, &report);
-  EXPECT_EQ(report.addedVertices, 1);
-  EXPECT_EQ(repaired.NumberOfVertices(), 16);
-  EXPECT_TRUE(shapeton::SurfaceConnectivity(repaired).IsClosed());
+  for (const double height : { 0.0, 2.0 })
+  {
+    shapeton::SurfaceMesh second = CubeOfSixSquares(2.0);
+    second.V.rowwise() += Eigen::RowVector3d(2.0, 2.0, height);
+    shapeton::SurfaceRepairReport report;
+    const shapeton::SurfaceMesh   repaired =
+      shapeton::RepairSurface(Together({ CubeOfSixSquares(2.0), second }), {}, &report);
+    const shapeton::SurfaceQuality quality = shapeton::InspectSurface(repaired);
+    EXPECT_TRUE(quality.isManifold);
+    EXPECT_TRUE(quality.isClosed);
+    EXPECT_NEAR(*quality.volume, 16.0, 1e-12);
+    EXPECT_EQ(repaired.NumberOfVertices(), 16);
+    EXPECT_EQ(report.addedVertices, height > 0.0 ? 1 : 2);
+  }
 }
 
 class SurfaceRepairOfRandomFaces : public testing::TestWithParam<int>

@@ -158,17 +158,13 @@ TEST(SurfaceSimplification, PlaceDoesNotMatterMuch)
   EXPECT_NEAR(shapeton::SurfaceArea(near.V, near.F), shapeton::SurfaceArea(moved.V, moved.F), 1.0);
 }
 
-TEST(SurfaceSimplification, EnoughIsLeftAlone)
+TEST(SurfaceSimplification, EnoughIsLeftAloneAndATetrahedronAndATriangleStay)
 {
   shapeton::SurfaceMesh mesh = Octahedron();
   mesh.pointArrays.push_back({ "z", mesh.V.col(2), false });
   const shapeton::SurfaceMesh same = Simplified(mesh, 8);
   EXPECT_EQ(same.F, mesh.F);
   EXPECT_EQ(same.pointArrays.size(), 1u);
-}
-
-TEST(SurfaceSimplification, ATetrahedronAndATriangleStay)
-{
   const shapeton::SurfaceMesh tetrahedron = FromLists({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
                                                       { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } });
   EXPECT_EQ(Simplified(tetrahedron, 1).F, tetrahedron.F);

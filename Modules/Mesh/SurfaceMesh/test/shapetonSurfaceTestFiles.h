@@ -4,7 +4,6 @@
 #include "shapetonFileBytes.h"
 #include "shapetonTestFolder.h"
 #include "shapetonSurfaceReader.h"
-#include "shapetonExceptions.h"
 
 #include <string>
 
@@ -22,21 +21,13 @@ ReadBytes(const std::string & extension, const std::string & bytes)
   return shapeton::ReadSurfaceFile(path);
 }
 
-/** Message of the InputError thrown for these bytes, without the file name; empty if nothing is thrown. */
+/** Message of the InputError thrown for these bytes, excluding the file name; empty if nothing is thrown. */
 inline std::string
 FaultOf(const std::string & extension, const std::string & bytes)
 {
-  try
-  {
-    ReadBytes(extension, bytes);
-  }
-  catch (const shapeton::InputError & error)
-  {
-    const std::string message = error.what();
-    const auto        end = message.find("\": ");
-    return end == std::string::npos ? message : message.substr(end + 3);
-  }
-  return "";
+  const std::string message = basetest::ErrorOf([&] { ReadBytes(extension, bytes); });
+  const auto        end = message.find("\": ");
+  return end == std::string::npos ? message : message.substr(end + 3);
 }
 } // namespace testsurfaces
 

@@ -266,6 +266,22 @@ Roughened(shapeton::SurfaceMesh mesh, double amplitude, std::uint64_t seed)
   }
   return mesh;
 }
+
+/** The faces whose indices fulfill a condition. */
+template <typename TCondition>
+shapeton::SurfaceMesh
+FacesWhere(const shapeton::SurfaceMesh & mesh, const TCondition & isKept)
+{
+  std::vector<int> faces;
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    if (isKept(face))
+    {
+      faces.push_back(face);
+    }
+  }
+  return shapeton::FacesOfSurface(mesh, faces);
+}
 } // namespace testsurfaces
 
 #endif

@@ -70,32 +70,18 @@ MakePolyData()
   return data;
 }
 
-struct Mode
-{
-  int                              data;
-  int                              header;
-  bool                             isEncoded;
-  vtkXMLWriterBase::CompressorType compressor;
-};
-
+/** Writes with this data mode, header type, encoding of appended data and compressor. */
 void
-PrintTo(const Mode & mode, std::ostream * stream)
+ExpectThatWeRead(int data, int header, bool isEncoded, vtkXMLWriterBase::CompressorType compressor)
 {
-  *stream << "data mode " << mode.data << ", header type " << mode.header << (mode.isEncoded ? ", encoded" : ", raw")
-          << ", compressor " << mode.compressor;
-}
-
-class VtpPeer : public testing::TestWithParam<Mode>
-{};
-
-TEST_P(VtpPeer, WeReadWhatVtkWrites)
-{
+  SCOPED_TRACE(testing::Message() << "data mode " << data << ", header type " << header
+                                  << (isEncoded ? ", encoded" : ", raw") << ", compressor " << compressor);
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(MakePolyData());
-  writer->SetDataMode(GetParam().data);
-  writer->SetHeaderType(GetParam().header);
-  writer->SetEncodeAppendedData(GetParam().isEncoded);
-  writer->SetCompressorType(GetParam().compressor);
+  writer->SetDataMode(data);
+  writer->SetHeaderType(header);
+  writer->SetEncodeAppendedData(isEncoded);
+  writer->SetCompressorType(compressor);
   writer->WriteToOutputStringOn();
   ASSERT_EQ(writer->Write(), 1);
   const shapeton::SurfaceFile   file = ReadBytes("vtp", writer->GetOutputString());
@@ -116,18 +102,19 @@ TEST_P(VtpPeer, WeReadWhatVtkWrites)
   EXPECT_EQ(file.notes.front(), "2 points and lines were skipped");
 }
 
-INSTANTIATE_TEST_SUITE_P(
-  Modes,
-  VtpPeer,
-  testing::Values(Mode{ vtkXMLWriterBase::Ascii, vtkXMLWriterBase::UInt32, true, vtkXMLWriterBase::NONE },
-                  Mode{ vtkXMLWriterBase::Binary, vtkXMLWriterBase::UInt32, true, vtkXMLWriterBase::NONE },
-                  Mode{ vtkXMLWriterBase::Binary, vtkXMLWriterBase::UInt64, true, vtkXMLWriterBase::ZLIB },
-                  Mode{ vtkXMLWriterBase::Binary, vtkXMLWriterBase::UInt32, true, vtkXMLWriterBase::LZ4 },
-                  Mode{ vtkXMLWriterBase::Appended, vtkXMLWriterBase::UInt32, true, vtkXMLWriterBase::NONE },
-                  Mode{ vtkXMLWriterBase::Appended, vtkXMLWriterBase::UInt64, false, vtkXMLWriterBase::NONE },
-                  Mode{ vtkXMLWriterBase::Appended, vtkXMLWriterBase::UInt32, false, vtkXMLWriterBase::ZLIB },
-                  Mode{ vtkXMLWriterBase::Appended, vtkXMLWriterBase::UInt64, true, vtkXMLWriterBase::LZMA },
-                  Mode{ vtkXMLWriterBase::Appended, vtkXMLWriterBase::UInt64, false, vtkXMLWriterBase::LZ4 }));
+TEST(VtpPeer, WeReadWhatVtkWrites)
+{
+  using Writer = vtkXMLWriterBase;
+  ExpectThatWeRead(Writer::Ascii, Writer::UInt32, true, Writer::NONE);
+  ExpectThatWeRead(Writer::Binary, Writer::UInt32, true, Writer::NONE);
+  ExpectThatWeRead(Writer::Binary, Writer::UInt64, true, Writer::ZLIB);
+  ExpectThatWeRead(Writer::Binary, Writer::UInt32, true, Writer::LZ4);
+  ExpectThatWeRead(Writer::Appended, Writer::UInt32, true, Writer::NONE);
+  ExpectThatWeRead(Writer::Appended, Writer::UInt64, false, Writer::NONE);
+  ExpectThatWeRead(Writer::Appended, Writer::UInt32, false, Writer::ZLIB);
+  ExpectThatWeRead(Writer::Appended, Writer::UInt64, true, Writer::LZMA);
+  ExpectThatWeRead(Writer::Appended, Writer::UInt64, false, Writer::LZ4);
+}
 
 TEST(VtpPeer, BlocksAreJoined)
 {

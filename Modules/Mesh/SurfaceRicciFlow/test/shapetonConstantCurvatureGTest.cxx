@@ -99,15 +99,8 @@ TEST(ConstantCurvature, HyperbolicSurfaceWithStraightBoundary)
   SurfaceRicciFlowSettings options;
   options.geometry = RicciGeometry::Hyperbolic;
   const SurfaceMesh torus = Torus(40, 20, 2.0, 1.0);
-  std::vector<int>  rest;
-  for (int f = 0; f < torus.NumberOfFaces(); ++f)
-  {
-    if (torus.V.row(torus.F(f, 0)).head<2>().norm() < 2.9 || torus.V(torus.F(f, 0), 0) < 2.0)
-    {
-      rest.push_back(f);
-    }
-  }
-  const SurfaceMesh      mesh = FacesOfSurface(torus, rest);
+  const SurfaceMesh mesh = FacesWhere(
+    torus, [&](int f) { return torus.V.row(torus.F(f, 0)).head<2>().norm() < 2.9 || torus.V(torus.F(f, 0), 0) < 2.0; });
   const SurfaceRicciFlow flow = FlowSurface(mesh, options, "the torus");
   EXPECT_EQ(flow.genus, 1);
   EXPECT_EQ(flow.boundaries, 1);

@@ -8,12 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 
 namespace testsurfaces
 {
-/** A tube around a chain of `genus` circles of radius 1 that touch, with the needles of marching cubes; in units of a
- * grid with `cells` cells per unit. */
+/** A tube around a chain of `genus` touching circles of radius 1, with the needles that marching cubes produce;
+ * coordinates are in cells of a grid with `cells` cells per unit. */
 inline shapeton::SurfaceMesh
 ChainOfRings(int genus, int cells)
 {

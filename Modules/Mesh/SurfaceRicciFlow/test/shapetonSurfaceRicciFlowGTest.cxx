@@ -1,11 +1,10 @@
 #include "shapetonSurfaceRicciFlow.h"
 
-#include "shapetonExceptions.h"
-#include "shapetonJson.h"
-#include "shapetonParallelFor.h"
 #include "shapetonPlainNewton.h"
 #include "shapetonPlanarDomains.h"
 #include "shapetonGenusSurfaces.h"
+#include "shapetonTestErrors.h"
+#include "shapetonTestThreads.h"
 
 #include <gtest/gtest.h>
 
@@ -299,55 +298,43 @@ TEST(SurfaceRicciFlow, ConesCarryTheCurvature)
 
 TEST(SurfaceRicciFlow, EqualBytesForAnyNumberOfThreads)
 {
-  const SurfaceMesh  mesh = Roughened(Torus(60, 40, 2.0, 1.0), 0.03, 7);
-  const unsigned int before = NumberOfThreads();
-  SetNumberOfThreads(1);
-  const SurfaceRicciFlow one = FlowSurface(mesh, {}, "the torus");
-  SetNumberOfThreads(3);
-  const SurfaceRicciFlow three = FlowSurface(mesh, {}, "the torus");
-  SetNumberOfThreads(before);
-  EXPECT_EQ(FlatCoordinates(one.flat, "the map"), FlatCoordinates(three.flat, "the map"));
-  EXPECT_EQ(one.triangles, three.triangles);
-  EXPECT_EQ(one.sides, three.sides);
+  const SurfaceMesh mesh = Roughened(Torus(60, 40, 2.0, 1.0), 0.03, 7);
+  basetest::ExpectSameWithAnyThreads(
+    [&] {
+      const SurfaceRicciFlow flow = FlowSurface(mesh, {}, "the torus");
+      return std::make_tuple(FlatCoordinates(flow.flat, "the map"), flow.triangles, flow.sides);
+    },
+    { 3 });
 }
 
 TEST(SurfaceRicciFlow, RejectsWhatHasNoSuchMetric)
 {
   const SurfaceMesh sphere = Icosphere(1, 1.0), disk = Square(4, 1.0);
-  const auto        parameterError =
-    [](const SurfaceMesh & mesh, const SurfaceRicciFlowSettings & options, const char * text) {
-      try
-      {
-        FlowSurface(mesh, options, "it");
-        ADD_FAILURE() << text;
-      }
-      catch (const Exception & error)
-      {
-        EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
-      }
-    };
+  const auto refuses = [](const SurfaceMesh & mesh, const SurfaceRicciFlowSettings & options, const char * text) {
+    EXPECT_TRUE(basetest::Refuses<Exception>([&] { FlowSurface(mesh, options, "it"); }, text));
+  };
   SurfaceRicciFlowSettings flat;
   flat.geometry = RicciGeometry::Euclidean;
-  parameterError(sphere, flat, "the surface requires 4 pi");
+  refuses(sphere, flat, "the surface requires 4 pi");
   SurfaceRicciFlowSettings hyperbolic;
   hyperbolic.geometry = RicciGeometry::Hyperbolic;
-  parameterError(sphere, hyperbolic, "must be more than 4 pi");
+  refuses(sphere, hyperbolic, "must be more than 4 pi");
   SurfaceRicciFlowSettings spherical;
   spherical.geometry = RicciGeometry::Spherical;
-  parameterError(disk, spherical, "requires a closed surface of genus 0");
+  refuses(disk, spherical, "requires a closed surface of genus 0");
   spherical.scheme = RicciScheme::InversiveDistance;
-  parameterError(sphere, spherical, "not available");
+  refuses(sphere, spherical, "not available");
   SurfaceRicciFlowSettings cones;
   cones.cones = { 0, 0 };
-  parameterError(sphere, cones, "vertex 0 is repeated");
+  refuses(sphere, cones, "vertex 0 is repeated");
   cones.cones = { 1000 };
-  parameterError(sphere, cones, "does not exist");
+  refuses(sphere, cones, "does not exist");
   cones.cones = { 0, 1 };
-  parameterError(sphere, cones, "must be below 2 pi");
+  refuses(sphere, cones, "must be below 2 pi");
   cones.coneCurvatures = { 1.0 };
-  parameterError(sphere, cones, "1 values for 2 cones");
+  refuses(sphere, cones, "1 values for 2 cones");
   SurfaceRicciFlowSettings given;
   given.targetCurvatures = Eigen::VectorXd::Zero(3);
-  parameterError(disk, given, "3 target curvatures");
-  parameterError(Together({ sphere, sphere }), {}, "component");
+  refuses(disk, given, "3 target curvatures");
+  refuses(Together({ sphere, sphere }), {}, "component");
 }
