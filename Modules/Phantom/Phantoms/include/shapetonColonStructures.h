@@ -110,22 +110,37 @@ public:
 
   /** Null if the valve is a bump. */
   const ColonIleum *
-  GetIleum() const;
+  GetIleum() const
+  {
+    return m_Ileum.get();
+  }
 
   /** Null if absent. */
   const ColonCatheter *
-  GetCatheter() const;
+  GetCatheter() const
+  {
+    return m_Catheter.get();
+  }
 
   /** Null if absent. */
   const ColonContact *
-  GetSigmoidContact() const;
+  GetSigmoidContact() const
+  {
+    return m_SigmoidContact.get();
+  }
 
   const std::vector<ColonResidue> &
-  GetResidue() const;
+  GetResidue() const
+  {
+    return m_Residue;
+  }
 
   /** The diverticula of the anatomy, with their content. */
   const std::vector<ColonDiverticulum> &
-  GetDiverticula() const;
+  GetDiverticula() const
+  {
+    return m_Diverticula;
+  }
 
   /** Axes of tubular structures, with the cell array structure (a ColonStructure). The ileum starts at the colon; the
    * catheter ends at its tip; the small bowel is the loop that touches the sigmoid. */
@@ -143,7 +158,10 @@ public:
   struct Part;
   /** In painting order. */
   const std::vector<Part> &
-  GetParts() const;
+  GetParts() const
+  {
+    return m_Parts;
+  }
 
 private:
   void

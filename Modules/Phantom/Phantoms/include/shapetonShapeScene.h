@@ -52,13 +52,10 @@ public:
   static const std::vector<std::string> &
   GetPresetNames();
 
-  /** Loads a preset or a JSON file. Throws ParameterError if neither exists, and the exceptions of FromFile(). */
+  /** Loads a preset or a JSON file. Throws ParameterError if neither exists, and InputError with the file and the
+   * invalid key. */
   static ShapeScene
   Load(const std::string & presetOrFile);
-
-  /** Throws InputError with the file and the invalid key. */
-  static ShapeScene
-  FromFile(const std::string & path);
 
   /** `source` is the name used in messages. */
   static ShapeScene
@@ -71,11 +68,6 @@ public:
   /** Unit length in mm, > 0; default 1. */
   void
   SetUnitLength(double millimeters);
-  double
-  GetUnitLength() const
-  {
-    return m_UnitLength;
-  }
 
   /** Intensity outside all objects, HU. */
   double

@@ -1,5 +1,7 @@
 #include "shapetonBodySampler.h"
 
+#include "shapetonForEachCell.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -105,17 +107,10 @@ private:
   void
   Fill(const CellIndex & first, const CellIndex & size, const TValue & valueAt)
   {
-    CellIndex cell;
-    for (cell[2] = first[2]; cell[2] < first[2] + size[2]; ++cell[2])
-    {
-      for (cell[1] = first[1]; cell[1] < first[1] + size[1]; ++cell[1])
-      {
-        for (cell[0] = first[0]; cell[0] < first[0] + size[0]; ++cell[0])
-        {
-          m_Values[(static_cast<std::size_t>(cell[2]) * m_Size[1] + cell[1]) * m_Size[0] + cell[0]] = valueAt(cell);
-        }
-      }
-    }
+    const CellIndex end{ { first[0] + size[0], first[1] + size[1], first[2] + size[2] } };
+    ForEachCell(first, end, 1, [&](const CellIndex & cell) {
+      m_Values[(static_cast<std::size_t>(cell[2]) * m_Size[1] + cell[1]) * m_Size[0] + cell[0]] = valueAt(cell);
+    });
   }
 
   // Pushes the bodies from `begin` that may affect the block, except completely covered ones; returns true if the block

@@ -1,10 +1,4 @@
-#include "shapetonColonAnatomy.h"
-
-#include "shapetonColonDistance.h"
-#include "shapetonColonField.h"
-#include "shapetonColonTruth.h"
-#include "shapetonColonWallSurface.h"
-#include "shapetonExceptions.h"
+#include "shapetonColonAnatomyData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,20 +31,12 @@ NodeRadii(const ColonPath & rest, const ColonPlan & plan, const ColonPhantomPara
 }
 } // namespace
 
-struct ColonAnatomy::Data
-{
-  explicit Data(const ColonPhantomParameters & p)
-    : parameters(Drawn(Checked(p)))
-    , rest(RestPath(parameters))
-    , plan(rest, parameters)
-    , field(PositionedPath(rest, NodeRadii(rest, plan, parameters), parameters), plan, parameters, Reach)
-  {}
-
-  ColonPhantomParameters parameters;
-  ColonPath              rest;
-  ColonPlan              plan;
-  ColonField             field;
-};
+ColonAnatomy::Data::Data(const ColonPhantomParameters & given)
+  : parameters(Drawn(Checked(given)))
+  , rest(RestPath(parameters))
+  , plan(rest, parameters)
+  , field(PositionedPath(rest, NodeRadii(rest, plan, parameters), parameters), plan, parameters, Reach)
+{}
 
 ColonAnatomy::ColonAnatomy(const ColonPhantomParameters & parameters) : m_Data(std::make_unique<const Data>(parameters))
 {}
@@ -78,54 +64,6 @@ ColonAnatomy::Evaluate(const Vector3d & point) const
            m_Data->plan.SegmentAt(place.t * curve.GetStep()) };
 }
 
-CurveSet
-ColonAnatomy::Centerline() const
-{
-  return ColonCenterlineTruth(m_Data->plan, m_Data->field);
-}
-
-CurveSet
-ColonAnatomy::Taeniae() const
-{
-  return ColonTaeniaTruth(m_Data->plan, m_Data->field);
-}
-
-CurveSet
-ColonAnatomy::Folds() const
-{
-  return ColonFoldTruth(m_Data->plan, m_Data->field);
-}
-
-std::vector<ColonPolyp>
-ColonAnatomy::Polyps() const
-{
-  return ColonPolypTruth(m_Data->plan, m_Data->field);
-}
-
-std::vector<ColonDiverticulum>
-ColonAnatomy::Diverticula() const
-{
-  return ColonDiverticulumTruth(m_Data->plan, m_Data->field);
-}
-
-ColonValve
-ColonAnatomy::Valve() const
-{
-  return ColonValveTruth(m_Data->plan, m_Data->field);
-}
-
-Vector3d
-ColonAnatomy::CecalPole() const
-{
-  return CecalPoleTruth(m_Data->plan, m_Data->field);
-}
-
-CurveSet
-ColonAnatomy::Correspondence() const
-{
-  return ColonCorrespondenceTruth(m_Data->plan, m_Data->field);
-}
-
 ColonPlace
 ColonAnatomy::PlaceAt(double share, double angle) const
 {
@@ -137,15 +75,6 @@ ColonAnatomy::PlaceAt(double share, double angle) const
   place.inwards = -curve.Direction(t, place.angle);
   place.point = m_Data->field.WallPoint(t, place.angle, place.radius);
   return place;
-}
-
-SurfaceMesh
-ColonAnatomy::Wall(double edgeLength) const
-{
-  RequireParameter(edgeLength >= 0.1 && edgeLength <= 5, "the edge length of the wall must be from 0.1 to 5 mm");
-  Vector3d low, high;
-  this->BoundingBox(2.0, low, high);
-  return ExtractColonWall(m_Data->field, low, high, edgeLength);
 }
 
 double
@@ -186,12 +115,6 @@ ColonAnatomy::BoundingBox(double margin, Vector3d & low, Vector3d & high) const
     low = low.cwiseMin(body.sac - spread);
     high = high.cwiseMax(body.sac + spread);
   }
-}
-
-Vector3d
-ColonAnatomy::SpineAxis(double z)
-{
-  return SpineAxisAt(z);
 }
 
 void

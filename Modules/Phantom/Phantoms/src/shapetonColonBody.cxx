@@ -9,7 +9,7 @@ namespace
 {
 // Distances to the colon are first-order accurate; away from the wall they may be too large by this factor.
 constexpr double colonSlope = 3.0;
-// The depth below a tilted level changes by up to this factor more than the distance to the level, in bends.
+// In bends, the depth below a tilted level changes by up to this factor more than the distance to the level.
 constexpr double tiltedSlope = 1.5;
 // Maximum size (mm) of blocks in the lumen, since the levels of adjacent pools differ.
 constexpr double largestBlock = 4.0;
@@ -81,6 +81,18 @@ private:
   const ColonAnatomy & m_Anatomy;
   const ColonFluid &   m_Fluid;
 };
+
+// The part of a solid where a function of the distance to the colon is negative.
+template <typename TLimit>
+PhantomSolid
+LimitedByColon(const PhantomSolid & solid, const ColonAnatomy & anatomy, const TLimit & limit)
+{
+  return { [distance = solid.distance, &anatomy, limit](const PhantomBody::PointType & p) {
+            const double own = distance(p);
+            return own > ColonAnatomy::Reach ? own : std::max(own, limit(anatomy.Evaluate(ToEigen(p)).distance));
+          },
+           std::max(solid.slope, colonSlope) };
+}
 } // namespace
 
 std::shared_ptr<const PhantomBody>
@@ -142,24 +154,12 @@ NatalCleft(const ColonAnatomy & anatomy)
 PhantomSolid
 WithinColon(const PhantomSolid & solid, const ColonAnatomy & anatomy, double beyond)
 {
-  const auto                 distance = solid.distance;
-  const ColonAnatomy * const colon = &anatomy;
-  return { [distance, colon, beyond](const PhantomBody::PointType & p) {
-            const double own = distance(p);
-            return own > ColonAnatomy::Reach ? own : std::max(own, -colon->Evaluate(ToEigen(p)).distance - beyond);
-          },
-           std::max(solid.slope, colonSlope) };
+  return LimitedByColon(solid, anatomy, [beyond](double toWall) { return -toWall - beyond; });
 }
 
 PhantomSolid
 AwayFromColon(const PhantomSolid & solid, const ColonAnatomy & anatomy, double gap)
 {
-  const auto                 distance = solid.distance;
-  const ColonAnatomy * const colon = &anatomy;
-  return { [distance, colon, gap](const PhantomBody::PointType & p) {
-            const double own = distance(p);
-            return own > ColonAnatomy::Reach ? own : std::max(own, colon->Evaluate(ToEigen(p)).distance + gap);
-          },
-           std::max(solid.slope, colonSlope) };
+  return LimitedByColon(solid, anatomy, [gap](double toWall) { return toWall + gap; });
 }
 } // namespace shapeton

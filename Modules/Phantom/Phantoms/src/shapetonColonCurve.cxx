@@ -2,6 +2,7 @@
 
 #include "shapetonColonDistance.h"
 #include "shapetonCubicBSpline.h"
+#include "shapetonForEachCell.h"
 
 #include <Eigen/Geometry>
 
@@ -183,30 +184,23 @@ ColonCurve::AddSampleToCells(int sample, double reach, std::vector<std::vector<R
   for (int axis = 0; axis < 3; ++axis)
   {
     low[axis] = std::max(0, static_cast<int>(at[axis] - radius / c_CellSize - 0.5));
-    high[axis] = std::min(m_GridSize[axis] - 1, static_cast<int>(at[axis] + radius / c_CellSize));
+    high[axis] = std::min(m_GridSize[axis], static_cast<int>(at[axis] + radius / c_CellSize) + 1);
   }
-  for (int z = low[2]; z <= high[2]; ++z)
-  {
-    for (int y = low[1]; y <= high[1]; ++y)
+  ForEachCell(low, high, 1, [&](const std::array<int, 3> & cell) {
+    if ((Vector3d(cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5) - at).norm() * c_CellSize > radius)
     {
-      for (int x = low[0]; x <= high[0]; ++x)
-      {
-        if ((Vector3d(x + 0.5, y + 0.5, z + 0.5) - at).norm() * c_CellSize > radius)
-        {
-          continue;
-        }
-        auto & ranges = cells[(std::size_t(z) * m_GridSize[1] + y) * m_GridSize[0] + x];
-        if (!ranges.empty() && ranges.back().last >= sample - 2)
-        {
-          ranges.back().last = sample;
-        }
-        else
-        {
-          ranges.push_back({ sample, sample });
-        }
-      }
+      return;
     }
-  }
+    auto & ranges = cells[(std::size_t(cell[2]) * m_GridSize[1] + cell[1]) * m_GridSize[0] + cell[0]];
+    if (!ranges.empty() && ranges.back().last >= sample - 2)
+    {
+      ranges.back().last = sample;
+    }
+    else
+    {
+      ranges.push_back({ sample, sample });
+    }
+  });
 }
 
 void

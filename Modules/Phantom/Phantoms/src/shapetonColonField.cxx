@@ -1,7 +1,6 @@
 #include "shapetonColonField.h"
 
 #include "shapetonColonNoise.h"
-#include "shapetonDiverticulaPlacement.h"
 
 #include <Eigen/Geometry>
 
@@ -388,7 +387,7 @@ ColonField::MakeValve(const ColonPlan & plan) const
   return valve;
 }
 
-// On the wall without folds, since folds slide.
+// Places the lips on the wall, ignoring folds, since folds slide.
 void
 ColonField::PlaceLips(const ColonPlan & plan)
 {

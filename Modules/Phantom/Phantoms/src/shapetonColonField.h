@@ -127,6 +127,12 @@ private:
   std::optional<ValveLips>      m_Lips;
   double                        m_LipsAt{ 0.0 }; ///< position on the curve
 };
+
+/** Places the diverticula of a patient in a position; the field must not contain diverticula yet. If a sac is too close
+ * to the wall of the colon, another sac, the spine or the body wall, it is tilted or made smaller; if it still does not
+ * fit, it is omitted. */
+std::vector<DiverticulumBody>
+PlaceDiverticula(const ColonField & field, const std::vector<DiverticulumPlan> & plans);
 } // namespace shapeton
 
 #endif

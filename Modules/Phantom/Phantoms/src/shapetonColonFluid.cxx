@@ -2,6 +2,7 @@
 
 #include "shapetonFilledStretch.h"
 #include "shapetonFluidBasins.h"
+#include "shapetonForEachCell.h"
 #include "shapetonColonNoise.h"
 #include "shapetonColonPath.h"
 #include "shapetonExceptions.h"
@@ -61,16 +62,7 @@ public:
     , m_Up(-down)
   {
     this->PlaceOverLumen();
-    for (int z = 0; z < m_Size[2]; z += blockSide)
-    {
-      for (int y = 0; y < m_Size[1]; y += blockSide)
-      {
-        for (int x = 0; x < m_Size[0]; x += blockSide)
-        {
-          this->SampleBlock({ { x, y, z } });
-        }
-      }
-    }
+    ForEachCell({ 0, 0, 0 }, m_Size, blockSide, [this](const std::array<int, 3> & first) { this->SampleBlock(first); });
   }
 
   std::vector<std::vector<float>>
@@ -165,18 +157,15 @@ private:
     {
       return;
     }
-    std::array<int, 3> index;
-    for (index[2] = first[2]; index[2] < std::min(first[2] + blockSide, m_Size[2]); ++index[2])
+    std::array<int, 3> end;
+    for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      for (index[1] = first[1]; index[1] < std::min(first[1] + blockSide, m_Size[1]); ++index[1])
-      {
-        for (index[0] = first[0]; index[0] < std::min(first[0] + blockSide, m_Size[0]); ++index[0])
-        {
-          const auto sample = m_Anatomy.Evaluate(this->PointAt(index[0], index[1], index[2]));
-          m_Slices[this->Offset(index)] = static_cast<short>(sample.distance > 0.0 ? SliceAt(sample.arcLength) : -1);
-        }
-      }
+      end[axis] = std::min(first[axis] + blockSide, m_Size[axis]);
     }
+    ForEachCell(first, end, 1, [this](const std::array<int, 3> & index) {
+      const auto sample = m_Anatomy.Evaluate(this->PointAt(index[0], index[1], index[2]));
+      m_Slices[this->Offset(index)] = static_cast<short>(sample.distance > 0.0 ? SliceAt(sample.arcLength) : -1);
+    });
   }
 
   // A septum between touching stretches may separate lattice neighbors.
@@ -203,21 +192,13 @@ private:
   void
   Visit(const TVisitor & visit) const
   {
-    std::array<int, 3> index;
-    for (index[2] = 0; index[2] < m_Size[2]; ++index[2])
-    {
-      for (index[1] = 0; index[1] < m_Size[1]; ++index[1])
+    ForEachCell({ 0, 0, 0 }, m_Size, 1, [&](const std::array<int, 3> & index) {
+      const int slice = m_Slices[this->Offset(index)];
+      if (slice >= 0)
       {
-        for (index[0] = 0; index[0] < m_Size[0]; ++index[0])
-        {
-          const int slice = m_Slices[this->Offset(index)];
-          if (slice >= 0)
-          {
-            visit(index, slice);
-          }
-        }
+        visit(index, slice);
       }
-    }
+    });
   }
 
   const ColonAnatomy & m_Anatomy;
@@ -316,7 +297,7 @@ ColonFluid::FillStretch(const std::vector<std::vector<float>> & heights,
   m_FilledStretch = { { filled[0] * sliceLength, filled[1] * sliceLength } };
 }
 
-// At the narrowest place that allows it, so that the smaller part of the pool is the lower one.
+// Tilts the level at the narrowest stretch that allows it, so that the smaller part of the pool is the lower one.
 void
 ColonFluid::TiltLevel(const std::vector<std::vector<float>> & heights)
 {
@@ -395,7 +376,7 @@ ColonFluid::PlacesForTilt(const std::vector<std::vector<float>> & heights, int s
   return may;
 }
 
-// In random order of the dips without other fluid.
+// Adds small levels in dips without other fluid, in random order.
 void
 ColonFluid::AddSmallLevels(const std::vector<std::vector<float>> & heights)
 {
@@ -438,7 +419,7 @@ ColonFluid::AddSmallLevels(const std::vector<std::vector<float>> & heights)
   }
 }
 
-// Whether the slice is the lowest one around, beyond the anal canal, with gas only.
+// Whether the slice is beyond the anal canal, lower than its neighbors, and contains only gas.
 bool
 ColonFluid::MayHoldPuddle(const std::vector<std::vector<float>> & heights, int slice) const
 {
@@ -458,7 +439,7 @@ ColonFluid::MayHoldPuddle(const std::vector<std::vector<float>> & heights, int s
   return true;
 }
 
-// The puddle around a slice below a level; its area is 0 if it is not compact or leaves these slices.
+// The puddle below a level around a slice; its area is 0 if it is not compact or extends beyond these slices.
 SmallLevel
 ColonFluid::PuddleIn(int slice, const Eigen::Vector3d & center, double level) const
 {

@@ -1,5 +1,6 @@
 #include "shapetonColonPath.h"
 
+#include "shapetonColonAnatomy.h"
 #include "shapetonColonNoise.h"
 #include "shapetonColonRelaxation.h"
 #include "shapetonPi.h"
@@ -250,7 +251,7 @@ PositionNumber(const std::string & position)
 }
 
 Vector3d
-SpineAxisAt(double z)
+ColonAnatomy::SpineAxis(double z)
 {
   // The sacrum curves backward behind the rectum and forward again at its tip.
   const double below = std::clamp((-50.0 - z) / 90.0, 0.0, 1.0);
@@ -320,7 +321,7 @@ struct Spasm
   }
 };
 
-// `ends` are the ends of the segments, from 1.
+// `ends` are the ends of the segments; their index starts at 1.
 Spasm
 SpasmOf(const ColonPhantomParameters & parameters, const std::vector<double> & ends)
 {

@@ -48,10 +48,6 @@ PositionedPath(const ColonPath & rest, const std::vector<double> & radius, const
 /** 1 for supine, 2 prone, 3 leftDecubitus, 4 rightDecubitus. */
 unsigned
 PositionNumber(const std::string & position);
-
-/** The center of spine and sacrum at a height. */
-Eigen::Vector3d
-SpineAxisAt(double z);
 } // namespace shapeton
 
 #endif

@@ -164,7 +164,8 @@ ColonPhantomImageSource::GenerateData()
     output->Allocate(true);
   }
   const bool                    hasColon = Contains(m_Parameters, "colon");
-  const LumenLabels             labels(this->GetAnatomy(), this->GetFluid(), lumen, segments);
+  const ColonAnatomy &          anatomy = this->GetAnatomy();
+  const ColonFluid &            fluid = this->GetFluid();
   const ColonStructures &       known = this->GetStructures();
   const std::vector<RegionType> tiles = TilesOf(lumen->GetLargestPossibleRegion());
   ParallelFor(
@@ -172,7 +173,7 @@ ColonPhantomImageSource::GenerateData()
     [&](std::size_t i) {
       if (hasColon)
       {
-        labels.Fill(tiles[i]);
+        FillLumenLabels(anatomy, fluid, tiles[i], lumen, segments);
       }
       known.Fill(structures, tiles[i]);
     },

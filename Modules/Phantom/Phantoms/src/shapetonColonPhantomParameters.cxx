@@ -123,7 +123,7 @@ private:
   ColonRandom m_Random;
 };
 
-// Before DrawValve(), which draws the remaining values of the ileum.
+// Call before DrawValve(), which draws the remaining values of the ileum.
 void
 DrawReflux(ColonPhantomParameters & p)
 {
@@ -175,7 +175,7 @@ DrawShape(ColonPhantomParameters & p)
   static constexpr double widest[] = { 54, 36, 44, 54, 68, 78 };    // mm, diameter
   Draw                    length(p, Group::Lengths);
   Draw                    caliber(p, Group::Caliber);
-  // Half of the range from narrow to wide is drawn per patient, half per segment.
+  // One half of the range from narrow to wide is drawn per patient, the other half per segment.
   const double build = caliber.Chance();
   for (std::size_t i = 0; i < p.lengths.size(); ++i)
   {
@@ -207,7 +207,7 @@ DrawSigmoid(ColonPhantomParameters & p)
   draw(p.sigmoidStraightness, isUnusual && length <= shortLength ? straightness : DrawnRange{});
 }
 
-/** Draws a value from the range for a share of the patients, and 0 for the others. */
+/** Draws a value from the range for a fraction of the patients, and 0 for the others. */
 template <typename TValue>
 void
 DrawForShare(ColonPhantomParameters & p, Group group, double share, TValue & value, const DrawnRange & range)
@@ -218,23 +218,26 @@ DrawForShare(ColonPhantomParameters & p, Group group, double share, TValue & val
 }
 
 void
-DrawSigmoidContents(ColonPhantomParameters & p)
+DrawOccasional(ColonPhantomParameters & p)
 {
   constexpr DrawnRange spasm{ 50, 150 };
   constexpr DrawnRange filled{ 30, 120 };
   constexpr DrawnRange slope{ 0.15, 0.35 };
   constexpr DrawnRange smallLevels{ 1, 3 };
   constexpr DrawnRange contact{ 40, 80 };
+  constexpr DrawnRange diverticula{ 3, 25 };
   constexpr double     spasmShare = 0.25; // of the patients
   constexpr double     filledShare = 0.4;
   constexpr double     tiltedShare = 0.3;
   constexpr double     smallShare = 0.4;
   constexpr double     contactShare = 0.4;
+  constexpr double     diverticulaShare = 0.4;
   DrawForShare(p, Group::Spasm, spasmShare, p.spasm, spasm);
   DrawForShare(p, Group::FilledStretch, filledShare, p.filledStretch, filled);
   DrawForShare(p, Group::TiltedLevel, tiltedShare, p.levelSlope, slope);
   DrawForShare(p, Group::SmallLevels, smallShare, p.smallLevels, smallLevels);
   DrawForShare(p, Group::Contact, contactShare, p.sigmoidContact, contact);
+  DrawForShare(p, Group::Diverticula, diverticulaShare, p.diverticula, diverticula);
 }
 
 void
@@ -261,16 +264,6 @@ DrawResidue(ColonPhantomParameters & p)
   draw(p.bubbles, bubbles);
   const bool hasFoam = draw.Chance() < foamShare;
   draw(p.foam, hasFoam ? foam : DrawnRange{});
-}
-
-void
-DrawDiverticula(ColonPhantomParameters & p)
-{
-  constexpr DrawnRange diverticula{ 3, 25 };
-  constexpr double     share = 0.4; // of the patients
-  Draw                 draw(p, Group::Diverticula);
-  const bool           hasDiverticula = draw.Chance() < share;
-  draw(p.diverticula, hasDiverticula ? diverticula : DrawnRange{});
 }
 
 void
@@ -370,10 +363,9 @@ Drawn(const ColonPhantomParameters & parameters)
   ColonPhantomParameters drawn = parameters;
   DrawShape(drawn);
   DrawSigmoid(drawn);
-  DrawSigmoidContents(drawn);
+  DrawOccasional(drawn);
   DrawBowel(drawn);
   DrawResidue(drawn);
-  DrawDiverticula(drawn);
   DrawScanner(drawn);
   DrawCatheter(drawn);
   if (drawn.valve == "lips")

@@ -1,8 +1,6 @@
 #include "shapetonColonPlan.h"
 
-#include "shapetonColonCurve.h"
 #include "shapetonColonNoise.h"
-#include "shapetonDiverticulaPlan.h"
 #include "shapetonPi.h"
 
 #include <Eigen/Geometry>
@@ -29,7 +27,7 @@ constexpr double c_RectumWithHaustra = 20.0;
 constexpr double c_SigmoidWithoutHaustra = 40.0;
 constexpr double c_CecumWithoutHaustra = 25.0;
 
-// Angles (radians) by which the taeniae turn along the colon, together and each by itself.
+// Angles (radians) by which the taeniae turn along the colon, jointly and individually.
 constexpr double c_CommonDrift = 0.6;
 constexpr double c_OwnDrift = 0.1;
 
@@ -52,7 +50,8 @@ constexpr DrawnRange c_BetweenLevels{ 20.0, 30.0 };
 constexpr double     c_FirstFold = 12.0; // behind the rectum
 constexpr double     c_LastFold = 18.0;  // before the end of the cecum
 
-/** Upper limits of the drawn number of a level of folds; above, there is one fold in each row. */
+/** Upper limits of the random number that selects the kind of a level of folds; above both, there is one fold in each
+ * row. */
 struct LevelKinds
 {
   double ring;    ///< a fold nearly around the colon
@@ -65,8 +64,8 @@ constexpr LevelKinds c_LeftLevels{ 0.12, 0.4 };
 constexpr DrawnRange c_IleumBehind{ -0.4, 0.9 };   // radians
 constexpr DrawnRange c_LipThickness{ 10.0, 15.0 }; // mm
 
-// Polyps: lengths in mm. Diameters are drawn uniformly on a logarithmic scale, from the smallest to `ratio` times as
-// much.
+// Polyps: lengths in mm. Diameters are drawn uniformly on a logarithmic scale, from the smallest one to `ratio` times
+// that.
 constexpr double     c_SessileShare = 0.5;
 constexpr double     c_StalkedShare = 0.75; // with the sessile ones
 constexpr double     c_SmallestPolyp = 3.0;

@@ -129,6 +129,11 @@ private:
   std::vector<double>                m_Radius;
   std::array<std::vector<double>, 3> m_Taenia; ///< every 2 mm
 };
+
+/** Places up to `count` diverticula, as space permits, in rows next to the taeniae coli, away from the folds, the
+ * polyps and the valve of the plan. The result for a smaller count is a prefix of the result for a larger count. */
+std::vector<DiverticulumPlan>
+PlanDiverticula(const ColonPlan & plan, unsigned seed, int count);
 } // namespace shapeton
 
 #endif

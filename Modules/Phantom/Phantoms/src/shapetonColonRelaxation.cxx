@@ -1,5 +1,6 @@
 #include "shapetonColonRelaxation.h"
 
+#include "shapetonColonAnatomy.h"
 #include "shapetonPi.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ constexpr double c_Septum = 6.0;
 constexpr double c_FarApart = 120.0;
 // The canal and the start of the ampulla are fixed.
 constexpr std::size_t c_Held = 5;
-// mm; closer points have no direction from one to the other.
+// Distance (mm) below which the direction from one point to the other is undefined.
 constexpr double c_SamePoint = 1e-6;
 // Lower and upper end (mm) of the space for the colon.
 constexpr double c_LowestWall = -132.0;
@@ -206,7 +207,7 @@ ColonRelaxation::Confine()
       p.x() /= outside;
       p.y() /= outside;
     }
-    const Vector3d spine = SpineAxisAt(p.z());
+    const Vector3d spine = ColonAnatomy::SpineAxis(p.z());
     const Vector3d off = p - spine;
     const double   distance = off.norm();
     const double   least = (p.z() > -50.0 ? 31.0 : 18.0) + r;

@@ -5,6 +5,7 @@
 #include "shapetonColonStructurePart.h"
 #include "shapetonDiverticulumBody.h"
 #include "shapetonCatheterTube.h"
+#include "shapetonForEachCell.h"
 #include "shapetonLumenResidue.h"
 #include "shapetonLungs.h"
 #include "shapetonSigmoidContact.h"
@@ -76,16 +77,10 @@ VolumeOf(const PhantomSolid & solid, const std::vector<Vector3d> & axis, double 
     high = high.cwiseMax(point);
   }
   std::size_t count = 0;
-  for (double z = low[2] - reach; z < high[2] + reach; z += step)
-  {
-    for (double y = low[1] - reach; y < high[1] + reach; y += step)
-    {
-      for (double x = low[0] - reach; x < high[0] + reach; x += step)
-      {
-        count += solid.distance(MakePoint(x, y, z)) < 0.0 ? 1 : 0;
-      }
-    }
-  }
+  ForEachCell(MakePoint(low[0] - reach, low[1] - reach, low[2] - reach),
+              MakePoint(high[0] + reach, high[1] + reach, high[2] + reach),
+              step,
+              [&](const PointType & p) { count += solid.distance(p) < 0.0 ? 1 : 0; });
   return static_cast<double>(count) * step * step * step / 1000.0;
 }
 
@@ -264,42 +259,6 @@ ColonStructures::AddCatheter(const ColonAnatomy & anatomy, const ColonFluid & fl
   m_Catheter = std::make_unique<ColonCatheter>(catheter.truth);
   m_Axes.push_back(catheter.axis);
   m_AxisOf.push_back(ColonStructure::Catheter);
-}
-
-const ColonCatheter *
-ColonStructures::GetCatheter() const
-{
-  return m_Catheter.get();
-}
-
-const ColonContact *
-ColonStructures::GetSigmoidContact() const
-{
-  return m_SigmoidContact.get();
-}
-
-const std::vector<ColonResidue> &
-ColonStructures::GetResidue() const
-{
-  return m_Residue;
-}
-
-const std::vector<ColonDiverticulum> &
-ColonStructures::GetDiverticula() const
-{
-  return m_Diverticula;
-}
-
-const ColonIleum *
-ColonStructures::GetIleum() const
-{
-  return m_Ileum.get();
-}
-
-const std::vector<ColonStructures::Part> &
-ColonStructures::GetParts() const
-{
-  return m_Parts;
 }
 
 CurveSet

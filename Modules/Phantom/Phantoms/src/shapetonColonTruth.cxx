@@ -1,9 +1,10 @@
-#include "shapetonColonTruth.h"
-
-#include <Eigen/Geometry>
+// The ground truth of ColonAnatomy.
+#include "shapetonColonAnatomyData.h"
 
 #include "shapetonParallelFor.h"
 #include "shapetonPi.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -181,8 +182,10 @@ InscribedRadius(const std::vector<std::vector<Vector3d>> & points, const Vector3
 } // namespace
 
 CurveSet
-ColonCenterlineTruth(const ColonPlan & plan, const ColonField & field)
+ColonAnatomy::Centerline() const
 {
+  const ColonPlan &  plan = m_Data->plan;
+  const ColonField & field = m_Data->field;
   const ColonCurve & curve = field.GetCurve();
   const auto         inner = InnerPoints(field);
   CurveWriter        writer({ "arcLength", "radius", "inscribedRadius", "segment", "collapsed" }, {});
@@ -202,8 +205,10 @@ ColonCenterlineTruth(const ColonPlan & plan, const ColonField & field)
 }
 
 CurveSet
-ColonTaeniaTruth(const ColonPlan & plan, const ColonField & field)
+ColonAnatomy::Taeniae() const
 {
+  const ColonPlan &  plan = m_Data->plan;
+  const ColonField & field = m_Data->field;
   const ColonCurve & curve = field.GetCurve();
   const MaterialGrid grid(plan);
   CurveWriter        writer({ "arcLength", "materialId" }, { "taenia" });
@@ -227,8 +232,10 @@ ColonTaeniaTruth(const ColonPlan & plan, const ColonField & field)
 }
 
 CurveSet
-ColonFoldTruth(const ColonPlan & plan, const ColonField & field)
+ColonAnatomy::Folds() const
 {
+  const ColonPlan &  plan = m_Data->plan;
+  const ColonField & field = m_Data->field;
   const ColonCurve & curve = field.GetCurve();
   CurveWriter        writer({ "crestHeight" },
                      { "fold", "height", "thickness", "angularExtent", "arcLength", "segment", "flattened" });
@@ -260,8 +267,10 @@ ColonFoldTruth(const ColonPlan & plan, const ColonField & field)
 }
 
 std::vector<ColonPolyp>
-ColonPolypTruth(const ColonPlan & plan, const ColonField & field)
+ColonAnatomy::Polyps() const
 {
+  const ColonPlan &       plan = m_Data->plan;
+  const ColonField &      field = m_Data->field;
   const ColonCurve &      curve = field.GetCurve();
   const MaterialGrid      grid(plan);
   std::vector<ColonPolyp> polyps;
@@ -287,8 +296,10 @@ ColonPolypTruth(const ColonPlan & plan, const ColonField & field)
 }
 
 std::vector<ColonDiverticulum>
-ColonDiverticulumTruth(const ColonPlan & plan, const ColonField & field)
+ColonAnatomy::Diverticula() const
 {
+  const ColonPlan &              plan = m_Data->plan;
+  const ColonField &             field = m_Data->field;
   const ColonCurve &             curve = field.GetCurve();
   const MaterialGrid             grid(plan);
   std::vector<ColonDiverticulum> diverticula;
@@ -312,8 +323,10 @@ ColonDiverticulumTruth(const ColonPlan & plan, const ColonField & field)
 }
 
 ColonValve
-ColonValveTruth(const ColonPlan & plan, const ColonField & field)
+ColonAnatomy::Valve() const
 {
+  const ColonPlan &  plan = m_Data->plan;
+  const ColonField & field = m_Data->field;
   const ColonCurve & curve = field.GetCurve();
   ColonValve         valve;
   valve.arcLength = curve.ArcLengthAt(plan.valve.material / curve.GetStep());
@@ -347,8 +360,10 @@ ColonValveTruth(const ColonPlan & plan, const ColonField & field)
 
 // Both ends are hemispheres, so rays from the last point of the centerline reach every point.
 Vector3d
-CecalPoleTruth(const ColonPlan & plan, const ColonField & field)
+ColonAnatomy::CecalPole() const
 {
+  const ColonPlan &  plan = m_Data->plan;
+  const ColonField & field = m_Data->field;
   const ColonCurve & curve = field.GetCurve();
   const double       end = curve.GetNumberOfSteps();
   const Vector3d     mouth = curve.At(plan.valve.material / curve.GetStep()).position;
@@ -370,8 +385,10 @@ CecalPoleTruth(const ColonPlan & plan, const ColonField & field)
 }
 
 CurveSet
-ColonCorrespondenceTruth(const ColonPlan & plan, const ColonField & field)
+ColonAnatomy::Correspondence() const
 {
+  const ColonPlan &                  plan = m_Data->plan;
+  const ColonField &                 field = m_Data->field;
   const ColonCurve &                 curve = field.GetCurve();
   const MaterialGrid                 grid(plan);
   std::vector<std::vector<Vector3d>> points(grid.Rows());

@@ -78,17 +78,16 @@ Json
 ValveToJson(const ColonAnatomy & anatomy)
 {
   const ColonValve valve = anatomy.Valve();
-  Json             json;
-  json["kind"] = valve.kind;
-  json["position"] = ToJson(valve.position);
-  json["base"] = ToJson(valve.base);
-  json["mouth"] = ToJson(valve.mouth);
-  json["direction"] = ToJson(valve.direction);
-  json["slit"] = ToJson(valve.slit);
-  json["length"] = RoundedJson(valve.length);
-  json["height"] = RoundedJson(valve.height);
-  json["lipThickness"] = RoundedJson(valve.thickness);
-  json["arcLength"] = RoundedJson(valve.arcLength);
+  Json             json = { { "kind", valve.kind },
+                            { "position", ToJson(valve.position) },
+                            { "base", ToJson(valve.base) },
+                            { "mouth", ToJson(valve.mouth) },
+                            { "direction", ToJson(valve.direction) },
+                            { "slit", ToJson(valve.slit) },
+                            { "length", RoundedJson(valve.length) },
+                            { "height", RoundedJson(valve.height) },
+                            { "lipThickness", RoundedJson(valve.thickness) },
+                            { "arcLength", RoundedJson(valve.arcLength) } };
   if (valve.kind == "lips")
   {
     json["upperLip"] = ToJson(valve.upperLip);
@@ -101,40 +100,35 @@ ValveToJson(const ColonAnatomy & anatomy)
 Json
 IleumToJson(const ColonIleum & ileum)
 {
-  Json json;
-  json["content"] = ileum.content;
-  json["open"] = ileum.isOpen;
-  json["slitWidth"] = RoundedJson(ileum.slitWidth);
-  json["bore"] = RoundedJson(ileum.bore);
-  json["length"] = RoundedJson(ileum.length);
-  json["volume"] = RoundedJson(ileum.volume); // ml
-  json["refluxed"] = ileum.isRefluxed;
-  json["intensity"] = RoundedJson(ileum.intensity);
-  return json;
+  return { { "content", ileum.content },
+           { "open", ileum.isOpen },
+           { "slitWidth", RoundedJson(ileum.slitWidth) },
+           { "bore", RoundedJson(ileum.bore) },
+           { "length", RoundedJson(ileum.length) },
+           { "volume", RoundedJson(ileum.volume) }, // ml
+           { "refluxed", ileum.isRefluxed },
+           { "intensity", RoundedJson(ileum.intensity) } };
 }
 
 Json
 ContactToJson(const ColonContact & contact)
 {
-  Json json;
-  json["arcLength"] = { RoundedJson(contact.arcLength[0]), RoundedJson(contact.arcLength[1]) };
-  json["bore"] = RoundedJson(contact.bore);
-  json["length"] = RoundedJson(contact.length);
-  json["intensity"] = RoundedJson(contact.intensity);
-  return json;
+  return { { "arcLength", { RoundedJson(contact.arcLength[0]), RoundedJson(contact.arcLength[1]) } },
+           { "bore", RoundedJson(contact.bore) },
+           { "length", RoundedJson(contact.length) },
+           { "intensity", RoundedJson(contact.intensity) } };
 }
 
 Json
 CatheterToJson(const ColonCatheter & catheter)
 {
-  Json json;
-  json["kind"] = catheter.kind;
-  json["bore"] = RoundedJson(catheter.bore);
-  json["wall"] = RoundedJson(catheter.wall);
-  json["intensity"] = RoundedJson(catheter.intensity);
-  json["sideHoles"] = catheter.sideHoles;
-  json["tip"] = ToJson(catheter.tip);
-  json["balloon"] = catheter.balloon;
+  Json json = { { "kind", catheter.kind },
+                { "bore", RoundedJson(catheter.bore) },
+                { "wall", RoundedJson(catheter.wall) },
+                { "intensity", RoundedJson(catheter.intensity) },
+                { "sideHoles", catheter.sideHoles },
+                { "tip", ToJson(catheter.tip) },
+                { "balloon", catheter.balloon } };
   if (catheter.balloon != "none")
   {
     json["balloonCenter"] = ToJson(catheter.balloonCenter);
@@ -149,12 +143,10 @@ SmallLevelsToJson(const std::vector<SmallLevel> & levels)
   Json list = Json::array();
   for (const SmallLevel & level : levels)
   {
-    Json json;
-    json["position"] = ToJson(level.position);
-    json["area"] = RoundedJson(level.area);
-    json["depth"] = RoundedJson(level.depth);
-    json["arcLength"] = RoundedJson(level.arcLength);
-    list.push_back(json);
+    list.push_back({ { "position", ToJson(level.position) },
+                     { "area", RoundedJson(level.area) },
+                     { "depth", RoundedJson(level.depth) },
+                     { "arcLength", RoundedJson(level.arcLength) } });
   }
   return list;
 }
@@ -165,12 +157,10 @@ ResidueToJson(const std::vector<ColonResidue> & residue)
   Json list = Json::array();
   for (const ColonResidue & one : residue)
   {
-    Json json;
-    json["kind"] = one.structure == ColonStructure::Stool ? one.kind + " stool" : one.kind;
-    json["position"] = ToJson(one.position);
-    json["diameter"] = RoundedJson(one.diameter);
-    json["intensity"] = RoundedJson(one.intensity);
-    list.push_back(json);
+    list.push_back({ { "kind", one.structure == ColonStructure::Stool ? one.kind + " stool" : one.kind },
+                     { "position", ToJson(one.position) },
+                     { "diameter", RoundedJson(one.diameter) },
+                     { "intensity", RoundedJson(one.intensity) } });
   }
   return list;
 }
@@ -181,61 +171,38 @@ DiverticulaToJson(const std::vector<ColonDiverticulum> & diverticula)
   Json list = Json::array();
   for (const ColonDiverticulum & one : diverticula)
   {
-    Json json;
-    json["id"] = one.id;
-    json["mouth"] = ToJson(one.mouth);
-    json["position"] = ToJson(one.position);
-    json["neck"] = RoundedJson(one.neck);
-    json["diameter"] = RoundedJson(one.diameter);
-    json["arcLength"] = RoundedJson(one.arcLength);
-    json["segment"] = one.segment;
-    json["materialId"] = one.materialId;
-    json["content"] = one.content;
-    json["intensity"] = RoundedJson(one.intensity);
-    list.push_back(json);
+    list.push_back({ { "id", one.id },
+                     { "mouth", ToJson(one.mouth) },
+                     { "position", ToJson(one.position) },
+                     { "neck", RoundedJson(one.neck) },
+                     { "diameter", RoundedJson(one.diameter) },
+                     { "arcLength", RoundedJson(one.arcLength) },
+                     { "segment", one.segment },
+                     { "materialId", one.materialId },
+                     { "content", one.content },
+                     { "intensity", RoundedJson(one.intensity) } });
   }
   return list;
 }
 
-void
-AddLabels(Json & labels, const std::vector<std::pair<std::string, ColonStructure>> & structures)
-{
-  for (const auto & [name, structure] : structures)
-  {
-    labels[name] = static_cast<int>(structure);
-  }
-}
-
-void
-AddColonLabels(Json & labels)
-{
-  AddLabels(labels,
-            { { "valve", ColonStructure::Valve },
-              { "ileum", ColonStructure::Ileum },
-              { "ileumWall", ColonStructure::IleumWall },
-              { "catheter", ColonStructure::Catheter },
-              { "balloon", ColonStructure::Balloon },
-              { "stool", ColonStructure::Stool },
-              { "bubble", ColonStructure::Bubble },
-              { "foam", ColonStructure::Foam },
-              { "smallBowel", ColonStructure::SmallBowel },
-              { "stomach", ColonStructure::Stomach } });
-}
-
-void
-AddChestLabels(Json & labels)
-{
-  AddLabels(labels,
-            { { "rightUpperLobe", ColonStructure::RightUpperLobe },
-              { "rightMiddleLobe", ColonStructure::RightMiddleLobe },
-              { "rightLowerLobe", ColonStructure::RightLowerLobe },
-              { "leftUpperLobe", ColonStructure::LeftUpperLobe },
-              { "leftLowerLobe", ColonStructure::LeftLowerLobe },
-              { "airway", ColonStructure::Airway },
-              { "airwayWall", ColonStructure::AirwayWall },
-              { "lungVessel", ColonStructure::LungVessel },
-              { "heart", ColonStructure::Heart } });
-}
+const std::pair<const char *, ColonStructure> colonLabels[] = {
+  { "valve", ColonStructure::Valve },           { "ileum", ColonStructure::Ileum },
+  { "ileumWall", ColonStructure::IleumWall },   { "catheter", ColonStructure::Catheter },
+  { "balloon", ColonStructure::Balloon },       { "stool", ColonStructure::Stool },
+  { "bubble", ColonStructure::Bubble },         { "foam", ColonStructure::Foam },
+  { "smallBowel", ColonStructure::SmallBowel }, { "stomach", ColonStructure::Stomach },
+};
+const std::pair<const char *, ColonStructure> chestLabels[] = {
+  { "rightUpperLobe", ColonStructure::RightUpperLobe },
+  { "rightMiddleLobe", ColonStructure::RightMiddleLobe },
+  { "rightLowerLobe", ColonStructure::RightLowerLobe },
+  { "leftUpperLobe", ColonStructure::LeftUpperLobe },
+  { "leftLowerLobe", ColonStructure::LeftLowerLobe },
+  { "airway", ColonStructure::Airway },
+  { "airwayWall", ColonStructure::AirwayWall },
+  { "lungVessel", ColonStructure::LungVessel },
+  { "heart", ColonStructure::Heart },
+};
 
 Json
 StructuresToJson(const Provenance &      provenance,
@@ -245,7 +212,13 @@ StructuresToJson(const Provenance &      provenance,
 {
   Json json;
   json["provenance"] = ProvenanceToJson(provenance);
-  AddColonLabels(json["labels"]);
+  const auto addLabels = [&json](const auto & labels) {
+    for (const auto & [name, structure] : labels)
+    {
+      json["labels"][name] = static_cast<int>(structure);
+    }
+  };
+  addLabels(colonLabels);
   // Files of patients without diverticula remain unchanged.
   if (anatomy.GetParameters().diverticula > 0)
   {
@@ -254,7 +227,7 @@ StructuresToJson(const Provenance &      provenance,
   }
   if (HasWholeChest(anatomy.GetParameters()))
   {
-    AddChestLabels(json["labels"]);
+    addLabels(chestLabels);
   }
   if (!Contains(anatomy.GetParameters(), "colon"))
   {

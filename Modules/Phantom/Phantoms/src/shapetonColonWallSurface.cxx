@@ -1,5 +1,8 @@
-#include "shapetonColonWallSurface.h"
+// The wall of ColonAnatomy.
+#include "shapetonColonAnatomyData.h"
 
+#include "shapetonExceptions.h"
+#include "shapetonForEachCell.h"
 #include "shapetonParallelFor.h"
 #include "shapetonSurfaceConnectivity.h"
 
@@ -28,6 +31,8 @@ namespace
 constexpr int c_Block = 8;      // voxels; blocks far from the wall have one value
 constexpr int c_SlabBlocks = 2; // blocks contoured at once; chosen, bounds the memory
 
+/** Extracts the zero level of the distance on a grid with this spacing (mm) in the box and projects its vertices onto
+ * the wall. Processes slabs to limit memory. */
 class WallExtractor
 {
 public:
@@ -55,12 +60,6 @@ public:
   }
 
 private:
-  std::size_t
-  IndexOf(int x, int y, int z) const
-  {
-    return (std::size_t(z) * m_SizeY + y) * m_SizeX + x;
-  }
-
   Vector3d
   PointAt(double x, double y, double z) const
   {
@@ -105,17 +104,10 @@ private:
     const Vector3d middle = this->PointAt(begin[0] + half, begin[1] + half, base + begin[2] + half);
     const double   distance = this->DistanceAt(middle);
     const bool     isFar = std::abs(distance) > 1.5 * 1.7321 * half * m_Spacing + 0.5;
-    for (int z = begin[2]; z < end[2]; ++z)
-    {
-      for (int y = begin[1]; y < end[1]; ++y)
-      {
-        for (int x = begin[0]; x < end[0]; ++x)
-        {
-          m_Values[this->IndexOf(x, y, z)] =
-            static_cast<float>(isFar ? distance : this->DistanceAt(this->PointAt(x, y, base + z)));
-        }
-      }
-    }
+    ForEachCell(begin, end, 1, [&](const std::array<int, 3> & cell) {
+      m_Values[(std::size_t(cell[2]) * m_SizeY + cell[1]) * m_SizeX + cell[0]] =
+        static_cast<float>(isFar ? distance : this->DistanceAt(this->PointAt(cell[0], cell[1], base + cell[2])));
+    });
   }
 
   void
@@ -237,8 +229,11 @@ WithoutSpecks(const SurfaceMesh & mesh)
 } // namespace
 
 SurfaceMesh
-ExtractColonWall(const ColonField & field, const Vector3d & low, const Vector3d & high, double spacing)
+ColonAnatomy::Wall(double edgeLength) const
 {
-  return WithoutSpecks(WallExtractor(field, low, high, spacing).Run());
+  RequireParameter(edgeLength >= 0.1 && edgeLength <= 5, "the edge length of the wall must be from 0.1 to 5 mm");
+  Vector3d low, high;
+  this->BoundingBox(2.0, low, high);
+  return WithoutSpecks(WallExtractor(m_Data->field, low, high, edgeLength).Run());
 }
 } // namespace shapeton

@@ -1,7 +1,6 @@
-#include "shapetonDiverticulaPlacement.h"
+#include "shapetonColonField.h"
 
 #include "shapetonAbdomenParts.h"
-#include "shapetonColonField.h"
 #include "shapetonPi.h"
 
 #include <Eigen/Geometry>
@@ -148,7 +147,7 @@ private:
   {
     const Vector3d & at = body.sac;
     const double     spine = at.z() > -50.0 ? 30.0 : 17.0;
-    return (at - SpineAxisAt(at.z())).norm() > spine + body.radius + c_OtherSeptum &&
+    return (at - ColonAnatomy::SpineAxis(at.z())).norm() > spine + body.radius + c_OtherSeptum &&
            m_Cavity.distance(MakePoint(at[0], at[1], at[2])) < -(body.radius + c_OtherSeptum) &&
            std::abs(at.z()) < c_HalfSpace;
   }

@@ -1,4 +1,4 @@
-#include "shapetonDiverticulaPlan.h"
+#include "shapetonColonPlan.h"
 
 #include "shapetonColonNoise.h"
 

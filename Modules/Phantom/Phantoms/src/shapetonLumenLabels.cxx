@@ -8,17 +8,15 @@
 
 namespace shapeton
 {
-LumenLabels::LumenLabels(const ColonAnatomy & anatomy,
-                         const ColonFluid &   fluid,
-                         LabelImageType *     lumen,
-                         LabelImageType *     segments)
-  : m_Anatomy(anatomy), m_Fluid(fluid), m_Lumen(lumen), m_Segments(segments)
-{}
+namespace
+{
+using LabelImageType = itk::Image<unsigned char, 3>;
+using RegionType = itk::ImageRegion<3>;
 
 // Away from the wall distances may be too large by a factor, so only blocks of half the reach are classified by their
 // center.
 bool
-LumenLabels::MissesLumen(const RegionType & block) const
+MissesLumen(const ColonAnatomy & anatomy, const RegionType & block, const LabelImageType * lumen)
 {
   itk::ContinuousIndex<double, 3> middle;
   double                          squared = 0.0;
@@ -26,7 +24,7 @@ LumenLabels::MissesLumen(const RegionType & block) const
   {
     const auto steps = static_cast<double>(block.GetSize(i)) - 1.0;
     middle[i] = static_cast<double>(block.GetIndex(i)) + 0.5 * steps;
-    squared += 0.25 * steps * steps * m_Lumen->GetSpacing()[i] * m_Lumen->GetSpacing()[i];
+    squared += 0.25 * steps * steps * lumen->GetSpacing()[i] * lumen->GetSpacing()[i];
   }
   const double radius = 1.001 * std::sqrt(squared);
   if (radius >= 0.5 * ColonAnatomy::Reach)
@@ -34,55 +32,47 @@ LumenLabels::MissesLumen(const RegionType & block) const
     return false;
   }
   itk::Point<double, 3> center;
-  m_Lumen->TransformContinuousIndexToPhysicalPoint(middle, center);
-  return m_Anatomy.Evaluate({ center[0], center[1], center[2] }).distance <= -ColonAnatomy::Reach;
+  lumen->TransformContinuousIndexToPhysicalPoint(middle, center);
+  return anatomy.Evaluate({ center[0], center[1], center[2] }).distance <= -ColonAnatomy::Reach;
 }
+} // namespace
 
 void
-LumenLabels::Fill(const RegionType & region) const
+FillLumenLabels(const ColonAnatomy & anatomy,
+                const ColonFluid &   fluid,
+                const RegionType &   region,
+                LabelImageType *     lumen,
+                LabelImageType *     segments)
 {
+  if (MissesLumen(anatomy, region, lumen))
+  {
+    return;
+  }
   const auto size = region.GetSize();
   const auto axis = static_cast<unsigned int>(std::max_element(size.begin(), size.end()) - size.begin());
-  if (this->MissesLumen(region))
+  if (size[axis] > 4)
   {
-    itk::ImageRegionIterator<LabelImageType> lumen(m_Lumen, region);
-    itk::ImageRegionIterator<LabelImageType> segment(m_Segments, region);
-    for (; !lumen.IsAtEnd(); ++lumen, ++segment)
-    {
-      lumen.Set(0);
-      segment.Set(0);
-    }
+    RegionType half = region;
+    half.SetSize(axis, size[axis] / 2);
+    FillLumenLabels(anatomy, fluid, half, lumen, segments);
+    half.SetSize(axis, size[axis] - size[axis] / 2);
+    half.SetIndex(axis, region.GetIndex(axis) + static_cast<itk::IndexValueType>(size[axis] / 2));
+    FillLumenLabels(anatomy, fluid, half, lumen, segments);
     return;
   }
-  if (size[axis] <= 4)
-  {
-    this->FillVoxels(region);
-    return;
-  }
-  RegionType lower = region;
-  lower.SetSize(axis, size[axis] / 2);
-  RegionType upper = region;
-  upper.SetSize(axis, size[axis] - size[axis] / 2);
-  upper.SetIndex(axis, region.GetIndex(axis) + static_cast<itk::IndexValueType>(size[axis] / 2));
-  this->Fill(lower);
-  this->Fill(upper);
-}
-
-void
-LumenLabels::FillVoxels(const RegionType & block) const
-{
-  itk::ImageRegionIteratorWithIndex<LabelImageType> lumen(m_Lumen, block);
-  itk::ImageRegionIterator<LabelImageType>          segment(m_Segments, block);
-  for (; !lumen.IsAtEnd(); ++lumen, ++segment)
+  itk::ImageRegionIteratorWithIndex<LabelImageType> label(lumen, region);
+  itk::ImageRegionIterator<LabelImageType>          segment(segments, region);
+  for (; !label.IsAtEnd(); ++label, ++segment)
   {
     itk::Point<double, 3> p;
-    m_Lumen->TransformIndexToPhysicalPoint(lumen.GetIndex(), p);
+    lumen->TransformIndexToPhysicalPoint(label.GetIndex(), p);
     const Eigen::Vector3d point(p[0], p[1], p[2]);
-    const auto            sample = m_Anatomy.Evaluate(point);
-    const bool            inside = sample.distance > 0.0;
-    const bool            wet = inside && m_Fluid.DepthBelowLevel(point, sample.arcLength) > 0.0;
-    lumen.Set(inside ? (wet ? 2 : 1) : 0);
-    segment.Set(static_cast<unsigned char>(inside ? sample.segment : 0));
+    const auto            sample = anatomy.Evaluate(point);
+    if (sample.distance > 0.0)
+    {
+      label.Set(fluid.DepthBelowLevel(point, sample.arcLength) > 0.0 ? 2 : 1);
+      segment.Set(static_cast<unsigned char>(sample.segment));
+    }
   }
 }
 } // namespace shapeton

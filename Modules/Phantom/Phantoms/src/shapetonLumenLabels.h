@@ -8,33 +8,14 @@
 
 namespace shapeton
 {
-/** Labels voxels with centers in the lumen: gas (1) or fluid (2), and the segment. */
-class LumenLabels
-{
-public:
-  using LabelImageType = itk::Image<unsigned char, 3>;
-  using RegionType = itk::ImageRegion<3>;
-
-  LumenLabels(const ColonAnatomy & anatomy,
-              const ColonFluid &   fluid,
-              LabelImageType *     lumen,
-              LabelImageType *     segments);
-
-  /** Sets all labels of a region. */
-  void
-  Fill(const RegionType & region) const;
-
-private:
-  bool
-  MissesLumen(const RegionType & block) const;
-  void
-  FillVoxels(const RegionType & block) const;
-
-  const ColonAnatomy & m_Anatomy;
-  const ColonFluid &   m_Fluid;
-  LabelImageType *     m_Lumen;
-  LabelImageType *     m_Segments;
-};
+/** Labels the voxels of a region with centers in the lumen: gas (1) or fluid (2), and the segment. Other voxels keep
+ * their labels. */
+void
+FillLumenLabels(const ColonAnatomy &           anatomy,
+                const ColonFluid &             fluid,
+                const itk::ImageRegion<3> &    region,
+                itk::Image<unsigned char, 3> * lumen,
+                itk::Image<unsigned char, 3> * segments);
 } // namespace shapeton
 
 #endif

@@ -1,5 +1,7 @@
 #include "shapetonLungTrees.h"
 
+#include "shapetonForEachCell.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -87,23 +89,16 @@ ScatteredPoints(const PhantomSolid & solid,
 {
   std::vector<PointType> points;
   const double           shift = spacing / 3.0;
-  for (double z = low[2]; z < high[2]; z += spacing)
-  {
-    for (double y = low[1]; y < high[1]; y += spacing)
+  ForEachCell(low, high, spacing, [&](const PointType & at) {
+    const double    dx = random.Uniform(-shift, shift);
+    const double    dy = random.Uniform(-shift, shift);
+    const double    dz = random.Uniform(-shift, shift);
+    const PointType p = MakePoint(at[0] + dx, at[1] + dy, at[2] + dz);
+    if (solid.distance(p) < -depth)
     {
-      for (double x = low[0]; x < high[0]; x += spacing)
-      {
-        const double    dx = random.Uniform(-shift, shift);
-        const double    dy = random.Uniform(-shift, shift);
-        const double    dz = random.Uniform(-shift, shift);
-        const PointType p = MakePoint(x + dx, y + dy, z + dz);
-        if (solid.distance(p) < -depth)
-        {
-          points.push_back(p);
-        }
-      }
+      points.push_back(p);
     }
-  }
+  });
   return points;
 }
 

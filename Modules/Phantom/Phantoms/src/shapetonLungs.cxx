@@ -3,6 +3,7 @@
 #include "shapetonAbdomenParts.h"
 #include "shapetonColonAbdomen.h"
 #include "shapetonColonBody.h"
+#include "shapetonForEachCell.h"
 #include "shapetonLungTrees.h"
 #include "shapetonThoraxParts.h"
 
@@ -260,27 +261,19 @@ private:
     std::vector<PointType> points;
     VectorType             sum(0.0);
     double                 inHoles = 0.0;
-    for (double z = lowCorner[2]; z < highCorner[2]; z += step)
-    {
-      for (double y = lowCorner[1]; y < highCorner[1]; y += step)
+    ForEachCell(lowCorner, highCorner, step, [&](const PointType & p) {
+      if (m_Lungs.distance(p) >= 0.0 || others.distance(p) < 0.0)
       {
-        for (double x = lowCorner[0]; x < highCorner[0]; x += step)
-        {
-          const PointType p = MakePoint(x, y, z);
-          if (m_Lungs.distance(p) >= 0.0 || others.distance(p) < 0.0)
-          {
-            continue;
-          }
-          if (holes.distance(p) < 0.0)
-          {
-            inHoles += 1.0;
-            continue;
-          }
-          points.push_back(p);
-          sum += p.GetVectorFromOrigin();
-        }
+        return;
       }
-    }
+      if (holes.distance(p) < 0.0)
+      {
+        inHoles += 1.0;
+        return;
+      }
+      points.push_back(p);
+      sum += p.GetVectorFromOrigin();
+    });
     const auto count = static_cast<double>(points.size());
     m_Middle = PointType(0.0) + sum / count;
     double relative = 0.0;

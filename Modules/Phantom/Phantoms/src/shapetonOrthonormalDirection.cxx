@@ -13,22 +13,9 @@ using VectorType = itk::Vector<double, 3>;
 VectorType
 GetColumn(const itk::Matrix<double, 3, 3> & matrix, unsigned int column)
 {
-  VectorType vector;
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    vector[row] = matrix(row, column);
-  }
-  return vector;
+  return VectorType(matrix.GetVnlMatrix().get_column(column).data_block());
 }
 
-void
-SetColumn(itk::Matrix<double, 3, 3> & matrix, unsigned int column, const VectorType & vector)
-{
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    matrix(row, column) = vector[row];
-  }
-}
 } // namespace
 
 bool
@@ -52,9 +39,9 @@ MakeOrthonormal(itk::Matrix<double, 3, 3> & direction, double tolerance)
   second -= first * (first * second);
   second /= second.GetNorm();
   const VectorType third = itk::CrossProduct(first, second);
-  SetColumn(direction, 0, first);
-  SetColumn(direction, 1, second);
-  SetColumn(direction, 2, leftHanded ? -third : third);
+  direction.GetVnlMatrix().set_column(0, first.GetDataPointer());
+  direction.GetVnlMatrix().set_column(1, second.GetDataPointer());
+  direction.GetVnlMatrix().set_column(2, (leftHanded ? -third : third).GetDataPointer());
   return true;
 }
 

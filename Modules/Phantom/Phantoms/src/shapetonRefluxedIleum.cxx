@@ -61,7 +61,7 @@ constexpr DrawnRange c_TargetX{ -90.0, 90.0 };  // mm, the region of the small b
 constexpr DrawnRange c_TargetY{ -80.0, 20.0 };  // mm
 constexpr DrawnRange c_TargetZ{ -100.0, 60.0 }; // mm
 
-/** The ileum of a patient, grown step by step beside the colon at rest. */
+/** The ileum of a patient, grown step by step next to the colon at rest. */
 class IleumAtRest
 {
 public:
@@ -69,7 +69,7 @@ public:
     : m_Colon(colon), m_ColonRadius(colonRadius), m_Cecum(cecum), m_Radius(radius)
   {}
 
-  // Retreats from dead ends, and returns the longest way.
+  // Retreats from dead ends, and returns the longest path.
   Chain
   Grow(const Vector3d & start, const Vector3d & outwards, double length, ColonRandom & random) const
   {
@@ -134,7 +134,7 @@ private:
     return m_Radius + c_BeyondRadius;
   }
 
-  // Space (mm) that a continuation of the axis lacks at a point; negative if there is enough.
+  // Missing space (mm) for a continuation of the axis at a point; negative if there is enough.
   double
   Lacking(const Chain & axis, const Vector3d & at) const
   {
@@ -142,7 +142,7 @@ private:
     const double across = std::hypot(at.x() / (c_BodyHalfWidth - margin), at.y() / (c_BodyHalfDepth - margin));
     double       lacking = (across - 1.0) * (c_BodyHalfDepth - margin);
     lacking = std::max({ lacking, c_LowestIleum + margin - at.z(), at.z() - c_HighestIleum + margin });
-    lacking = std::max(lacking, c_FromSpine + margin - (at - SpineAxisAt(at.z())).norm());
+    lacking = std::max(lacking, c_FromSpine + margin - (at - ColonAnatomy::SpineAxis(at.z())).norm());
     const bool isBesideCecum = c_GrowthStep * static_cast<double>(axis.size()) < c_BesideCecum;
     for (std::size_t i = 0; i < m_Colon.size(); ++i)
     {
@@ -220,7 +220,7 @@ OutwardsAtRest(const Chain & colon, int cecum)
   return (off - off.dot(tangent) * tangent).normalized();
 }
 
-// The longest of several ways, or the first with the requested length.
+// The longest of several paths, or the first with the requested length.
 Chain
 ChainAtRest(const Chain &                  colon,
             const std::vector<double> &    radius,
@@ -261,7 +261,7 @@ NodesOf(const Chain & axis)
   return path;
 }
 
-// The colon at the nodes of its rest, in the position.
+// The colon in the position, at the nodes of the colon at rest.
 std::vector<ColonRelaxation::Obstacle>
 PositionedColon(const ColonAnatomy & anatomy, const ColonPath & rest)
 {
@@ -336,7 +336,7 @@ AxisIn(const ColonAnatomy & anatomy, const RestingIleum & ileum)
   return axis;
 }
 
-// Number of points of an axis before the first one without room beside the colon or an earlier loop.
+// Number of points of an axis before the first one that lacks room next to the colon or an earlier loop.
 std::size_t
 PointsWithRoom(const Chain & axis, const ColonAnatomy & anatomy)
 {
@@ -366,7 +366,7 @@ InPosition(ColonPhantomParameters parameters, const char * position)
 }
 } // namespace
 
-// The way at rest with most room in supine and prone position is that of all positions.
+// The path at rest that has the most room in supine and prone position is used for all positions.
 std::vector<Vector3d>
 RefluxedIleumAxis(const ColonAnatomy & anatomy)
 {

@@ -90,14 +90,10 @@ DistanceToSegment(const Vector & a, const Vector & b, const Vector & p)
 double
 Distance(const Tube & tube, const Vector & p)
 {
-  double least = DistanceToSegment(tube.points.front(), tube.points.back(), p);
-  if (tube.points.size() > 2)
+  double least = DistanceToSegment(tube.points[0], tube.points[1], p);
+  for (std::size_t i = 2; i < tube.points.size(); ++i)
   {
-    least = DistanceToSegment(tube.points[0], tube.points[1], p);
-    for (std::size_t i = 2; i < tube.points.size(); ++i)
-    {
-      least = std::min(least, DistanceToSegment(tube.points[i - 1], tube.points[i], p));
-    }
+    least = std::min(least, DistanceToSegment(tube.points[i - 1], tube.points[i], p));
   }
   return least - tube.radius;
 }

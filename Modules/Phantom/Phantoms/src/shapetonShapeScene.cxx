@@ -73,13 +73,7 @@ ShapeScene::Load(const std::string & presetOrFile)
   {
     throw ParameterError("the shape \"" + presetOrFile + "\" is neither a JSON file nor one of " + ListOfPresets());
   }
-  return FromFile(presetOrFile);
-}
-
-ShapeScene
-ShapeScene::FromFile(const std::string & path)
-{
-  return FromJson(ReadJson(path), path);
+  return FromJson(ReadJson(presetOrFile), presetOrFile);
 }
 
 ShapeScene

@@ -1,6 +1,7 @@
 #include "shapetonSmallBowel.h"
 
 #include "shapetonColonBody.h"
+#include "shapetonForEachCell.h"
 #include "shapetonPhantomRandom.h"
 
 #include <algorithm>
@@ -188,6 +189,7 @@ private:
     int end; // index of the second point on the axis
   };
   using Segments = std::vector<Segment>;
+  using Cell = std::array<int, 3>;
 
   struct Nearest
   {
@@ -214,30 +216,14 @@ private:
     }
     m_Cells.resize(static_cast<std::size_t>(m_Size[0]) * m_Size[1] * m_Size[2]);
     const Segments all = this->AllSegments();
-    for (int z = 0; z < m_Size[2]; z += cellsOfBlock)
-    {
-      for (int y = 0; y < m_Size[1]; y += cellsOfBlock)
-      {
-        for (int x = 0; x < m_Size[0]; x += cellsOfBlock)
-        {
-          this->FillBlock(
-            x, y, z, this->SegmentsNear(this->PointOf(x, y, z, cellsOfBlock), cellsOfBlock * cellSide, all));
-        }
-      }
-    }
-  }
-
-  void
-  FillBlock(int x, int y, int z, const Segments & near)
-  {
-    for (int k = 0; k < cellsOfBlock * cellsOfBlock * cellsOfBlock; ++k)
-    {
-      const int u = x + k % cellsOfBlock;
-      const int v = y + k / cellsOfBlock % cellsOfBlock;
-      const int w = z + k / (cellsOfBlock * cellsOfBlock);
-      m_Cells[(static_cast<std::size_t>(w) * m_Size[1] + v) * m_Size[0] + u] =
-        this->SegmentsNear(this->PointOf(u, v, w, 1), cellSide, near);
-    }
+    ForEachCell({ 0, 0, 0 }, m_Size, cellsOfBlock, [&](const Cell & block) {
+      const Segments near = this->SegmentsNear(this->PointOf(block, cellsOfBlock), cellsOfBlock * cellSide, all);
+      const Cell     end{ { block[0] + cellsOfBlock, block[1] + cellsOfBlock, block[2] + cellsOfBlock } };
+      ForEachCell(block, end, 1, [&](const Cell & cell) {
+        m_Cells[(static_cast<std::size_t>(cell[2]) * m_Size[1] + cell[1]) * m_Size[0] + cell[0]] =
+          this->SegmentsNear(this->PointOf(cell, 1), cellSide, near);
+      });
+    });
   }
 
   Segments
@@ -300,9 +286,9 @@ private:
 
   // The center of a cube of `side` cells.
   PointType
-  PointOf(int x, int y, int z, int side) const
+  PointOf(const Cell & first, int side) const
   {
-    return m_Corner + MakeVector(x + 0.5 * side, y + 0.5 * side, z + 0.5 * side) * cellSide;
+    return m_Corner + MakeVector(first[0] + 0.5 * side, first[1] + 0.5 * side, first[2] + 0.5 * side) * cellSide;
   }
 
   const Segments *
@@ -357,7 +343,7 @@ private:
   VectorType            m_Down;
   std::vector<Loop>     m_Loops;
   PointType             m_Corner;
-  std::array<int, 3>    m_Size;
+  Cell                  m_Size;
   std::vector<Segments> m_Cells;
 };
 } // namespace

@@ -1,5 +1,7 @@
 #include "shapetonTubeForest.h"
 
+#include "shapetonForEachCell.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -97,27 +99,19 @@ private:
     const double       halfDiagonal = 0.5 * std::sqrt(3.0) * forestCell;
     const auto &       tube = m_Tubes[number];
     std::array<int, 3> first;
-    std::array<int, 3> last;
+    std::array<int, 3> end;
     for (unsigned int i = 0; i < 3; ++i)
     {
       first[i] = static_cast<int>((this->Low(tube, i) - m_Corner[i]) / forestCell);
-      last[i] = static_cast<int>((this->High(tube, i) - m_Corner[i]) / forestCell);
+      end[i] = static_cast<int>((this->High(tube, i) - m_Corner[i]) / forestCell) + 1;
     }
-    std::array<int, 3> cell;
-    for (cell[2] = first[2]; cell[2] <= last[2]; ++cell[2])
-    {
-      for (cell[1] = first[1]; cell[1] <= last[1]; ++cell[1])
+    ForEachCell(first, end, 1, [&](const std::array<int, 3> & cell) {
+      const PointType middle = m_Corner + MakeVector(cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5) * forestCell;
+      if (DistanceTo(tube, middle) < taperSlope * (m_Reach + halfDiagonal))
       {
-        for (cell[0] = first[0]; cell[0] <= last[0]; ++cell[0])
-        {
-          const PointType middle = m_Corner + MakeVector(cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5) * forestCell;
-          if (DistanceTo(tube, middle) < taperSlope * (m_Reach + halfDiagonal))
-          {
-            m_Cells[this->NumberOf(cell)].push_back(number);
-          }
-        }
+        m_Cells[this->NumberOf(cell)].push_back(number);
       }
-    }
+    });
   }
 
   std::vector<TaperedTube>      m_Tubes;
