@@ -1,26 +1,15 @@
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonAutomaticParameters.h"
-#include "shapetonDiffusionTestVolumes.h"
-#include "shapetonTestImages.h"
+#include "shapetonDiffusionTestImages.h"
 
 #include <gtest/gtest.h>
 
 using namespace shapeton;
+using test::MakeImage;
+using test::VoxelsOf;
 
 namespace
 {
-template <typename TPixel>
-typename itk::Image<TPixel, 3>::Pointer
-MakeImage(const test::Volume & volume, double scale = 1.0)
-{
-  using ImageType = itk::Image<TPixel, 3>;
-  auto image = basetest::NewImage<ImageType>({ { volume.size[0], volume.size[1], volume.size[2] } });
-  std::transform(volume.values.begin(), volume.values.end(), image->GetBufferPointer(), [scale](float value) {
-    return static_cast<TPixel>(scale * value);
-  });
-  return image;
-}
-
 template <typename TImage>
 typename CumulativeHeatDiffusionImageFilter<TImage>::Pointer
 MakeFilter(TImage * image, std::uint64_t timeSteps)
@@ -36,8 +25,7 @@ HeatOf(const test::Volume & volume, std::uint64_t timeSteps)
 {
   const auto filter = MakeFilter(MakeImage<float>(volume).GetPointer(), timeSteps);
   filter->Update();
-  const float * const heat = filter->GetOutput()->GetBufferPointer();
-  return std::vector<float>(heat, heat + volume.values.size());
+  return VoxelsOf(filter->GetOutput());
 }
 
 test::Volume
@@ -95,21 +83,14 @@ TEST(CumulativeHeatDiffusionImageFilter, TranslationMovesTheHeatOfAClosedObject)
   b.Fill([&](std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t z) { return shape(x - 12, y - 9, z - 11); });
   const auto heatA = HeatOf(a, 300);
   const auto heatB = HeatOf(b, 300);
-  for (std::size_t z = 0; z < 8; ++z)
-  {
-    for (std::size_t y = 0; y < 4; ++y)
+  test::ForVoxels({ 6, 4, 8 }, [&](std::size_t, std::size_t x, std::size_t y, std::size_t z) {
+    if (shape(x, y, z) > 0.0)
     {
-      for (std::size_t x = 0; x < 6; ++x)
-      {
-        if (shape(x, y, z) > 0.0)
-        {
-          const auto inA = heatA[((z + 6) * 22 + y + 5) * 24 + x + 4];
-          const auto inB = heatB[((z + 11) * 22 + y + 9) * 24 + x + 12];
-          EXPECT_NEAR(inA, inB, 2e-6);
-        }
-      }
+      const auto inA = heatA[((z + 6) * 22 + y + 5) * 24 + x + 4];
+      const auto inB = heatB[((z + 11) * 22 + y + 9) * 24 + x + 12];
+      EXPECT_NEAR(inA, inB, 2e-6);
     }
-  }
+  });
 }
 
 TEST(CumulativeHeatDiffusionImageFilter, AxisPermutationPermutesTheHeat)
@@ -119,16 +100,9 @@ TEST(CumulativeHeatDiffusionImageFilter, AxisPermutationPermutesTheHeat)
   permuted.Fill([&](std::size_t a, std::size_t b, std::size_t c) { return volume.values[(a * 13 + c) * 17 + b]; });
   const auto heat = HeatOf(volume, 500);
   const auto permutedHeat = HeatOf(permuted, 500);
-  for (std::size_t a = 0; a < 21; ++a)
-  {
-    for (std::size_t b = 0; b < 17; ++b)
-    {
-      for (std::size_t c = 0; c < 13; ++c)
-      {
-        EXPECT_NEAR(permutedHeat[(c * 17 + b) * 21 + a], heat[(a * 13 + c) * 17 + b], 5e-6);
-      }
-    }
-  }
+  test::ForVoxels(permuted.size, [&](std::size_t i, std::size_t a, std::size_t b, std::size_t c) {
+    EXPECT_NEAR(permutedHeat[i], heat[(a * 13 + c) * 17 + b], 5e-6);
+  });
 }
 
 TEST(CumulativeHeatDiffusionImageFilter, IntegerPixelsGiveTheHeatOfEqualFloats)
@@ -141,25 +115,13 @@ TEST(CumulativeHeatDiffusionImageFilter, IntegerPixelsGiveTheHeatOfEqualFloats)
   const auto b = MakeFilter(floats.GetPointer(), 200);
   a->Update();
   b->Update();
-  EXPECT_TRUE(std::equal(a->GetOutput()->GetBufferPointer(),
-                         a->GetOutput()->GetBufferPointer() + volume.values.size(),
-                         b->GetOutput()->GetBufferPointer()));
+  EXPECT_EQ(VoxelsOf(a->GetOutput()), VoxelsOf(b->GetOutput()));
 }
 
 TEST(CumulativeHeatDiffusionImageFilter, KeepsAnObliqueAnisotropicGeometry)
 {
-  const auto                          image = MakeImage<float>(test::MakeScene({ 9, 8, 7 }, 0.1));
-  itk::Image<float, 3>::DirectionType direction;
-  const double                        c = std::cos(0.4), s = std::sin(0.4);
-  direction(0, 0) = c;
-  direction(0, 1) = -s;
-  direction(0, 2) = 0.0;
-  direction(1, 0) = s;
-  direction(1, 1) = c;
-  direction(1, 2) = 0.0;
-  direction(2, 0) = direction(2, 1) = 0.0;
-  direction(2, 2) = 1.0;
-  image->SetDirection(direction);
+  const auto image = MakeImage<float>(test::MakeScene({ 9, 8, 7 }, 0.1));
+  image->SetDirection(basetest::Rotation(2, 0.4));
   image->SetSpacing(std::array<double, 3>{ { 0.7, 0.8, 2.5 } }.data());
   image->SetOrigin(std::array<double, 3>{ { -12.5, 30.0, 101.0 } }.data());
   auto filter = MakeFilter(image.GetPointer(), 50);
@@ -212,8 +174,7 @@ TEST(CumulativeHeatDiffusionImageFilter, ARegionThatStartsElsewhereAndAPartialRe
   filter->GetOutput()->SetRequestedRegion(itk::Image<float, 3>::RegionType(start, { { 2, 2, 2 } }));
   filter->GetOutput()->Update();
   EXPECT_EQ(filter->GetOutput()->GetBufferedRegion(), region);
-  const float * const heat = filter->GetOutput()->GetBufferPointer();
-  EXPECT_EQ(std::vector<float>(heat, heat + volume.values.size()), HeatOf(volume, 100));
+  EXPECT_EQ(VoxelsOf(filter->GetOutput()), HeatOf(volume, 100));
 }
 
 TEST(CumulativeHeatDiffusionImageFilter, ConductancesAsPublishedMatchBruteForce)
@@ -229,8 +190,7 @@ TEST(CumulativeHeatDiffusionImageFilter, ConductancesAsPublishedMatchBruteForce)
   const auto filter = MakeFilter(image.GetPointer(), 300);
   filter->SetConductance(VolumeGradientOperator::Conductance::Published);
   filter->Update();
-  const float * const heat = filter->GetOutput()->GetBufferPointer();
-  EXPECT_LT(test::LargestDifference(std::vector<float>(heat, heat + volume.values.size()), brute.heat), 1e-5);
+  EXPECT_LT(test::LargestDifference(VoxelsOf(filter->GetOutput()), brute.heat), 1e-5);
 }
 
 TEST(CumulativeHeatDiffusionImageFilter, TheSpacingMattersUnlessItIsIgnored)
@@ -242,8 +202,7 @@ TEST(CumulativeHeatDiffusionImageFilter, TheSpacingMattersUnlessItIsIgnored)
     const auto filter = MakeFilter(image.GetPointer(), 100);
     filter->SetIgnoreSpacing(ignore);
     filter->Update();
-    const float * const heat = filter->GetOutput()->GetBufferPointer();
-    return std::vector<float>(heat, heat + volume.values.size());
+    return VoxelsOf(filter->GetOutput());
   };
   EXPECT_EQ(run(true), HeatOf(volume, 100));
   EXPECT_GT(test::LargestDifference(run(false), run(true)), 0.01);
@@ -286,14 +245,14 @@ TEST(CumulativeHeatDiffusionImageFilter, HistogramAndSnapshotsAgree)
   std::vector<float>         last;
   filter->SetHistogramSteps(steps);
   filter->SetSnapshotSteps(steps, [&](std::uint64_t step, const itk::Image<float, 3> * heat) {
-    last.assign(heat->GetBufferPointer(), heat->GetBufferPointer() + heat->GetPixelContainer()->Size());
+    last = VoxelsOf(heat);
     histogram.AddToRow(taken.size(), last.data(), last.size());
     taken.push_back(step);
   });
   filter->Update();
   ASSERT_EQ(taken, steps);
   EXPECT_TRUE(histogram == filter->GetResult().histogram);
-  EXPECT_TRUE(std::equal(last.begin(), last.end(), filter->GetOutput()->GetBufferPointer()));
+  EXPECT_EQ(last, VoxelsOf(filter->GetOutput()));
 }
 
 TEST(CumulativeHeatDiffusionImageFilter, RowsAfterTheSteadyStateAreLeftOut)

@@ -15,6 +15,24 @@ namespace test
 {
 using Size = std::array<std::size_t, 3>;
 
+/** Calls `body` with the number, x first, and the index of each voxel. */
+template <typename TBody>
+void
+ForVoxels(const Size & size, const TBody & body)
+{
+  std::size_t i = 0;
+  for (std::size_t z = 0; z < size[2]; ++z)
+  {
+    for (std::size_t y = 0; y < size[1]; ++y)
+    {
+      for (std::size_t x = 0; x < size[0]; ++x, ++i)
+      {
+        body(i, x, y, z);
+      }
+    }
+  }
+}
+
 /** A volume as an array, x fastest. */
 struct Volume
 {
@@ -34,16 +52,9 @@ struct Volume
   void
   Fill(const TFunction & function)
   {
-    for (std::size_t z = 0; z < size[2]; ++z)
-    {
-      for (std::size_t y = 0; y < size[1]; ++y)
-      {
-        for (std::size_t x = 0; x < size[0]; ++x)
-        {
-          this->At(x, y, z) = static_cast<float>(function(x, y, z));
-        }
-      }
-    }
+    ForVoxels(size, [&](std::size_t i, std::size_t x, std::size_t y, std::size_t z) {
+      values[i] = static_cast<float>(function(x, y, z));
+    });
   }
 
   operator VolumeView() const { return { values.data(), size, spacing }; }
@@ -117,7 +128,7 @@ public:
       return std::clamp((value - window[0]) / (window[1] - window[0]), 0.0, 1.0);
     };
     double largest = 0.0;
-    this->ForAll([&](std::size_t i, std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t z) {
+    ForVoxels(m_Size, [&](std::size_t i, std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t z) {
       for (int k = 0; k < 6; ++k)
       {
         const auto & o = Offset(k);
@@ -141,7 +152,7 @@ public:
     const std::array<std::ptrdiff_t, 3> strides = { 1,
                                                     static_cast<std::ptrdiff_t>(m_Size[0]),
                                                     static_cast<std::ptrdiff_t>(m_Size[0] * m_Size[1]) };
-    this->ForAll([&](std::size_t i, std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t z) {
+    ForVoxels(m_Size, [&](std::size_t i, std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t z) {
       const std::array<std::ptrdiff_t, 3> index = { x, y, z };
       double                              flow = 0.0;
       for (int k = 0; k < 6; ++k)
@@ -163,23 +174,6 @@ private:
     static const std::array<std::ptrdiff_t, 3> offsets[6] = { { 1, 0, 0 },  { -1, 0, 0 }, { 0, 1, 0 },
                                                               { 0, -1, 0 }, { 0, 0, 1 },  { 0, 0, -1 } };
     return offsets[k];
-  }
-
-  template <typename TBody>
-  void
-  ForAll(const TBody & body)
-  {
-    std::size_t i = 0;
-    for (std::size_t z = 0; z < m_Size[2]; ++z)
-    {
-      for (std::size_t y = 0; y < m_Size[1]; ++y)
-      {
-        for (std::size_t x = 0; x < m_Size[0]; ++x, ++i)
-        {
-          body(i, x, y, z);
-        }
-      }
-    }
   }
 
   Size   m_Size;

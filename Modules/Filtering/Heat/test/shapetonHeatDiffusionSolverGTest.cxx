@@ -156,19 +156,12 @@ TEST(HeatDiffusionSolver, AnEigenfunctionOfTheFreeVolumeDecaysAsItsEigenvalueSay
   {
     eigenvalue += 2.0 - 2.0 * std::cos(shapeton::Pi / (n + 1.0));
   }
-  for (std::size_t z = 0; z < 12; ++z)
-  {
-    for (std::size_t y = 0; y < 10; ++y)
-    {
-      for (std::size_t x = 0; x < 15; ++x)
-      {
-        const double h = std::sin(shapeton::Pi * (x + 1) / 16.0) * std::sin(shapeton::Pi * (y + 1) / 11.0) *
-                         std::sin(shapeton::Pi * (z + 1) / 13.0);
-        heat.GetData()[grid.GetRow(y, z) + x] = static_cast<float>(h);
-        expected.push_back(h * std::pow(1.0 - dt * eigenvalue, t));
-      }
-    }
-  }
+  ForVoxels(volume.size, [&](std::size_t, std::size_t x, std::size_t y, std::size_t z) {
+    const double h = std::sin(shapeton::Pi * (x + 1) / 16.0) * std::sin(shapeton::Pi * (y + 1) / 11.0) *
+                     std::sin(shapeton::Pi * (z + 1) / 13.0);
+    heat.GetData()[grid.GetRow(y, z) + x] = static_cast<float>(h);
+    expected.push_back(h * std::pow(1.0 - dt * eigenvalue, t));
+  });
   HeatDiffusionSolver solver(volumeGradient, Method::Chebyshev, dt, 1e-5);
   EXPECT_EQ(solver.Run(heat, t), t);
   EXPECT_LT(LargestDifference(Values(grid, heat), expected), 1e-5);
@@ -182,35 +175,20 @@ TEST(HeatDiffusionSolver, AClosedObjectKeepsItsHeatAndEndsAtItsMean)
   };
   volume.Fill([&](std::size_t x, std::size_t y, std::size_t z) { return inside(x, y, z) ? 1.0 : 0.0; });
   const VolumeGradientOperator volumeGradient(volume);
-  const auto          trajectory = Diffuse(volumeGradient, Method::Chebyshev, 1000000, { 0, 50, 1000, 1000000 });
-  std::vector<double> sums;
-  for (const auto & field : trajectory.fields)
-  {
-    double      sum = 0.0;
-    std::size_t i = 0;
-    for (std::size_t z = 0; z < 24; ++z)
-      for (std::size_t y = 0; y < 24; ++y)
-        for (std::size_t x = 0; x < 24; ++x, ++i)
-          sum += inside(x, y, z) ? field[i] : 0.0;
-    sums.push_back(sum);
-  }
+  const auto   trajectory = Diffuse(volumeGradient, Method::Chebyshev, 1000000, { 0, 50, 1000, 1000000 });
   const double voxels = 10 * 7 * 12;
   const double cutFaces = 2 * (10 * 7 + 7 * 12 + 12 * 10);
-  for (const double sum : sums)
+  for (const auto & field : trajectory.fields)
   {
+    double sum = 0.0;
+    ForVoxels(volume.size, [&](std::size_t i, std::size_t x, std::size_t y, std::size_t z) {
+      sum += inside(x, y, z) ? field[i] : 0.0;
+    });
     EXPECT_NEAR(sum, cutFaces / 6.0, 1e-5 * voxels);
   }
-  std::size_t i = 0;
-  for (std::size_t z = 0; z < 24; ++z)
-  {
-    for (std::size_t y = 0; y < 24; ++y)
-    {
-      for (std::size_t x = 0; x < 24; ++x, ++i)
-      {
-        EXPECT_NEAR(trajectory.last[i], inside(x, y, z) ? cutFaces / 6.0 / voxels : 0.0, 1e-5);
-      }
-    }
-  }
+  ForVoxels(volume.size, [&](std::size_t i, std::size_t x, std::size_t y, std::size_t z) {
+    EXPECT_NEAR(trajectory.last[i], inside(x, y, z) ? cutFaces / 6.0 / voxels : 0.0, 1e-5);
+  });
 }
 
 TEST(HeatDiffusionSolver, ThreadsDoNotChangeABit)

@@ -1,18 +1,19 @@
 #include "shapetonDiffusionTestVolumes.h"
 #include "shapetonHeatClassification.h"
 #include "shapetonHeatParameterChoice.h"
-#include "shapetonParallelFor.h"
+#include "shapetonTestThreads.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
+#include <tuple>
 
 using namespace shapeton;
 using namespace shapeton::test;
 
 namespace
 {
-/** A body in air that contains a ball and a box, all with edges over `blur` voxels, in noise. */
+/** A body in air that contains a ball and a box, with all edges blurred over `blur` voxels, and noise. */
 struct Body
 {
   Volume           volume;
@@ -45,7 +46,8 @@ struct Body
   }
 };
 
-/** The smallest share of an object's voxels in a class of its own; 0 if two objects have one main class. */
+/** The smallest fraction, over all objects, of an object's voxels in its main class; 0 if two objects share a main
+ * class. */
 double
 Separation(const Body & body, const CumulativeHeatDiffusionSettings & settings)
 {
@@ -102,7 +104,7 @@ TEST(HeatParameterChoice, SeparatesWhatThePublishedParametersMerge)
   {
     const Body body(3.0, noise);
     const auto choice = Choose(body.volume);
-    // Blurred voxels are half of the ball.
+    // Half of the ball's voxels are blurred.
     EXPECT_GT(Separation(body, With(choice)), 0.5) << noise << ": p = " << choice.p << ", " << choice.timeSteps;
     EXPECT_LT(Separation(body, {}), 0.1) << noise; // blurred edges leak with p = 7
     EXPECT_GT(choice.regions, 1.5);
@@ -165,17 +167,11 @@ TEST(HeatParameterChoice, UsesTheSoftTissueWindowForCtOnly)
 
 TEST(HeatParameterChoice, IsTheSameForAnyNumberOfThreads)
 {
-  const Body         body(3.0, 40.0);
-  const unsigned int threads = NumberOfThreads();
-  SetNumberOfThreads(1);
-  const auto one = Choose(body.volume);
-  SetNumberOfThreads(3);
-  const auto three = Choose(body.volume);
-  SetNumberOfThreads(threads);
-  EXPECT_EQ(one.regions, three.regions);
-  EXPECT_EQ(one.p, three.p);
-  EXPECT_EQ(one.intensityWindow, three.intensityWindow);
-  EXPECT_EQ(one.timeSteps, three.timeSteps);
+  const Body body(3.0, 40.0);
+  basetest::ExpectSameWithAnyThreads([&] {
+    const auto choice = Choose(body.volume);
+    return std::make_tuple(choice.regions, choice.p, choice.intensityWindow, choice.timeSteps);
+  });
 }
 
 TEST(HeatParameterChoice, TakesAnyVolume)

@@ -2,8 +2,8 @@
 #include "shapetonParticleParameters.h"
 #include "shapetonParticleTestRuns.h"
 #include "shapetonVisitDensity.h"
+#include "shapetonDiffusionTestImages.h"
 #include "shapetonTestErrors.h"
-#include "shapetonTestImages.h"
 
 #include <gtest/gtest.h>
 
@@ -11,20 +11,11 @@
 #include <string>
 
 using namespace shapeton;
+using test::MakeImage;
+using test::VoxelsOf;
 
 namespace
 {
-template <typename TPixel>
-typename itk::Image<TPixel, 3>::Pointer
-MakeImage(const test::Volume & volume, double scale = 1.0)
-{
-  auto image = basetest::NewImage<itk::Image<TPixel, 3>>({ { volume.size[0], volume.size[1], volume.size[2] } });
-  std::transform(volume.values.begin(), volume.values.end(), image->GetBufferPointer(), [scale](float value) {
-    return static_cast<TPixel>(scale * value);
-  });
-  return image;
-}
-
 /** Integers from 0 to 200, which every pixel type can represent. */
 test::Volume
 MakeWholeNumbers()
@@ -49,13 +40,6 @@ MakeFilter(TImage * image, std::uint64_t timeSteps)
   return filter;
 }
 
-std::vector<std::uint32_t>
-VisitsOf(const itk::Image<std::uint32_t, 3> * image)
-{
-  const std::uint32_t * const visits = image->GetBufferPointer();
-  return std::vector<std::uint32_t>(visits, visits + image->GetPixelContainer()->Size());
-}
-
 template <typename TPixel>
 std::vector<std::uint32_t>
 VisitsWithPixels(const test::Volume & volume)
@@ -63,17 +47,14 @@ VisitsWithPixels(const test::Volume & volume)
   const auto image = MakeImage<TPixel>(volume);
   const auto filter = MakeFilter(image.GetPointer(), 20);
   filter->Update();
-  return VisitsOf(filter->GetOutput());
+  return VoxelsOf(filter->GetOutput());
 }
 
 itk::Image<unsigned char, 3>::Pointer
 MakeMask(const test::Volume & volume)
 {
   const auto mask = MakeImage<unsigned char>(volume, 0.0);
-  for (std::size_t i = 0; i < volume.values.size() / 2; ++i)
-  {
-    mask->GetBufferPointer()[i] = 1;
-  }
+  std::fill_n(mask->GetBufferPointer(), volume.values.size() / 2, static_cast<unsigned char>(1));
   return mask;
 }
 
@@ -112,7 +93,7 @@ TEST(ParticleDiffusionImageFilter, EqualsTheDiffusionOnArrays)
   const unsigned char * const inside = mask->GetBufferPointer();
   test::ParticleRun           run(volume, settings, { inside, inside + volume.values.size() });
   run.diffusion.Run(30);
-  EXPECT_EQ(VisitsOf(filter->GetOutput()), run.visits);
+  EXPECT_EQ(VoxelsOf(filter->GetOutput()), run.visits);
   EXPECT_EQ(test::Tied(filter->GetMeasures()), test::Tied(run.diffusion.GetMeasures()));
 }
 
@@ -123,7 +104,7 @@ TEST(ParticleDiffusionImageFilter, TheDefaultWindowIsTheRangeOfTheVolume)
   filter->Update();
   test::ParticleRun run(volume, test::MakeSettings(volume, 3000, 0.1));
   run.diffusion.Run(10);
-  EXPECT_EQ(VisitsOf(filter->GetOutput()), run.visits);
+  EXPECT_EQ(VoxelsOf(filter->GetOutput()), run.visits);
   EXPECT_EQ(filter->GetWindowLower(), *std::min_element(volume.values.begin(), volume.values.end()));
   EXPECT_EQ(filter->GetWindowUpper(), *std::max_element(volume.values.begin(), volume.values.end()));
 }
@@ -153,13 +134,13 @@ TEST(ParticleDiffusionImageFilter, KeepsAnObliqueAnisotropicGeometry)
   EXPECT_EQ(output->GetSpacing(), image->GetSpacing());
   EXPECT_EQ(output->GetOrigin(), image->GetOrigin());
   EXPECT_EQ(output->GetBufferedRegion(), image->GetBufferedRegion());
-  const auto visits = VisitsOf(output);
+  const auto visits = VoxelsOf(output);
   EXPECT_EQ(std::accumulate(visits.begin(), visits.end(), 0U), 3000U * 5U);
 }
 
 TEST(ParticleDiffusionImageFilter, TheVisitsGrowFromEventToEvent)
 {
-  // Also for steps with more shapetons than are moved between two events.
+  // This also holds for steps with more shapetons than are moved between two events.
   const auto image = MakeImage<float>(test::MakeScene({ 20, 20, 20 }, 0.1));
   for (const std::uint32_t shapetons : { 5000, 70000 })
   {
@@ -170,7 +151,7 @@ TEST(ParticleDiffusionImageFilter, TheVisitsGrowFromEventToEvent)
     std::uint64_t              lastStep = 0;
     std::size_t                events = 0;
     filter->AddObserver(itk::IterationEvent(), [&](const itk::EventObject &) {
-      const auto visits = VisitsOf(filter->GetOutput());
+      const auto visits = VoxelsOf(filter->GetOutput());
       const auto step = filter->GetMeasures().step;
       ++events;
       EXPECT_GE(step, lastStep);
@@ -182,7 +163,7 @@ TEST(ParticleDiffusionImageFilter, TheVisitsGrowFromEventToEvent)
     filter->Update();
     EXPECT_GE(events, 3U);
     EXPECT_EQ(lastStep, 60U);
-    EXPECT_EQ(VisitsOf(filter->GetOutput()), last);
+    EXPECT_EQ(VoxelsOf(filter->GetOutput()), last);
   }
 }
 
@@ -203,7 +184,7 @@ TEST(ParticleDiffusionImageFilter, AnAbortedRunCanBeRunAgain)
   abort = false;
   filter->Update();
   undisturbed->Update();
-  EXPECT_EQ(VisitsOf(filter->GetOutput()), VisitsOf(undisturbed->GetOutput()));
+  EXPECT_EQ(VoxelsOf(filter->GetOutput()), VoxelsOf(undisturbed->GetOutput()));
   filter->RemoveObserver(tag);
 }
 
@@ -251,10 +232,10 @@ TEST(ParticleDiffusionImageFilter, AStateSavedDuringAnEventGoesOn)
       EXPECT_LT(state.step, 60U);
       resumed->SetInitialState(state);
       resumed->Update();
-      EXPECT_EQ(VisitsOf(resumed->GetOutput()), VisitsOf(filter->GetOutput()));
+      EXPECT_EQ(VoxelsOf(resumed->GetOutput()), VoxelsOf(filter->GetOutput()));
       EXPECT_EQ(test::Tied(resumed->GetMeasures()), test::Tied(filter->GetMeasures()));
       EXPECT_EQ(resumed->GetState().step, 60U);
-      EXPECT_EQ(resumed->GetState().visits, VisitsOf(filter->GetOutput()));
+      EXPECT_EQ(resumed->GetState().visits, VoxelsOf(filter->GetOutput()));
     }
   }
 }
