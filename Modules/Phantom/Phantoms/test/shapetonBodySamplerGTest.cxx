@@ -1,6 +1,6 @@
 #include "shapetonBodySampler.h"
 
-#include "itkImage.h"
+#include "shapetonTestImages.h"
 
 #include <gtest/gtest.h>
 
@@ -51,16 +51,8 @@ using ImageType = itk::Image<float, 3>;
 ImageType::Pointer
 Grid(unsigned int size, double x, double y, double z)
 {
-  const auto            image = ImageType::New();
-  ImageType::RegionType region;
-  region.SetSize({ { size, size, size } });
-  image->SetRegions(region);
-  const double spacing[3] = { x, y, z };
-  image->SetSpacing(spacing);
   const double half = 0.5 * (size - 1.0);
-  const double origin[3] = { -half * x, -half * y, -half * z };
-  image->SetOrigin(origin);
-  return image;
+  return basetest::NewImage<ImageType>({ { size, size, size } }, { x, y, z }, { -half * x, -half * y, -half * z });
 }
 
 double
@@ -80,24 +72,14 @@ LargestDeviation(const ImageType *              grid,
 {
   const shapeton::BodySampler sampler(
     { std::make_shared<Slab>(normal, from, to, 1000.0) }, grid, { { 0.75, 0.75, blurAlongZ } }, 0.0);
-  const auto          values = sampler.Sample(grid->GetLargestPossibleRegion());
-  double              largest = 0.0;
-  std::size_t         i = 0;
-  itk::ImageRegion<3> region = grid->GetLargestPossibleRegion();
-  for (int z = 0; z < static_cast<int>(region.GetSize(2)); ++z)
-  {
-    for (int y = 0; y < static_cast<int>(region.GetSize(1)); ++y)
-    {
-      for (int x = 0; x < static_cast<int>(region.GetSize(0)); ++x, ++i)
-      {
-        PhantomBody::PointType p;
-        grid->TransformIndexToPhysicalPoint({ { x, y, z } }, p);
-        const double height = normal * p.GetVectorFromOrigin();
-        const double share = NormalDistribution((to - height) / sigma) - NormalDistribution((from - height) / sigma);
-        largest = std::max(largest, std::abs(values[i] / 1000.0 - share));
-      }
-    }
-  }
+  const auto  values = sampler.Sample(grid->GetLargestPossibleRegion());
+  double      largest = 0.0;
+  std::size_t i = 0;
+  basetest::ForVoxels(grid, [&](const auto &, const PhantomBody::PointType & p) {
+    const double height = normal * p.GetVectorFromOrigin();
+    const double share = NormalDistribution((to - height) / sigma) - NormalDistribution((from - height) / sigma);
+    largest = std::max(largest, std::abs(values[i++] / 1000.0 - share));
+  });
   return largest;
 }
 

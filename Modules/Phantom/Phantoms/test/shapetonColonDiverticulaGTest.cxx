@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <vector>
 
 using Eigen::Vector3d;
 

@@ -1,14 +1,15 @@
 #include "shapetonColonPhantomImageSource.h"
-#include "shapetonExceptions.h"
 #include "shapetonPi.h"
+#include "shapetonTestErrors.h"
+#include "shapetonTestFrames.h"
 
 #include <Eigen/Geometry>
-#include "itkImageRegionConstIteratorWithIndex.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <vector>
@@ -54,7 +55,7 @@ AxisOf(const shapeton::ColonStructures & structures, ColonStructure structure)
   return axis;
 }
 
-// HU at points, without blur, noise and slice profile.
+// HU at points, without blur, noise or slice profile.
 std::vector<double>
 IntensitiesAt(const shapeton::ColonPhantomParameters & parameters, const std::vector<Vector3d> & points)
 {
@@ -122,13 +123,11 @@ TEST(ColonValve, IsThePatients)
 
 TEST(ColonValve, PoleIsTheFarthestOfTheCecum)
 {
-  for (const char * preset : { "standard", "realistic" })
+  for (const auto & parameters : { shapeton::ColonPhantomPreset("standard"), Realistic(3) })
   {
-    auto parameters = Realistic(3);
-    parameters = std::string(preset) == "standard" ? shapeton::ColonPhantomPreset("standard") : parameters;
     const shapeton::ColonAnatomy anatomy(parameters);
     const Vector3d               pole = anatomy.CecalPole();
-    EXPECT_LT(std::abs(anatomy.Evaluate(pole).distance), 0.2) << preset;
+    EXPECT_LT(std::abs(anatomy.Evaluate(pole).distance), 0.2) << parameters.preset;
     const shapeton::CurveSet line = anatomy.Centerline();
     const Eigen::VectorXd    arcLength = shapeton::PointValues(line, "arcLength", "centerline");
     const double             valve = anatomy.Valve().arcLength;
@@ -140,7 +139,7 @@ TEST(ColonValve, PoleIsTheFarthestOfTheCecum)
     for (Eigen::Index i = 0; i < wall.V.rows(); ++i)
     {
       const double distance = (wall.V.row(i).transpose() - mouth).norm();
-      EXPECT_TRUE(segment[i] != 6 || distance < (pole - mouth).norm() + 3.0) << preset;
+      EXPECT_TRUE(segment[i] != 6 || distance < (pole - mouth).norm() + 3.0) << parameters.preset;
     }
   }
 }
@@ -216,30 +215,19 @@ TEST(ColonStructures, RefluxedIleumTouchesTheLumenAtTheValveOnly)
   const auto * const  structures = source->GetStructureOutput();
   const unsigned char ileum = static_cast<unsigned char>(ColonStructure::Ileum);
   const Vector3d      mouth = source->GetAnatomy().Valve().mouth;
-  const auto          region = lumen->GetLargestPossibleRegion();
   std::size_t         voxels = 0;
-  for (itk::ImageRegionConstIteratorWithIndex<shapeton::ColonPhantomImageSource::LabelImageType> it(structures, region);
-       !it.IsAtEnd();
-       ++it)
-  {
-    if (it.Get() != ileum)
+  basetest::ForVoxels(structures, [&](const auto & index, const auto &) {
+    for (unsigned int side = 0; side < 6 && structures->GetPixel(index) == ileum; ++side)
     {
-      continue;
+      auto next = index;
+      next[side / 2] += side % 2 == 0 ? 1 : -1;
+      itk::Point<double, 3> p;
+      lumen->TransformIndexToPhysicalPoint(next, p);
+      voxels += side == 0;
+      EXPECT_EQ(lumen->GetPixel(index), 0);
+      EXPECT_TRUE(lumen->GetPixel(next) == 0 || (basetest::ToEigen(p) - mouth).norm() < 15.0) << p;
     }
-    ++voxels;
-    EXPECT_EQ(lumen->GetPixel(it.GetIndex()), 0);
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      for (const int step : { -1, 1 })
-      {
-        auto next = it.GetIndex();
-        next[axis] += step;
-        itk::Point<double, 3> p;
-        lumen->TransformIndexToPhysicalPoint(next, p);
-        EXPECT_TRUE(lumen->GetPixel(next) == 0 || (Vector3d(p[0], p[1], p[2]) - mouth).norm() < 15.0) << p;
-      }
-    }
-  }
+  });
   EXPECT_NEAR(8.0 * static_cast<double>(voxels) / 1000.0, source->GetStructures().GetIleum()->volume, 2.0);
 }
 
@@ -328,16 +316,15 @@ TEST(ColonFluid, AFilledStretchSeparatesGas)
     EXPECT_GT(end - begin, 29.0) << seed;
     EXPECT_LT(end - begin, length + 50.0) << seed;
     EXPECT_TRUE(anatomy.SegmentAt(begin + 1.0) >= 2 && anatomy.SegmentAt(end - 1.0) <= 3) << seed;
-    const auto isDry = [&fluid](const Vector3d & point, double s) { return fluid.DepthBelowLevel(point, s) < 0.0; };
-    int        dryInside = 0;
-    int        dryBefore = 0;
-    int        dryBeyond = 0;
-    VisitStretch(anatomy, begin, end, 20.0, [&](const Vector3d & p, double s) { dryInside += isDry(p, s); });
-    VisitStretch(anatomy, begin - 20.0, begin, 20.0, [&](const Vector3d & p, double s) { dryBefore += isDry(p, s); });
-    VisitStretch(anatomy, end, end + 20.0, 20.0, [&](const Vector3d & p, double s) { dryBeyond += isDry(p, s); });
-    EXPECT_EQ(dryInside, 0) << seed;
-    EXPECT_GT(dryBefore, 0) << seed;
-    EXPECT_GT(dryBeyond, 0) << seed;
+    const auto dryBetween = [&](double from, double to) {
+      int dry = 0;
+      VisitStretch(
+        anatomy, from, to, 20.0, [&](const Vector3d & p, double s) { dry += fluid.DepthBelowLevel(p, s) < 0.0; });
+      return dry;
+    };
+    EXPECT_EQ(dryBetween(begin, end), 0) << seed;
+    EXPECT_GT(dryBetween(begin - 20.0, begin), 0) << seed;
+    EXPECT_GT(dryBetween(end, end + 20.0), 0) << seed;
     // One level on both sides.
     const shapeton::CurveSet line = anatomy.Centerline();
     const Eigen::VectorXd    arcs = shapeton::PointValues(line, "arcLength", "centerline");
@@ -356,7 +343,7 @@ TEST(ColonFluid, AFilledStretchSeparatesGas)
   EXPECT_GE(found, wanted - 1);
 }
 
-// The surface of fluid in the stretch falls by the slope along the colon; elsewhere it is horizontal.
+// Within the stretch, the fluid surface falls along the colon with the given slope; elsewhere it is horizontal.
 TEST(ColonFluid, ATiltedLevelFallsAlongTheColon)
 {
   int found = 0;
@@ -404,7 +391,7 @@ TEST(ColonFluid, ATiltedLevelFallsAlongTheColon)
   EXPECT_GE(found, 3);
 }
 
-// Areas (mm^2) of the connected levels of the fluid of a patient.
+// Areas (mm^2) of a patient's connected fluid levels.
 std::vector<double>
 AreasOfLevels(const shapeton::ColonAnatomy & anatomy, const shapeton::ColonFluid & fluid)
 {
@@ -465,7 +452,7 @@ AreasOfLevels(const shapeton::ColonAnatomy & anatomy, const shapeton::ColonFluid
   return areas;
 }
 
-// The measured levels contain those of the truth.
+// The measured levels include those of the ground truth.
 TEST(ColonFluid, SomeLevelsAreSmall)
 {
   int found = 0;
@@ -774,52 +761,47 @@ TEST(ColonStructures, WithoutACatheterTheAnalCanalIsClosed)
 
 TEST(ColonPhantomParameters, SharesOfPatientsAreAsDocumented)
 {
-  std::map<std::string, int> catheters, contents, kernels;
-  int                        fatty = 0;
-  int                        refluxed = 0;
-  int                        risen = 0;
-  int                        straight = 0;
-  int                        spastic = 0;
-  int                        filled = 0;
-  int                        tilted = 0;
-  int                        touched = 0;
-  int                        small = 0;
+  std::map<std::string, int> counts;
   constexpr int              patients = 2000;
   for (unsigned seed = 0; seed < patients; ++seed)
   {
     const auto drawn = shapeton::Drawn(Realistic(seed));
     EXPECT_NO_THROW(shapeton::RequireValid(drawn));
     EXPECT_EQ(drawn.catheter, shapeton::Drawn(Realistic(seed, "prone")).catheter);
-    ++catheters[drawn.catheter];
-    ++contents[drawn.ileumContent];
-    fatty += drawn.valveFat > 0.5 ? 1 : 0;
-    ++kernels[drawn.kernel];
-    refluxed += drawn.ileumReflux == "gas" ? 1 : 0;
-    risen += drawn.sigmoidRise >= 30.0 ? 1 : 0;
-    straight += drawn.sigmoidStraightness >= 0.7 ? 1 : 0;
-    spastic += drawn.spasm >= 50.0 ? 1 : 0;
-    filled += drawn.filledStretch >= 30.0 ? 1 : 0;
-    tilted += drawn.levelSlope >= 0.15 ? 1 : 0;
-    small += drawn.smallLevels > 0 ? 1 : 0;
-    touched += drawn.sigmoidContact >= 40.0 ? 1 : 0;
+    ++counts["catheter " + drawn.catheter];
+    ++counts["ileum " + drawn.ileumContent];
+    ++counts["kernel " + drawn.kernel];
+    counts["fatty"] += drawn.valveFat > 0.5;
+    counts["refluxed"] += drawn.ileumReflux == "gas";
+    counts["risen"] += drawn.sigmoidRise >= 30.0;
+    counts["straight"] += drawn.sigmoidStraightness >= 0.7;
+    counts["spastic"] += drawn.spasm >= 50.0;
+    counts["filled"] += drawn.filledStretch >= 30.0;
+    counts["tilted"] += drawn.levelSlope >= 0.15;
+    counts["small levels"] += drawn.smallLevels > 0;
+    counts["touched"] += drawn.sigmoidContact >= 40.0;
     EXPECT_TRUE(drawn.sigmoidRise == 0.0 || drawn.lengths[1] >= 650.0);
     EXPECT_TRUE(drawn.sigmoidStraightness == 0.0 || drawn.lengths[1] <= 550.0);
     EXPECT_TRUE(drawn.noise >= 15.0 && drawn.noise <= 60.0);
   }
-  EXPECT_NEAR(catheters["none"], 0.4 * patients, 80);
-  EXPECT_NEAR(catheters["rigid"], 0.3 * patients, 80);
-  EXPECT_NEAR(refluxed, 0.3 * patients, 80);
-  EXPECT_NEAR(contents["collapsed"], 0.7 * 0.3 * patients, 80); // never with reflux
-  EXPECT_NEAR(kernels["sharp"], patients / 3, 80);
-  EXPECT_NEAR(fatty, 0.7 * patients, 80);
-  EXPECT_NEAR(spastic, 0.25 * patients, 80);
-  EXPECT_NEAR(filled, 0.4 * patients, 80);
-  EXPECT_NEAR(tilted, 0.3 * patients, 80);
-  EXPECT_NEAR(small, 0.4 * patients, 80);
-  EXPECT_NEAR(touched, 0.4 * patients, 80);
-  // Sigmoids of 650 to 1200 and 350 to 550 of 350 to 1200 mm.
-  EXPECT_NEAR(risen, 0.6 * 550.0 / 850.0 * patients, 80);
-  EXPECT_NEAR(straight, 0.6 * 200.0 / 850.0 * patients, 80);
+  // With reflux, the ileum is never collapsed. Sigmoid lengths are uniform in 350 to 1200 mm; those of 650 mm and more
+  // may rise, those of 550 mm and less may be straight.
+  for (const auto & [name, share] : std::map<std::string, double>{ { "catheter none", 0.4 },
+                                                                   { "catheter rigid", 0.3 },
+                                                                   { "refluxed", 0.3 },
+                                                                   { "ileum collapsed", 0.7 * 0.3 },
+                                                                   { "kernel sharp", 1.0 / 3.0 },
+                                                                   { "fatty", 0.7 },
+                                                                   { "spastic", 0.25 },
+                                                                   { "filled", 0.4 },
+                                                                   { "tilted", 0.3 },
+                                                                   { "small levels", 0.4 },
+                                                                   { "touched", 0.4 },
+                                                                   { "risen", 0.6 * 550.0 / 850.0 },
+                                                                   { "straight", 0.6 * 200.0 / 850.0 } })
+  {
+    EXPECT_NEAR(counts[name], share * patients, 80) << name;
+  }
 }
 
 TEST(ColonPhantomParameters, WhatIsGivenMovesNothingThatIsDrawn)
@@ -837,23 +819,34 @@ TEST(ColonPhantomParameters, WhatIsGivenMovesNothingThatIsDrawn)
   EXPECT_EQ(drawn.ileumContent, free.ileumContent);
 }
 
-TEST(ColonPhantomParameters, RefusesPartsThatDoNotFit)
+TEST(ColonPhantomParameters, RefusesWhatIsOutOfRangeOrDoesNotFit)
 {
-  auto parameters = shapeton::ColonPhantomPreset("standard");
-  parameters.valveLength = 20.0;
-  EXPECT_THROW(shapeton::RequireValid(parameters), shapeton::ParameterError);
-  parameters.valve = "lips";
-  EXPECT_NO_THROW(shapeton::RequireValid(parameters));
-  parameters.ileumReflux = "gas";
-  parameters.ileumContent = "fluid";
-  EXPECT_THROW(shapeton::RequireValid(parameters), shapeton::ParameterError);
-  parameters.ileumReflux = "none";
-  parameters.ileumContent = "soup";
-  EXPECT_THROW(shapeton::RequireValid(parameters), shapeton::ParameterError);
-  parameters = Realistic(1);
-  parameters.catheterBore = 20.0;
-  EXPECT_THROW(shapeton::RequireValid(parameters), shapeton::ParameterError);
-  parameters = Realistic(1);
-  parameters.balloon = "open";
-  EXPECT_THROW(shapeton::RequireValid(parameters), shapeton::ParameterError);
+  using Parameters = shapeton::ColonPhantomParameters;
+  const auto refuses = [](const std::function<void(Parameters &)> & change, const std::string & message) {
+    auto parameters = shapeton::ColonPhantomPreset("standard");
+    change(parameters);
+    EXPECT_TRUE(basetest::Refuses<shapeton::ParameterError>([&] { shapeton::RequireValid(parameters); }, message));
+  };
+  refuses([](Parameters & p) { p.distension = 2.0; }, "\"distension\"");
+  refuses([](Parameters & p) { p.position = "standing"; }, "\"position\"");
+  refuses([](Parameters & p) { p.fluid = 1.5; }, "\"fluid\"");
+  refuses([](Parameters & p) { p.lengths[1] = 5000.0; }, "");
+  refuses([](Parameters & p) { p.valveLength = 20.0; }, "require a valve with lips");
+  refuses([](Parameters & p) { p.valve = "lips", p.ileumReflux = "gas", p.ileumContent = "fluid"; },
+          "gas in the ileum");
+  refuses([](Parameters & p) { p.valve = "lips", p.ileumContent = "soup"; }, "\"ileumContent\"");
+  refuses([](Parameters & p) { p = Realistic(1), p.catheterBore = 20.0; }, "\"catheterBore\"");
+  refuses([](Parameters & p) { p = Realistic(1), p.balloon = "open"; }, "\"balloon\"");
+  refuses([](Parameters & p) { p.lungs = "deepBreath"; }, "\"lungs\": \"deepBreath\" is not one of plain");
+  refuses([](Parameters & p) { p.lungDensity = -800.0; }, "requires a whole chest");
+  refuses([](Parameters & p) { p.lungs = "inspiration", p.lungDensity = -1000.0; }, "-1000 is less than");
+  refuses([](Parameters & p) { p.contents = { "colon", "brain" }; }, "\"contents\": \"brain\" is not");
+  Parameters wrong = shapeton::ColonPhantomPreset("standard");
+  wrong.valve = "lips";
+  wrong.valveLength = 20.0;
+  EXPECT_NO_THROW(shapeton::RequireValid(wrong));
+  wrong.fluid = 1.5;
+  EXPECT_THROW(shapeton::ColonAnatomy{ wrong }, shapeton::ParameterError);
+  EXPECT_THROW(shapeton::ColonPhantomImageSource::New()->SetParameters(wrong), shapeton::ParameterError);
+  EXPECT_THROW(shapeton::ColonPhantomPreset("easy"), shapeton::ParameterError);
 }

@@ -1,21 +1,21 @@
 #include "shapetonShapePhantomImageSource.h"
 #include "shapetonJson.h"
+#include "shapetonTestFrames.h"
 #include "shapetonTestThreads.h"
 
-#include "itkImageRegionConstIteratorWithIndex.h"
-
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <random>
 #include <set>
+#include <vector>
 
 namespace
 {
 using Source = shapeton::ShapePhantomImageSource;
-using PointType = Source::PointType;
 const double pi = std::acos(-1.0);
 
 shapeton::ShapeScene
@@ -30,12 +30,9 @@ SceneOf(const std::string & objects, double background = 0.0)
 Source::Pointer
 MakeSource(const shapeton::ShapeScene & scene, unsigned int size, double spacing = 1.0)
 {
-  auto             source = Source::New();
-  Source::SizeType sizes;
-  sizes.Fill(size);
-  source->SetSize(sizes);
-  Source::SpacingType spacings(spacing);
-  source->SetSpacing(spacings);
+  const auto source = Source::New();
+  source->SetSize({ { size, size, size } });
+  source->SetSpacing(Source::SpacingType(spacing));
   source->CenterOutput();
   source->SetScene(scene);
   return source;
@@ -45,26 +42,15 @@ MakeSource(const shapeton::ShapeScene & scene, unsigned int size, double spacing
 Source::Pointer
 MakeObliqueSource(const shapeton::ShapeScene & scene)
 {
-  auto                   source = Source::New();
-  const Source::SizeType size{ { 50, 40, 70 } };
-  source->SetSize(size);
-  Source::SpacingType spacing;
-  spacing[0] = 0.9;
-  spacing[1] = 1.3;
-  spacing[2] = 0.7;
+  const auto source = Source::New();
+  source->SetSize({ { 50, 40, 70 } });
+  const double spacing[3] = { 0.9, 1.3, 0.7 };
   source->SetSpacing(spacing);
-  const double                norm = std::sqrt(14.0);
-  const std::array<double, 3> axis{ { 1 / norm, 2 / norm, 3 / norm } };
-  const double                c = std::cos(40 * pi / 180);
-  const double                s = std::sin(40 * pi / 180);
-  Source::DirectionType       direction;
-  for (unsigned int i = 0; i < 3; ++i)
+  const auto turn = Eigen::AngleAxisd(40 * pi / 180, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  Source::DirectionType direction;
+  for (unsigned int i = 0; i < 9; ++i)
   {
-    const unsigned int j = (i + 1) % 3;
-    const unsigned int k = (i + 2) % 3;
-    direction(i, i) = c + axis[i] * axis[i] * (1 - c);
-    direction(i, j) = axis[i] * axis[j] * (1 - c) - axis[k] * s;
-    direction(i, k) = axis[i] * axis[k] * (1 - c) + axis[j] * s;
+    direction(i / 3, i % 3) = turn(i / 3, i % 3);
   }
   source->SetDirection(direction);
   source->CenterOutput();
@@ -82,52 +68,35 @@ Counts
 Count(const Source::LabelImageType * labels)
 {
   Counts counts;
-  for (itk::ImageRegionConstIteratorWithIndex<Source::LabelImageType> it(labels, labels->GetLargestPossibleRegion());
-       !it.IsAtEnd();
-       ++it)
-  {
-    counts.voxels += it.Get() != 0;
+  basetest::ForVoxels(labels, [&](const auto & index, const auto &) {
+    const bool isObject = labels->GetPixel(index) != 0;
+    counts.voxels += isObject;
     for (unsigned int i = 0; i < 3; ++i)
     {
-      auto next = it.GetIndex();
+      auto next = index;
       if (++next[i] < static_cast<itk::IndexValueType>(labels->GetLargestPossibleRegion().GetSize(i)))
       {
-        counts.faces += (it.Get() != 0) != (labels->GetPixel(next) != 0);
+        counts.faces += isObject != (labels->GetPixel(next) != 0);
       }
     }
-  }
+  });
   return counts;
 }
 
 struct Statistics
 {
-  double sum{ 0.0 };
-  double sumOfSquares{ 0.0 };
-  int    number{ 0 };
-
-  void
-  Add(double value)
-  {
-    sum += value;
-    sumOfSquares += value * value;
-    ++number;
-  }
-  double
-  Mean() const
-  {
-    return sum / number;
-  }
-  double
-  Deviation() const
-  {
-    return std::sqrt(std::max(0.0, sumOfSquares / number - this->Mean() * this->Mean()));
-  }
-  double
-  StandardError() const
-  {
-    return this->Deviation() / std::sqrt(number - 1.0);
-  }
+  double mean;
+  double deviation;
+  double standardError; // of the mean
 };
+
+Statistics
+StatisticsOf(const std::vector<double> & values)
+{
+  const Eigen::Map<const Eigen::ArrayXd> array(values.data(), static_cast<Eigen::Index>(values.size()));
+  const double                           deviation = std::sqrt((array - array.mean()).square().mean());
+  return { array.mean(), deviation, deviation / std::sqrt(values.size() - 1.0) };
+}
 } // namespace
 
 // For a uniformly random lattice offset, the expected number of lattice points in a body of volume V is exactly V / h^3
@@ -141,25 +110,17 @@ struct Body
   double       shadows; // sum of that integral over the three axes; 0 if not convex
 };
 
-void
-PrintTo(const Body & body, std::ostream * stream)
-{
-  *stream << body.object;
-}
-
 constexpr double latticeSpacing = 0.8;
 
-class ClosedForms : public testing::TestWithParam<Body>
-{};
-
-TEST_P(ClosedForms, VoxelAndFaceCountsAreUnbiased)
+void
+ExpectUnbiasedCounts(const Body & body)
 {
+  SCOPED_TRACE(body.object);
   constexpr double                       spacing = latticeSpacing;
-  const auto                             source = MakeSource(SceneOf(GetParam().object), 36, spacing);
+  const auto                             source = MakeSource(SceneOf(body.object), 36, spacing);
   std::mt19937                           engine(11);
   std::uniform_real_distribution<double> uniform(-0.5 * spacing, 0.5 * spacing);
-  Statistics                             volume;
-  Statistics                             shadows;
+  std::vector<double>                    volumes, shadows;
   for (int sample = 0; sample < 40; ++sample)
   {
     source->CenterOutput();
@@ -172,44 +133,47 @@ TEST_P(ClosedForms, VoxelAndFaceCountsAreUnbiased)
     source->Update();
     ASSERT_TRUE(source->FindIncompleteObjects().empty());
     const Counts counts = Count(source->GetLabelOutput());
-    volume.Add(counts.voxels * spacing * spacing * spacing);
-    shadows.Add(0.5 * counts.faces * spacing * spacing);
+    volumes.push_back(counts.voxels * spacing * spacing * spacing);
+    shadows.push_back(0.5 * counts.faces * spacing * spacing);
   }
-  EXPECT_NEAR(volume.Mean(), GetParam().volume, 4.0 * volume.StandardError() + 1e-9);
-  EXPECT_LT(volume.StandardError(), 0.005 * GetParam().volume); // required for the bound above
-  if (GetParam().shadows > 0.0)
+  const Statistics volume = StatisticsOf(volumes);
+  EXPECT_NEAR(volume.mean, body.volume, 4.0 * volume.standardError + 1e-9);
+  EXPECT_LT(volume.standardError, 0.005 * body.volume); // required for the bound above
+  if (body.shadows > 0.0)
   {
-    EXPECT_NEAR(shadows.Mean(), GetParam().shadows, 4.0 * shadows.StandardError() + 1e-3 * GetParam().shadows);
-    EXPECT_LT(shadows.StandardError(), 0.005 * GetParam().shadows);
+    const Statistics shadow = StatisticsOf(shadows);
+    EXPECT_NEAR(shadow.mean, body.shadows, 4.0 * shadow.standardError + 1e-3 * body.shadows);
+    EXPECT_LT(shadow.standardError, 0.005 * body.shadows);
   }
 }
 
 // Sphere: 3 pi r^2. Box a, b, c rotated by 30 degrees about z: faces along x and y are weighted by the cosine of their
 // normal.
-INSTANTIATE_TEST_SUITE_P(
-  Bodies,
-  ClosedForms,
-  testing::Values(
-    Body{ R"({ "kind": "sphere", "radius": 10 })", 4.0 / 3.0 * pi * 1000.0, 300.0 * pi },
-    Body{ R"({ "kind": "box", "size": [10, 12, 16], "rotation": { "axis": [0, 0, 1], "angle": 30 } })",
-          10.0 * 12.0 * 16.0,
-          10.0 * 12.0 + 16.0 * (12.0 + 10.0) * (std::cos(pi / 6) + std::sin(pi / 6)) -
-            2.0 * 16.0 * latticeSpacing * std::cos(pi / 6) * std::sin(pi / 6) },
-    Body{ R"({ "kind": "ellipsoid", "radii": [6, 9, 12] })",
-          4.0 / 3.0 * pi * 6.0 * 9.0 * 12.0,
-          pi *(6.0 * 9.0 + 6.0 * 12.0 + 9.0 * 12.0) },
-    Body{ R"({ "kind": "cylinder", "radius": 6, "length": 20 })", pi * 720.0, pi * 36.0 + 2.0 * 12.0 * 20.0 },
-    Body{ R"({ "kind": "capsule", "radius": 6, "length": 12 })",
-          pi * 36.0 * 12.0 + 4.0 / 3.0 * pi * 216.0,
-          3.0 * pi * 36.0 + 2.0 * 12.0 * 12.0 },
-    Body{ R"({ "kind": "torus", "ringRadius": 9, "tubeRadius": 3, "rotation": { "axis": [1, 1, 0], "angle": 50 } })",
-          2.0 * pi * pi * 9.0 * 9.0,
-          0.0 },
-    // Twisting preserves volume, as does bending if the centroid of the section is on the axis (Pappus).
-    Body{ R"({ "kind": "box", "size": [6, 7, 20], "deformations": [{ "kind": "twist", "angle": 90 },
-                                                                  { "kind": "bend", "angle": 110 }] })",
-          6.0 * 7.0 * 20.0,
-          0.0 }));
+TEST(ShapePhantomImageSource, VoxelAndFaceCountsAreUnbiased)
+{
+  ExpectUnbiasedCounts({ R"({ "kind": "sphere", "radius": 10 })", 4.0 / 3.0 * pi * 1000.0, 300.0 * pi });
+  ExpectUnbiasedCounts({ R"({ "kind": "box", "size": [10, 12, 16], "rotation": { "axis": [0, 0, 1], "angle": 30 } })",
+                         10.0 * 12.0 * 16.0,
+                         10.0 * 12.0 + 16.0 * (12.0 + 10.0) * (std::cos(pi / 6) + std::sin(pi / 6)) -
+                           2.0 * 16.0 * latticeSpacing * std::cos(pi / 6) * std::sin(pi / 6) });
+  ExpectUnbiasedCounts({ R"({ "kind": "ellipsoid", "radii": [6, 9, 12] })",
+                         4.0 / 3.0 * pi * 6.0 * 9.0 * 12.0,
+                         pi * (6.0 * 9.0 + 6.0 * 12.0 + 9.0 * 12.0) });
+  ExpectUnbiasedCounts(
+    { R"({ "kind": "cylinder", "radius": 6, "length": 20 })", pi * 720.0, pi * 36.0 + 2.0 * 12.0 * 20.0 });
+  ExpectUnbiasedCounts({ R"({ "kind": "capsule", "radius": 6, "length": 12 })",
+                         pi * 36.0 * 12.0 + 4.0 / 3.0 * pi * 216.0,
+                         3.0 * pi * 36.0 + 2.0 * 12.0 * 12.0 });
+  ExpectUnbiasedCounts(
+    { R"({ "kind": "torus", "ringRadius": 9, "tubeRadius": 3, "rotation": { "axis": [1, 1, 0], "angle": 50 } })",
+      2.0 * pi * pi * 9.0 * 9.0,
+      0.0 });
+  // Twisting preserves volume, as does bending if the centroid of the section is on the axis (Pappus).
+  ExpectUnbiasedCounts({ R"({ "kind": "box", "size": [6, 7, 20], "deformations": [{ "kind": "twist", "angle": 90 },
+                                                                                { "kind": "bend", "angle": 110 }] })",
+                         6.0 * 7.0 * 20.0,
+                         0.0 });
+}
 
 // Lattice points farther than half a voxel diagonal from the surface are correct, so the error is at most the volume of
 // that shell.
@@ -251,71 +215,13 @@ TEST(ShapePhantomImageSource, LabelsAreTheSignOfTheDistanceInAnObliqueImage)
     scene.SetUnitLength(50 * 0.9); // the shortest extent
     const auto * labels = source->GetLabelOutput();
     std::size_t  differences = 0;
-    for (itk::ImageRegionConstIteratorWithIndex<Source::LabelImageType> it(labels, labels->GetLargestPossibleRegion());
-         !it.IsAtEnd();
-         ++it)
-    {
-      PointType point;
-      labels->TransformIndexToPhysicalPoint(it.GetIndex(), point);
-      differences += it.Get() != scene.GetLabel(point);
-    }
+    basetest::ForVoxels(labels, [&](const auto & index, const auto & point) {
+      differences += labels->GetPixel(index) != scene.GetLabel(point);
+    });
     EXPECT_EQ(differences, 0U) << preset;
     EXPECT_TRUE(source->FindIncompleteObjects().empty()) << preset;
   }
 }
-
-namespace
-{
-struct Moments
-{
-  double                               volume{ 0.0 };
-  std::array<double, 3>                mean{ { 0, 0, 0 } };
-  std::array<std::array<double, 3>, 3> second{};
-};
-
-Moments
-MomentsInSpace(const Source::LabelImageType * labels, unsigned char label)
-{
-  Moments moments;
-  double  voxel = 1.0;
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    voxel *= labels->GetSpacing()[i];
-  }
-  for (itk::ImageRegionConstIteratorWithIndex<Source::LabelImageType> it(labels, labels->GetLargestPossibleRegion());
-       !it.IsAtEnd();
-       ++it)
-  {
-    if (it.Get() != label)
-    {
-      continue;
-    }
-    PointType point;
-    labels->TransformIndexToPhysicalPoint(it.GetIndex(), point);
-    moments.volume += voxel;
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      moments.mean[i] += voxel * point[i];
-      for (unsigned int j = 0; j < 3; ++j)
-      {
-        moments.second[i][j] += voxel * point[i] * point[j];
-      }
-    }
-  }
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    moments.mean[i] /= moments.volume;
-  }
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    for (unsigned int j = 0; j < 3; ++j)
-    {
-      moments.second[i][j] = moments.second[i][j] / moments.volume - moments.mean[i] * moments.mean[j];
-    }
-  }
-  return moments;
-}
-} // namespace
 
 TEST(ShapePhantomImageSource, ObliqueImageSamplesTheSamePhysicalScene)
 {
@@ -326,18 +232,24 @@ TEST(ShapePhantomImageSource, ObliqueImageSamplesTheSamePhysicalScene)
   for (const auto & source : { straight, oblique })
   {
     source->Update();
-    const Moments moments = MomentsInSpace(source->GetLabelOutput(), 1);
-    EXPECT_NEAR(moments.volume, 2520.0, 0.03 * 2520.0);
-    const std::array<double, 3> center{ { 3, -2, 1 } };
-    const std::array<double, 3> size{ { 10, 14, 18 } };
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      EXPECT_NEAR(moments.mean[i], center[i], 0.15);
-      for (unsigned int j = 0; j < 3; ++j)
-      {
-        EXPECT_NEAR(moments.second[i][j], i == j ? size[i] * size[i] / 12.0 : 0.0, 0.35);
-      }
-    }
+    const auto * const labels = source->GetLabelOutput();
+    const double       voxel = source->GetSpacing()[0] * source->GetSpacing()[1] * source->GetSpacing()[2];
+    double             volume = 0.0;
+    Eigen::Vector3d    mean = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d    second = Eigen::Matrix3d::Zero();
+    basetest::ForVoxels(labels, [&](const auto & index, const auto & point) {
+      const double          share = labels->GetPixel(index) == 1 ? voxel : 0.0;
+      const Eigen::Vector3d p = basetest::ToEigen(point);
+      volume += share;
+      mean += share * p;
+      second += share * p * p.transpose();
+    });
+    mean /= volume;
+    second = second / volume - mean * mean.transpose();
+    EXPECT_NEAR(volume, 2520.0, 0.03 * 2520.0);
+    EXPECT_LT((mean - Eigen::Vector3d(3, -2, 1)).cwiseAbs().maxCoeff(), 0.15);
+    const Eigen::Vector3d squares = Eigen::Vector3d(10 * 10, 14 * 14, 18 * 18) / 12.0;
+    EXPECT_LT((second - Eigen::Matrix3d(squares.asDiagonal())).cwiseAbs().maxCoeff(), 0.35);
   }
 }
 
@@ -352,15 +264,10 @@ TEST(ShapePhantomImageSource, BlurIsTheGaussianIntegralAcrossAPlaneFace)
   source->SetBlur(blur);
   source->Update();
   const auto * image = source->GetOutput();
-  for (itk::ImageRegionConstIteratorWithIndex<Source::ImageType> it(image, image->GetLargestPossibleRegion());
-       !it.IsAtEnd();
-       ++it)
-  {
-    PointType point;
-    image->TransformIndexToPhysicalPoint(it.GetIndex(), point);
+  basetest::ForVoxels(image, [&](const auto & index, const auto & point) {
     const double expected = -200.0 + 1200.0 * 0.5 * std::erfc((point[2] - 0.37) / (blur * std::sqrt(2.0)));
-    EXPECT_NEAR(it.Get(), expected, 0.5 + 1e-6);
-  }
+    EXPECT_NEAR(image->GetPixel(index), expected, 0.5 + 1e-6);
+  });
 }
 
 TEST(ShapePhantomImageSource, EqualIntensitiesAreAUnionAndOthersPaintOver)
@@ -374,20 +281,13 @@ TEST(ShapePhantomImageSource, EqualIntensitiesAreAUnionAndOthersPaintOver)
   source->SetBlur(0.5);
   source->Update();
   const auto * image = source->GetOutput();
-  for (itk::ImageRegionConstIteratorWithIndex<Source::ImageType> it(image, image->GetLargestPossibleRegion());
-       !it.IsAtEnd();
-       ++it)
-  {
-    PointType point;
-    image->TransformIndexToPhysicalPoint(it.GetIndex(), point);
-    const auto share = [](double distance) { return 0.5 * std::erfc(distance / (0.5 * std::sqrt(2.0))); };
-    const auto distanceTo = [&point](double x) {
-      return std::sqrt((point[0] - x) * (point[0] - x) + point[1] * point[1] + point[2] * point[2]);
-    };
+  basetest::ForVoxels(image, [&](const auto & index, const auto & point) {
+    const auto   share = [](double distance) { return 0.5 * std::erfc(distance / (0.5 * std::sqrt(2.0))); };
+    const auto   distanceTo = [&point](double x) { return std::hypot(point[0] - x, point[1], point[2]); };
     const double spheres = 500.0 * share(std::min(distanceTo(-1.0), distanceTo(1.0)) - 9.0);
     const double expected = spheres + share(distanceTo(0.0) - 3.0) * (-1000.0 - spheres);
-    EXPECT_NEAR(it.Get(), expected, 0.5 + 1e-6);
-  }
+    EXPECT_NEAR(image->GetPixel(index), expected, 0.5 + 1e-6);
+  });
 }
 
 TEST(ShapePhantomImageSource, NoiseIsNormal)
@@ -398,28 +298,28 @@ TEST(ShapePhantomImageSource, NoiseIsNormal)
   source->Update();
   const short * const values = source->GetOutput()->GetBufferPointer();
   const int           number = 64 * 64 * 64;
-  Statistics          statistics;
+  std::vector<double> normalized;
   double              neighbors = 0.0;
   std::array<int, 4>  beyond{ { 0, 0, 0, 0 } };
   for (int i = 0; i < number; ++i)
   {
     const double z = (values[i] - 100.0) / 50.0;
-    statistics.Add(z);
+    normalized.push_back(z);
     neighbors += i > 0 ? z * (values[i - 1] - 100.0) / 50.0 : 0.0;
     for (int k = 0; k < 4; ++k)
     {
       beyond[k] += std::abs(values[i] - 100.0) > 50.0 * k + 0.5;
     }
   }
-  const double standardError = 1.0 / std::sqrt(number);
-  EXPECT_NEAR(statistics.Mean(), 0.0, 4.0 * standardError);
+  const double     standardError = 1.0 / std::sqrt(number);
+  const Statistics statistics = StatisticsOf(normalized);
+  EXPECT_NEAR(statistics.mean, 0.0, 4.0 * standardError);
   const double rounding = 1.0 / 12.0 / 2500.0; // variance added by rounding to integer HU
-  EXPECT_NEAR(statistics.Deviation(), std::sqrt(1.0 + rounding), 4.0 * standardError / std::sqrt(2.0));
+  EXPECT_NEAR(statistics.deviation, std::sqrt(1.0 + rounding), 4.0 * standardError / std::sqrt(2.0));
   EXPECT_NEAR(neighbors / number, 0.0, 4.0 * standardError);
   for (int k = 0; k < 4; ++k)
   {
-    const double share =
-      std::erfc((50.0 * k + 0.5 + (k == 0 ? 0.0 : 0.5) - (k == 0 ? 0.0 : 0.5)) / 50.0 / std::sqrt(2.0));
+    const double share = std::erfc((50.0 * k + 0.5) / 50.0 / std::sqrt(2.0));
     EXPECT_NEAR(beyond[k] / static_cast<double>(number), share, 4.0 * std::sqrt(share / number)) << k;
   }
 }
@@ -490,11 +390,10 @@ TEST(ShapePhantomImageSource, APieceEqualsTheSamePartOfTheWhole)
   piece->GetOutput()->SetRequestedRegion(region);
   piece->GetOutput()->Update();
   EXPECT_EQ(piece->GetOutput()->GetBufferedRegion(), region);
-  for (itk::ImageRegionConstIteratorWithIndex<Source::ImageType> it(piece->GetOutput(), region); !it.IsAtEnd(); ++it)
-  {
-    ASSERT_EQ(it.Get(), whole->GetOutput()->GetPixel(it.GetIndex()));
-    ASSERT_EQ(piece->GetLabelOutput()->GetPixel(it.GetIndex()), whole->GetLabelOutput()->GetPixel(it.GetIndex()));
-  }
+  basetest::ForVoxels(piece->GetOutput(), [&](const auto & index, const auto &) {
+    ASSERT_EQ(piece->GetOutput()->GetPixel(index), whole->GetOutput()->GetPixel(index));
+    ASSERT_EQ(piece->GetLabelOutput()->GetPixel(index), whole->GetLabelOutput()->GetPixel(index));
+  });
 }
 
 TEST(ShapePhantomImageSource, VesselTreeIsOnePieceWithThreeLabels)
@@ -506,15 +405,14 @@ TEST(ShapePhantomImageSource, VesselTreeIsOnePieceWithThreeLabels)
   std::set<unsigned char>           found;
   std::size_t                       voxels = 0;
   Source::LabelImageType::IndexType seed{};
-  for (itk::ImageRegionConstIteratorWithIndex<Source::LabelImageType> it(labels, region); !it.IsAtEnd(); ++it)
-  {
-    if (it.Get() != 0)
+  basetest::ForVoxels(labels, [&](const auto & index, const auto &) {
+    if (labels->GetPixel(index) != 0)
     {
-      found.insert(it.Get());
+      found.insert(labels->GetPixel(index));
       ++voxels;
-      seed = it.GetIndex();
+      seed = index;
     }
-  }
+  });
   EXPECT_EQ(found, (std::set<unsigned char>{ 1, 2, 3 }));
 
   std::vector<bool>                              seen(region.GetNumberOfPixels(), false);
@@ -583,16 +481,8 @@ TEST(ShapePhantomImageSource, ValuesStayInTheRangeOfACTSeries)
   const auto source = MakeSource(SceneOf(R"({ "kind": "sphere", "radius": 5, "intensity": 31743 })", -1024.0), 16);
   source->SetNoise(3000.0);
   source->Update();
-  short lowest = 0;
-  short highest = 0;
-  for (itk::ImageRegionConstIteratorWithIndex<Source::ImageType> it(source->GetOutput(),
-                                                                    source->GetOutput()->GetLargestPossibleRegion());
-       !it.IsAtEnd();
-       ++it)
-  {
-    lowest = std::min(lowest, it.Get());
-    highest = std::max(highest, it.Get());
-  }
-  EXPECT_EQ(lowest, -1024);
-  EXPECT_EQ(highest, 31743);
+  const short * const values = source->GetOutput()->GetBufferPointer();
+  const auto [lowest, highest] = std::minmax_element(values, values + 16 * 16 * 16);
+  EXPECT_EQ(*lowest, -1024);
+  EXPECT_EQ(*highest, 31743);
 }

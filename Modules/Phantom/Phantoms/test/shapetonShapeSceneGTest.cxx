@@ -25,11 +25,8 @@ SceneOf(const std::string & objects)
 PointType
 MakePoint(double x, double y, double z)
 {
-  PointType point;
-  point[0] = x;
-  point[1] = y;
-  point[2] = z;
-  return point;
+  const double values[3] = { x, y, z };
+  return PointType(values);
 }
 
 VectorType
@@ -47,22 +44,17 @@ Gradient(const shapeton::ShapeScene & scene, const PointType & point)
   return gradient;
 }
 
-class RandomPoints
+/** Makes random points of a cube. */
+auto
+RandomPoints(double halfExtent)
 {
-public:
-  explicit RandomPoints(double halfExtent) : m_Uniform(-halfExtent, halfExtent) {}
-  PointType
-  Next()
-  {
-    const double x = m_Uniform(m_Engine);
-    const double y = m_Uniform(m_Engine);
-    return MakePoint(x, y, m_Uniform(m_Engine));
-  }
-
-private:
-  std::mt19937                           m_Engine{ 7 };
-  std::uniform_real_distribution<double> m_Uniform;
-};
+  return
+    [engine = std::mt19937(7), uniform = std::uniform_real_distribution<double>(-halfExtent, halfExtent)]() mutable {
+      const double x = uniform(engine);
+      const double y = uniform(engine);
+      return MakePoint(x, y, uniform(engine));
+    };
+}
 
 const char * const placed = R"(, "center": [1, -2, 3], "rotation": { "axis": [1, 2, -1], "angle": 35 })";
 } // namespace
@@ -74,14 +66,14 @@ class ExactDistance : public testing::TestWithParam<const char *>
 
 TEST_P(ExactDistance, IsTheDistanceToTheSurface)
 {
-  const auto   scene = SceneOf("{ " + std::string(GetParam()) + placed + " }");
-  RandomPoints points(14.0);
-  PointType    before = points.Next();
-  int          inside = 0;
-  int          landed = 0;
+  const auto scene = SceneOf("{ " + std::string(GetParam()) + placed + " }");
+  auto       points = RandomPoints(14.0);
+  PointType  before = points();
+  int        inside = 0;
+  int        landed = 0;
   for (int i = 0; i < 4000; ++i)
   {
-    const PointType point = points.Next();
+    const PointType point = points();
     const double    distance = scene.SignedDistance(0, point);
     EXPECT_LE(std::abs(distance - scene.SignedDistance(0, before)), (point - before).GetNorm() + 1e-8);
     before = point;
@@ -142,11 +134,11 @@ TEST(ShapeScene, TwistedAndBentBoxHoldsTheImagesOfItsPoints)
     { "kind": "twist", "angle": 80 }, { "kind": "bend", "angle": 100 } ] })");
   const double degree = std::acos(-1.0) / 180.0;
   const double arcRadius = 20.0 / (100.0 * degree);
-  RandomPoints points(1.0);
+  auto         points = RandomPoints(1.0);
   int          inside = 0;
   for (int i = 0; i < 20000; ++i)
   {
-    const PointType unit = points.Next();
+    const PointType unit = points();
     const double    x = 4.0 * unit[0];
     const double    y = 3.0 * unit[1];
     const double    z = 14.0 * unit[2];
@@ -168,10 +160,10 @@ TEST(ShapeScene, BumpsMoveTheSurface)
   const auto   scene = SceneOf(R"({ "kind": "sphere", "radius": 10, "deformations": [
     { "kind": "bumps", "amplitude": 1.5, "wavelength": 16 } ] })");
   const double waveNumber = 2.0 * std::acos(-1.0) / 16.0;
-  RandomPoints points(1.0);
+  auto         points = RandomPoints(1.0);
   for (int i = 0; i < 500; ++i)
   {
-    VectorType ray = points.Next().GetVectorFromOrigin();
+    VectorType ray = points().GetVectorFromOrigin();
     ray.Normalize();
     double inner = 8.0;
     double outer = 12.0;
@@ -192,13 +184,13 @@ class FirstOrderDistance : public testing::TestWithParam<const char *>
 
 TEST_P(FirstOrderDistance, IsTheDistanceToFirstOrder)
 {
-  const auto   scene = SceneOf("{ " + std::string(GetParam()) + placed + " }");
-  RandomPoints points(16.0);
-  int          tested = 0;
-  double       sumOfErrors = 0.0;
+  const auto scene = SceneOf("{ " + std::string(GetParam()) + placed + " }");
+  auto       points = RandomPoints(16.0);
+  int        tested = 0;
+  double     sumOfErrors = 0.0;
   for (int i = 0; i < 60000; ++i)
   {
-    const PointType point = points.Next();
+    const PointType point = points();
     const double    distance = scene.SignedDistance(0, point);
     if (std::abs(distance) > 0.3)
     {
@@ -286,81 +278,67 @@ TEST(ShapeScene, ReadsAFile)
   EXPECT_EQ(scene.GetObject(0).intensity, 1000.0);
 }
 
-struct WrongScene
-{
-  const char * json;
-  const char * message; // expected part of the message besides the name of the source
-};
-
-void
-PrintTo(const WrongScene & scene, std::ostream * stream)
-{
-  *stream << scene.message;
-}
-
-class WrongScenes : public testing::TestWithParam<WrongScene>
-{};
-
-TEST_P(WrongScenes, AreRefusedByKey)
-{
-  const auto document = shapeton::Json::parse(GetParam().json);
-  const auto message = basetest::ErrorOf([&] { shapeton::ShapeScene::FromJson(document, "wrong.json"); });
-  EXPECT_NE(message.find("wrong.json"), std::string::npos) << message << GetParam().json;
-  EXPECT_NE(message.find(GetParam().message), std::string::npos) << message;
-  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-}
-
 #define OBJECT(text) R"({ "units": "mm", "objects": [ )" text " ] }"
 
-INSTANTIATE_TEST_SUITE_P(
-  ShapeScene,
-  WrongScenes,
-  testing::Values(
-    WrongScene{ "[]", "the document must be an object" },
-    WrongScene{ R"({ "objects": [] })", "lacks the key \"units\"" },
-    WrongScene{ R"({ "units": "mm" })", "lacks the key \"objects\"" },
-    WrongScene{ R"({ "units": "cm", "objects": [] })", "units must be mm or relative" },
-    WrongScene{ R"({ "units": 1, "objects": [] })", "units must be a string" },
-    WrongScene{ R"({ "units": "mm", "objects": {} })", "objects must be a list" },
-    WrongScene{ R"({ "units": "mm", "objects": [], "object": [] })", "unknown key \"object\"" },
-    WrongScene{ R"({ "units": "mm", "objects": [], "background": -1025 })", "background must be a number from -1024" },
-    WrongScene{ R"({ "units": "mm", "objects": [], "description": 3 })", "description must be a string" },
-    WrongScene{ OBJECT("7"), "objects[0] must be an object" },
-    WrongScene{ OBJECT(R"({ "radius": 1 })"), "objects[0] lacks the key \"kind\"" },
-    WrongScene{ OBJECT(R"({ "kind": "blob" })"), "objects[0].kind must be one of sphere" },
-    WrongScene{ OBJECT(R"({ "kind": "sphere" })"), "objects[0] lacks the key \"radius\"" },
-    WrongScene{ OBJECT(R"({ "kind": "sphere", "radius": -3 })"), "objects[0].radius must be a number above 0" },
-    WrongScene{ OBJECT(R"({ "kind": "sphere", "radius": 0 })"), "objects[0].radius must be a number above 0" },
-    WrongScene{ OBJECT(R"({ "kind": "sphere", "radius": "3" })"), "objects[0].radius must be a number above 0" },
-    WrongScene{ OBJECT(R"({ "kind": "sphere", "radius": null })"), "objects[0].radius must be a number above 0" },
-    WrongScene{ OBJECT(R"({ "kind": "sphere", "radius": 1e7 })"), "at most 1" },
-    WrongScene{ OBJECT(R"({ "kind": "sphere", "radius": 1, "side": 1 })"), "objects[0] has the unknown key \"side\"" },
-    WrongScene{ OBJECT(R"({ "kind": "box", "size": [1, 2] })"), "objects[0].size must be a list of three numbers" },
-    WrongScene{ OBJECT(R"({ "kind": "box", "size": [1, 2, -1] })"), "objects[0].size[2] must be a number above 0" },
-    WrongScene{ OBJECT(R"({ "kind": "box", "size": 3 })"), "objects[0].size must be a list" },
-    WrongScene{ OBJECT(R"({ "kind": "torus", "ringRadius": 2, "tubeRadius": 3 })"), "objects[0].tubeRadius" },
-    WrongScene{ OBJECT(R"({ "kind": "tube", "radius": 1, "points": [[0, 0, 0]] })"), "points must be a list" },
-    WrongScene{ OBJECT(R"({ "kind": "tube", "radius": 1, "points": [[0, 0, 0], [1, true, 0]] })"),
-                "objects[0].points[1][1] must be a number" },
-    WrongScene{ OBJECT(R"({ "kind": "cube", "side": 1, "center": [0, 0, 1e9] })"), "objects[0].center[2]" },
-    WrongScene{ OBJECT(R"({ "kind": "cube", "side": 1, "label": 256 })"), "objects[0].label must be" },
-    WrongScene{ OBJECT(R"({ "kind": "cube", "side": 1, "label": 1.5 })"), "objects[0].label must be a whole number" },
-    WrongScene{ OBJECT(R"({ "kind": "cube", "side": 1, "intensity": 40000 })"), "objects[0].intensity must be" },
-    WrongScene{ OBJECT(R"({ "kind": "cube", "side": 1, "rotation": 30 })"), "objects[0].rotation must be an object" },
-    WrongScene{ OBJECT(R"({ "kind": "cube", "side": 1, "rotation": { "axis": [0, 0, 0], "angle": 3 } })"),
-                "objects[0].rotation.axis must not be zero" },
-    WrongScene{ OBJECT(R"({ "kind": "cube", "side": 1, "rotation": { "axis": [0, 0, 1] } })"),
-                "objects[0].rotation lacks the key \"angle\"" },
-    WrongScene{ OBJECT(R"({ "kind": "cube", "side": 1, "deformations": [{ "kind": "melt" }] })"),
-                "objects[0].deformations[0].kind must be bend, twist or bumps" },
-    WrongScene{ OBJECT(R"({ "kind": "cube", "side": 1, "deformations": [{ "kind": "bend", "angle": 180 }] })"),
-                "bends the object into itself" },
-    WrongScene{ OBJECT(R"({ "kind": "cube", "side": 1, "deformations": [{ "kind": "bend", "angle": 20 },
+TEST(ShapeScene, WrongOnesAreRefusedByKey)
+{
+  // A scene and the expected part of the message besides the name of the source.
+  const std::pair<const char *, const char *> scenes[] = {
+    { "[]", "the document must be an object" },
+    { R"({ "objects": [] })", "lacks the key \"units\"" },
+    { R"({ "units": "mm" })", "lacks the key \"objects\"" },
+    { R"({ "units": "cm", "objects": [] })", "units must be mm or relative" },
+    { R"({ "units": 1, "objects": [] })", "units must be a string" },
+    { R"({ "units": "mm", "objects": {} })", "objects must be a list" },
+    { R"({ "units": "mm", "objects": [], "object": [] })", "unknown key \"object\"" },
+    { R"({ "units": "mm", "objects": [], "background": -1025 })", "background must be a number from -1024" },
+    { R"({ "units": "mm", "objects": [], "description": 3 })", "description must be a string" },
+    { OBJECT("7"), "objects[0] must be an object" },
+    { OBJECT(R"({ "radius": 1 })"), "objects[0] lacks the key \"kind\"" },
+    { OBJECT(R"({ "kind": "blob" })"), "objects[0].kind must be one of sphere" },
+    { OBJECT(R"({ "kind": "sphere" })"), "objects[0] lacks the key \"radius\"" },
+    { OBJECT(R"({ "kind": "sphere", "radius": -3 })"), "objects[0].radius must be a number above 0" },
+    { OBJECT(R"({ "kind": "sphere", "radius": 0 })"), "objects[0].radius must be a number above 0" },
+    { OBJECT(R"({ "kind": "sphere", "radius": "3" })"), "objects[0].radius must be a number above 0" },
+    { OBJECT(R"({ "kind": "sphere", "radius": null })"), "objects[0].radius must be a number above 0" },
+    { OBJECT(R"({ "kind": "sphere", "radius": 1e7 })"), "at most 1" },
+    { OBJECT(R"({ "kind": "sphere", "radius": 1, "side": 1 })"), "objects[0] has the unknown key \"side\"" },
+    { OBJECT(R"({ "kind": "box", "size": [1, 2] })"), "objects[0].size must be a list of three numbers" },
+    { OBJECT(R"({ "kind": "box", "size": [1, 2, -1] })"), "objects[0].size[2] must be a number above 0" },
+    { OBJECT(R"({ "kind": "box", "size": 3 })"), "objects[0].size must be a list" },
+    { OBJECT(R"({ "kind": "torus", "ringRadius": 2, "tubeRadius": 3 })"), "objects[0].tubeRadius" },
+    { OBJECT(R"({ "kind": "tube", "radius": 1, "points": [[0, 0, 0]] })"), "points must be a list" },
+    { OBJECT(R"({ "kind": "tube", "radius": 1, "points": [[0, 0, 0], [1, true, 0]] })"),
+      "objects[0].points[1][1] must be a number" },
+    { OBJECT(R"({ "kind": "cube", "side": 1, "center": [0, 0, 1e9] })"), "objects[0].center[2]" },
+    { OBJECT(R"({ "kind": "cube", "side": 1, "label": 256 })"), "objects[0].label must be" },
+    { OBJECT(R"({ "kind": "cube", "side": 1, "label": 1.5 })"), "objects[0].label must be a whole number" },
+    { OBJECT(R"({ "kind": "cube", "side": 1, "intensity": 40000 })"), "objects[0].intensity must be" },
+    { OBJECT(R"({ "kind": "cube", "side": 1, "rotation": 30 })"), "objects[0].rotation must be an object" },
+    { OBJECT(R"({ "kind": "cube", "side": 1, "rotation": { "axis": [0, 0, 0], "angle": 3 } })"),
+      "objects[0].rotation.axis must not be zero" },
+    { OBJECT(R"({ "kind": "cube", "side": 1, "rotation": { "axis": [0, 0, 1] } })"),
+      "objects[0].rotation lacks the key \"angle\"" },
+    { OBJECT(R"({ "kind": "cube", "side": 1, "deformations": [{ "kind": "melt" }] })"),
+      "objects[0].deformations[0].kind must be bend, twist or bumps" },
+    { OBJECT(R"({ "kind": "cube", "side": 1, "deformations": [{ "kind": "bend", "angle": 180 }] })"),
+      "bends the object into itself" },
+    { OBJECT(R"({ "kind": "cube", "side": 1, "deformations": [{ "kind": "bend", "angle": 20 },
                                                                          { "kind": "twist", "angle": 20 }] })"),
-                "objects[0].deformations[1] follows a bend" },
-    WrongScene{ OBJECT(R"({ "kind": "cube", "side": 1, "deformations": [{ "kind": "bumps", "amplitude": 0.2,
+      "objects[0].deformations[1] follows a bend" },
+    { OBJECT(R"({ "kind": "cube", "side": 1, "deformations": [{ "kind": "bumps", "amplitude": 0.2,
                                                                            "wavelength": 1 }] })"),
-                "objects[0].deformations[0].amplitude must be less than wavelength" },
-    WrongScene{ OBJECT(R"({ "kind": "ellipsoid", "radii": [1, 2, 3], "deformations": [{ "kind": "bumps",
+      "objects[0].deformations[0].amplitude must be less than wavelength" },
+    { OBJECT(R"({ "kind": "ellipsoid", "radii": [1, 2, 3], "deformations": [{ "kind": "bumps",
                             "amplitude": 0.01, "wavelength": 1 }] })"),
-                "adds bumps to an ellipsoid" }));
+      "adds bumps to an ellipsoid" }
+  };
+  for (const auto & [json, expected] : scenes)
+  {
+    const auto document = shapeton::Json::parse(json);
+    const auto message = basetest::ErrorOf([&] { shapeton::ShapeScene::FromJson(document, "wrong.json"); });
+    EXPECT_NE(message.find("wrong.json"), std::string::npos) << message << json;
+    EXPECT_NE(message.find(expected), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+}
