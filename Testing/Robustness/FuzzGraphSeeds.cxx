@@ -3,26 +3,19 @@
 #include "shapetonCertificateFixtures.h"
 #include "shapetonFileBytes.h"
 
-#include <cstdio>
-#include <filesystem>
-#include <unistd.h>
-
 namespace
 {
 std::string
-TextOf(const shapeton::EmbeddingCertificate & certificate)
+TextOf(const shapeton::EmbeddingCertificate & certificate, const std::string & folder)
 {
-  const std::string path =
-    (std::filesystem::temp_directory_path() / ("fuzz-seed-" + std::to_string(getpid()) + ".json")).string();
+  const std::string path = folder + "/seed.json";
   shapeton::WriteEmbeddingCertificate(certificate, path);
-  const std::string text = shapeton::ReadFileBytes(path);
-  std::remove(path.c_str());
-  return text;
+  return shapeton::ReadFileBytes(path);
 }
 } // namespace
 
 std::vector<FuzzSeed>
-MakeGraphSeeds()
+MakeGraphSeeds(const std::string & folder)
 {
   return {
     { ".graphml",
@@ -58,8 +51,8 @@ MakeGraphSeeds()
     { ".col", "c a comment\np edge 4 3\ne 1 2\ne 2 3\ne 4 1\n" },
     { ".g6", ">>graph6<<IheA@GUAo\n" },
     { ".s6", ":Fa@x^\n" },
-    { ".json", TextOf(certificatetest::PathInTetrahedron()) },
-    { ".json", TextOf(certificatetest::TorusGrid(3, 3)) },
-    { ".json", TextOf(certificatetest::Octagon()) },
+    { ".json", TextOf(certificatetest::PathInTetrahedron(), folder) },
+    { ".json", TextOf(certificatetest::TorusGrid(3, 3), folder) },
+    { ".json", TextOf(certificatetest::Octagon(), folder) },
   };
 }

@@ -3,7 +3,7 @@
 
 #include "FuzzSeeds.h"
 
-/** Graphs in all supported formats, and embedding certificates. */
+/** Graphs in all supported formats, and embedding certificates; created in `folder`. */
 std::vector<FuzzSeed>
-MakeGraphSeeds();
+MakeGraphSeeds(const std::string & folder);
 #endif

@@ -312,7 +312,7 @@ SeedsOf(const Options & options, const shapeton::DicomSource & source)
     }
   };
   add("volumes", [&] { return MakeFuzzSeeds(options.folder); });
-  add("graphs", [] { return MakeGraphSeeds(); });
+  add("graphs", [&] { return MakeGraphSeeds(options.folder); });
   add("results", [&] { return MakeResultSeeds(options.folder, source); });
   return seeds;
 }

@@ -81,16 +81,16 @@ public:
   RunWithMutant(const std::string & mutant, const std::string & exam, const std::string & name)
     : m_Folder(mutant + ".exam")
   {
+    fs::create_directory(m_Folder);
     for (const fs::directory_entry & entry : fs::recursive_directory_iterator(exam))
     {
       const fs::path copy = fs::path(m_Folder) / entry.path().lexically_relative(exam);
       if (entry.is_directory())
       {
-        fs::create_directories(copy);
+        fs::create_directory(copy);
       }
       else
       {
-        fs::create_directories(copy.parent_path());
         fs::create_symlink(entry.path(), copy);
       }
     }
@@ -116,7 +116,7 @@ private:
   std::string m_Folder;
 };
 
-/** The readers that parse a file, each as its tool. */
+/** The readers that parse a file, each called as its tool calls it. */
 std::vector<std::function<void(const std::string & exam)>>
 ReadersOf(const ExaminationFile & file)
 {

@@ -2,6 +2,7 @@
 
 #include "shapetonBase64Text.h"
 #include "shapetonDicomFixture.h"
+#include "shapetonFileBytes.h"
 #include "shapetonGltfTestFiles.h"
 #include "shapetonNiftiTestFile.h"
 #include "shapetonSurfaceWriter.h"
@@ -10,19 +11,10 @@
 
 #include "itk_zlib.h"
 
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 namespace
 {
-std::string
-BytesOf(const std::string & path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
-}
-
 itk::Image<short, 3>::Pointer
 MakeImage()
 {
@@ -41,7 +33,7 @@ AddDicomSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
 {
   const std::string            path = folder + "/seed.dcm";
   const shapeton::DicomFixture fixture;
-  const auto                   add = [&] { seeds.push_back({ ".dcm", BytesOf(path) }); };
+  const auto                   add = [&] { seeds.push_back({ ".dcm", shapeton::ReadFileBytes(path) }); };
   const auto                   slice = [&] { return fixture.MakeSlice(fixture.SlicePosition(4.0), 3); };
   const auto                   frames = [&] { return fixture.MakeEnhanced({ 6, 0, 4, 2 }); };
   const E_TransferSyntax       native[] = { EXS_LittleEndianExplicit,
@@ -78,7 +70,7 @@ AddOtherDicomSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
   const shapeton::DicomFixture fixture;
   const auto                   add = [&](DcmFileFormat & file, E_TransferSyntax syntax = EXS_LittleEndianExplicit) {
     shapeton::SaveDicom(file, path, syntax);
-    seeds.push_back({ ".dcm", BytesOf(path) });
+    seeds.push_back({ ".dcm", shapeton::ReadFileBytes(path) });
   };
   for (const auto syntax : { EXS_LittleEndianExplicit, EXS_BigEndianExplicit })
   {
@@ -113,7 +105,7 @@ AddImageSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
   {
     const std::string path = folder + "/seed" + extension;
     shapeton::WriteVolume<short>(image.GetPointer(), path, metadata);
-    seeds.push_back({ extension, BytesOf(path) });
+    seeds.push_back({ extension, shapeton::ReadFileBytes(path) });
   }
   const auto floats = itk::Image<float, 3>::New();
   floats->SetRegions(image->GetLargestPossibleRegion());
@@ -122,9 +114,9 @@ AddImageSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
   {
     const std::string path = folder + "/seed" + extension;
     shapeton::WriteVolume<float>(floats.GetPointer(), path, metadata);
-    seeds.push_back({ extension, BytesOf(path) });
+    seeds.push_back({ extension, shapeton::ReadFileBytes(path) });
   }
-  seeds.push_back({ ".nii.gz", BytesOf(folder + "/seed.nii"), true });
+  seeds.push_back({ ".nii.gz", shapeton::ReadFileBytes(folder + "/seed.nii"), true });
   niftitest::NiftiFile swapped(1, true); // with a qform in meters and rescaled values
   swapped.SetVoxels<std::int16_t>(4);
   swapped.SetScale(2.0, -1000.0);
@@ -150,7 +142,7 @@ AddSurfaceSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
   {
     const std::string path = folder + "/seed" + extension;
     shapeton::WriteSurface(mesh, path);
-    seeds.push_back({ extension, BytesOf(path) });
+    seeds.push_back({ extension, shapeton::ReadFileBytes(path) });
   }
   const std::string document = testsurfaces::GltfDocument("");
   seeds.push_back({ ".glb", testsurfaces::Glb(document) });

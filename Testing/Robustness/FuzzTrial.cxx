@@ -2,10 +2,10 @@
 
 #include "shapetonExceptions.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <fcntl.h>
 #include <fstream>
 #include <iterator>
@@ -62,6 +62,13 @@ TextOf(const std::string & path)
   return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
 }
 
+bool
+BeginsWithAny(const std::string & text, const std::vector<std::string> & starts)
+{
+  return std::any_of(
+    starts.begin(), starts.end(), [&](const std::string & start) { return text.rfind(start, 0) == 0; });
+}
+
 /** Library of a stack frame, "(/usr/lib/libfoo.so.1+0x12)"; empty for libraries in every stack. */
 std::string
 LibraryOf(const std::string & frame)
@@ -78,28 +85,16 @@ LibraryOf(const std::string & frame)
   }
   const std::string path = frame.substr(open + 1, plus - open - 1);
   const std::string name = path.substr(path.rfind('/') + 1);
-  for (const char * everywhere : { "libasan", "libubsan", "libc.so", "libstdc++", "libgcc", "libm.so", "ld-linux" })
-  {
-    if (name.compare(0, std::string(everywhere).size(), everywhere) == 0)
-    {
-      return {};
-    }
-  }
-  return name;
+  const bool        isEverywhere =
+    BeginsWithAny(name, { "libasan", "libubsan", "libc.so", "libstdc++", "libgcc", "libm.so", "ld-linux" });
+  return isEverywhere ? "" : name;
 }
 
 bool
 IsForeign(const std::string & library)
 {
-  for (const char * start :
-       { "libdcm", "libof", "libgdcm", "libITK", "libitk", "libopenjp2", "libcharls", "libz.", "libjpeg" })
-  {
-    if (library.compare(0, std::string(start).size(), start) == 0)
-    {
-      return true;
-    }
-  }
-  return false;
+  return BeginsWithAny(
+    library, { "libdcm", "libof", "libgdcm", "libITK", "libitk", "libopenjp2", "libcharls", "libz.", "libjpeg" });
 }
 
 std::string
@@ -128,32 +123,20 @@ LibraryAtFault(const std::string & report)
   return "unknown";
 }
 
-bool
-Begins(const std::string & report, const char * start)
-{
-  return report.compare(0, std::strlen(start), start) == 0;
-}
-
-/** An allocation that the sanitizer refuses, as operator new would by an exception, in any library. */
+/** An allocation in any library that the sanitizer refuses, where operator new would throw an exception. */
 bool
 IsRefusedAllocation(const std::string & report)
 {
   const std::string sanitizer = "ERROR: AddressSanitizer: ";
-  for (const char * kind : { "allocator is out of memory",
-                             "out-of-memory",
-                             "out of memory",
-                             "allocation-size-too-big",
-                             "requested allocation size" })
-  {
-    if (Begins(report, (sanitizer + kind).c_str()))
-    {
-      return true;
-    }
-  }
-  return false;
+  return BeginsWithAny(report,
+                       { sanitizer + "allocator is out of memory",
+                         sanitizer + "out-of-memory",
+                         sanitizer + "out of memory",
+                         sanitizer + "allocation-size-too-big",
+                         sanitizer + "requested allocation size" });
 }
 
-/** The reports of sanitizers in a log, each from its sign to the next one. */
+/** The sanitizer reports in a log; each ends where the next one begins. */
 std::vector<std::string>
 ReportsIn(const std::string & log)
 {
@@ -174,7 +157,7 @@ ReportsIn(const std::string & log)
   return reports;
 }
 
-/** What a contained process reported, if the reader read or refused the file nevertheless. */
+/** What a contained process reported, although the reader read or rejected the file. */
 struct Containment
 {
   /** A fault, with its library; empty if there is none. */
@@ -191,7 +174,7 @@ ContainmentOf(const std::vector<std::string> & reports)
   {
     const bool        isRefused = IsRefusedAllocation(report);
     const std::string library = isRefused ? MemoryLimit : LibraryAtFault(report);
-    const bool        isUndefined = Begins(report, "runtime error"); // only Shapeton is instrumented for this
+    const bool isUndefined = BeginsWithAny(report, { "runtime error" }); // only Shapeton is instrumented for this
     if (!isRefused && (isUndefined || !IsForeign(library)))
     {
       found.fault = FirstLineOf(report) + " in " + library;
