@@ -1,11 +1,12 @@
-// Builds the max-tree and the min-tree of a heat-like volume of float numbers by BuildComponentTrees(), with 1 and 2
-// threads, and both by a sequential peer, alternately in one run; then selects an object as a click does. Arguments:
-// side of the volume in voxels, default 256; number of rounds, default 3.
+// Builds the max-tree and the min-tree of a heat-like volume of float numbers with BuildComponentTrees(), on 1 and 2
+// threads, and with a sequential peer, alternately in one run; then selects an object as a click does. Arguments: side
+// of the volume in voxels, default 256; number of rounds, default 3.
 #include "Times.h"
 
 #include "shapetonComponentTree.h"
 #include "shapetonHeatObjects.h"
 #include "shapetonParallelFor.h"
+#include "shapetonQuantiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,46 +26,17 @@ constexpr double mostSeconds = 6.0; // for both trees, 2 threads
 constexpr double leastSpeedup = 1.6;
 constexpr double mostClickSeconds = 0.05;
 
-/** Elapsed and processor time of the calls of a function. */
-struct Times
-{
-  std::vector<double> elapsed, processor;
-
-  template <typename TFunction>
-  void
-  Measure(const TFunction & function)
-  {
-    const Stopwatch watch;
-    function();
-    processor.push_back(watch.ProcessorSeconds());
-    elapsed.push_back(watch.Seconds());
-  }
-};
-
-double
-Median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-double
-Best(const std::vector<double> & values)
-{
-  return *std::min_element(values.begin(), values.end());
-}
-
 void
 PrintTimes(const char * text, const Times & times)
 {
   std::printf("  %-42s elapsed: median %7.3f s, best %7.3f s   processor: median %7.3f s\n",
               text,
-              Median(times.elapsed),
-              Best(times.elapsed),
-              Median(times.processor));
+              UpperMedian(times.elapsed),
+              *std::min_element(times.elapsed.begin(), times.elapsed.end()),
+              UpperMedian(times.processor));
 }
 
-/** Smooth blobs of different size and heat, plus noise of one percent of a blob. */
+/** Smooth blobs of different size and heat, with noise of up to one percent of the value. */
 HeatImage::Pointer
 MakeHeat(int side)
 {
@@ -104,8 +76,8 @@ MakeHeat(int side)
   return image;
 }
 
-/** The peer: a max-tree by sorting and union-find with path compression (Berger et al. 2007), as the parent of each
- * voxel. Voxels with equal values and the root of their region have canonical parents. */
+/** The peer: a max-tree by sorting and union-find with path compression (Berger et al. 2007), stored as the parent of
+ * each voxel. Voxels with equal values and the root of their region have canonical parents. */
 std::vector<Index>
 PeerTree(const float * values, const VoxelGrid & grid, double sign)
 {
@@ -245,10 +217,11 @@ Run(int side, int rounds)
   PrintTimes("both trees, 1 thread", one);
   PrintTimes("both trees, 2 threads", two);
   PrintTimes("peer, both trees, sequential", peer);
-  PrintBound("seconds of both trees, 2 threads", Median(two.elapsed), mostSeconds);
-  const double speedup = Median(one.elapsed) / Median(two.elapsed);
+  PrintBound("seconds of both trees, 2 threads", UpperMedian(two.elapsed), mostSeconds);
+  const double speedup = UpperMedian(one.elapsed) / UpperMedian(two.elapsed);
   PrintBound("times faster with 2 threads", speedup, leastSpeedup, true);
-  std::printf("  %-42s %8.3f\n", "times faster than the peer, 1 thread", Median(peer.elapsed) / Median(one.elapsed));
+  std::printf(
+    "  %-42s %8.3f\n", "times faster than the peer, 1 thread", UpperMedian(peer.elapsed) / UpperMedian(one.elapsed));
   if (!click.elapsed.empty())
   {
     const double slowest = *std::max_element(click.elapsed.begin(), click.elapsed.end());

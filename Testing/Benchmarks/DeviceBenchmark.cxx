@@ -17,7 +17,7 @@ namespace
 {
 using namespace shapeton;
 
-/** The least of three calls after a first one, which loads kernels and touches memory. */
+/** The shortest of three calls after a warm-up call, which loads kernels and touches memory. */
 double
 WarmSecondsOf(const std::function<void()> & work)
 {
@@ -112,23 +112,11 @@ MeasureSteps(const Setting & s, double bandwidth)
         asked);
 }
 
+/** 100,000 steps with this number of histogram rows. */
 void
-MeasureFinalState(const char * what, const Setting & s, double asked)
+MeasureSolver(const char * what, const Setting & s, std::size_t rows, double asked)
 {
-  const double seconds = WarmSecondsOf([&] {
-    PaddedField heat(s.volumeGradient.GetGrid());
-    std::copy_n(s.initial.GetData(), s.volumeGradient.GetGrid().GetLength(), heat.GetData());
-    HeatDiffusionSolver solver(s.volumeGradient, HeatDiffusionSolver::Method::Chebyshev, 1.0 / 12.0, 1e-5);
-    solver.SetDevice(Device::Cuda);
-    solver.Run(heat, 100000);
-  });
-  Print(what, seconds, "s", asked);
-}
-
-void
-MeasureHistogram(const Setting & s)
-{
-  const auto   steps = MakeSnapshotSteps(100000, 512, SnapshotSpacing::Linear);
+  const auto steps = rows > 0 ? MakeSnapshotSteps(100000, rows, SnapshotSpacing::Linear) : std::vector<std::uint64_t>();
   const double seconds = WarmSecondsOf([&] {
     PaddedField heat(s.volumeGradient.GetGrid());
     std::copy_n(s.initial.GetData(), s.volumeGradient.GetGrid().GetLength(), heat.GetData());
@@ -137,7 +125,7 @@ MeasureHistogram(const Setting & s)
     solver.SetDevice(Device::Cuda);
     solver.Run(heat, 100000, steps, counter);
   });
-  Print("256^3, t = 1e5, 512 rows of the histogram", seconds, "s", 0.8);
+  Print(what, seconds, "s", asked);
 }
 
 /** Time (s) of additional steps after an earlier run. */
@@ -188,11 +176,11 @@ main()
     "\n%s; triad %.0f GB/s\n\n| what | measured | bound | |\n|---|---|---|---|\n", use.device.c_str(), bandwidth / 1e9);
   Setting s(256);
   MeasureSteps(s, bandwidth);
-  MeasureFinalState("256^3, t = 1e5, final state", s, 0.3);
-  MeasureHistogram(s);
+  MeasureSolver("256^3, t = 1e5, final state", s, 0, 0.3);
+  MeasureSolver("256^3, t = 1e5, 512 rows of the histogram", s, 512, 0.8);
   Print("65,536 shapetons, 2,500 steps", SecondsOfShapetons(s, 65536, 2500), "s", 0.2);
   Print("10^7 shapetons", 1e9 * SecondsOfShapetons(s, 10000000, 20) / 20 / 1e7, "ns per shapeton and step", 0.5);
-  MeasureFinalState("512^3, t = 1e5, final state", Setting(512), 3.0);
+  MeasureSolver("512^3, t = 1e5, final state", Setting(512), 0, 3.0);
   MeasureFrame(s);
   return 0;
 }

@@ -6,6 +6,7 @@
 #include "shapetonFlatColonStrip.h"
 #include "shapetonFlatCoordinateMap.h"
 #include "shapetonFlatTestTubes.h"
+#include "shapetonQuantiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,18 +75,15 @@ MakeCt()
 void
 Time(const char * what, const std::function<void()> & run)
 {
-  double seconds[repetitions];
-  double processor[repetitions];
+  Times times;
   for (int i = 0; i < repetitions; ++i)
   {
-    const Stopwatch watch;
-    run();
-    seconds[i] = watch.Seconds();
-    processor[i] = watch.ProcessorSeconds();
+    times.Measure(run);
   }
-  std::sort(seconds, seconds + repetitions);
-  std::sort(processor, processor + repetitions);
-  std::printf("  %-28s %8.3f s   processor %8.3f s\n", what, seconds[repetitions / 2], processor[repetitions / 2]);
+  std::printf("  %-28s %8.3f s   processor %8.3f s\n",
+              what,
+              shapeton::UpperMedian(times.elapsed),
+              shapeton::UpperMedian(times.processor));
 }
 
 void

@@ -124,33 +124,6 @@ Take(benchmark::State & state, Product & product, const std::optional<SteadyRule
   itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(all);
 }
 
-void
-SolidAngle(benchmark::State & state)
-{
-  Take(state, Usual(DirectionSampling::SolidAngle));
-}
-
-void
-SectorArea(benchmark::State & state)
-{
-  Take(state, Usual(DirectionSampling::SectorArea));
-}
-
-/** Evaluates the steady-state criterion at each step, but never ends the run. */
-void
-EachStepMeasured(benchmark::State & state)
-{
-  SteadyRule never;
-  never.epsilon = -1.0;
-  Take(state, Usual(DirectionSampling::SolidAngle), never);
-}
-
-void
-Traversal(benchmark::State & state)
-{
-  Take(state, Usual(DirectionSampling::Uniform, PathRule::Traversal));
-}
-
 /** One thread; the same phantom and distance in volumes of several resolutions. */
 void
 Resolution(benchmark::State & state)
@@ -229,43 +202,39 @@ struct Bench
 };
 
 void
-Kernels(benchmark::State & state, const ParticleKernels::Set & kernels, ParticleKernels::Draw draw)
-{
-  for (auto _ : state)
-  {
-    Bench::Get().TakeSteps(stepsOfIteration, kernels, draw);
-  }
-}
-
-void
 Register()
 {
   const auto inTurns = [](benchmark::internal::Benchmark * one, int iterations) {
     return one->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(iterations)->Repetitions(9);
   };
-  const auto onThreads = [&](const char * name, void (*function)(benchmark::State &), int iterations) {
+  const auto onThreads = [&](const char * name, int iterations, const auto & function) {
     inTurns(benchmark::RegisterBenchmark(name, function), iterations)->Arg(1)->Arg(2);
   };
-  onThreads("Peer", Peer, 1);
-  onThreads("SolidAngle", SolidAngle, 6);
-  onThreads("SectorArea", SectorArea, 6);
-  onThreads("EachStepMeasured", EachStepMeasured, 4);
-  onThreads("Traversal", Traversal, 1);
+  SteadyRule never; // evaluated at each step, but never ends the run
+  never.epsilon = -1.0;
+  onThreads("Peer", 1, Peer);
+  onThreads("SolidAngle", 6, [](auto & state) { Take(state, Usual(DirectionSampling::SolidAngle)); });
+  onThreads("SectorArea", 6, [](auto & state) { Take(state, Usual(DirectionSampling::SectorArea)); });
+  onThreads("EachStepMeasured", 4, [=](auto & state) { Take(state, Usual(DirectionSampling::SolidAngle), never); });
+  onThreads("Traversal", 1, [](auto & state) { Take(state, Usual(DirectionSampling::Uniform, PathRule::Traversal)); });
   inTurns(benchmark::RegisterBenchmark("Resolution", Resolution), 6)
     ->Args({ 1, 64 })
     ->Args({ 1, 256 })
     ->Args({ 1, 512 });
   for (const auto * const kernels : KernelsOfThisCpu<ParticleKernels::Set>())
   {
-    const std::string name = std::string("Kernels ") + kernels->name;
-    inTurns(benchmark::RegisterBenchmark(
-              (name + " solidAngle").c_str(),
-              [kernels](benchmark::State & state) { Kernels(state, *kernels, kernels->drawBySolidAngle); }),
-            6);
-    inTurns(benchmark::RegisterBenchmark(
-              (name + " sectorArea").c_str(),
-              [kernels](benchmark::State & state) { Kernels(state, *kernels, kernels->drawBySectorArea); }),
-            6);
+    const auto draw = [&](const std::string & sampling, ParticleKernels::Draw function) {
+      const std::string name = std::string("Kernels ") + kernels->name + ' ' + sampling;
+      const auto        take = [=](benchmark::State & state) {
+        for (auto _ : state)
+        {
+          Bench::Get().TakeSteps(stepsOfIteration, *kernels, function);
+        }
+      };
+      inTurns(benchmark::RegisterBenchmark(name.c_str(), take), 6);
+    };
+    draw("solidAngle", kernels->drawBySolidAngle);
+    draw("sectorArea", kernels->drawBySectorArea);
   }
 }
 

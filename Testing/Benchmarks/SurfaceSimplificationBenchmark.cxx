@@ -2,6 +2,7 @@
 // collapse (Lindstrom-Turk, link condition). Prints times, properties of the results, and the ratios of medians.
 #include "Times.h"
 
+#include "shapetonQuantiles.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonSurfaceSimplification.h"
 #include "shapetonTestSurfaces.h"
@@ -17,7 +18,6 @@
 #include <vtkPolyData.h>
 #include <vtkQuadricDecimation.h>
 
-#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -128,23 +128,23 @@ SimplifyByCgal(const SurfaceMesh & mesh)
 double
 Measure(const char * name, const SurfaceMesh & mesh, const std::function<SurfaceMesh(const SurfaceMesh &)> & simplify)
 {
-  std::vector<double> seconds;
-  SurfaceMesh         result;
+  Times       times;
+  SurfaceMesh result;
   for (int i = 0; i < Repetitions; ++i)
   {
-    seconds.push_back(SecondsOf([&] { result = simplify(mesh); }));
+    times.Measure([&] { result = simplify(mesh); });
   }
-  std::sort(seconds.begin(), seconds.end());
+  const double                   seconds = shapeton::UpperMedian(times.elapsed);
   const shapeton::SurfaceQuality quality = shapeton::InspectSurface(result);
   std::printf(
     "%-22s %8.2f s  %7d faces  manifold %-3s  Euler characteristic %d  smallest angle, 1st percentile %.1f degrees\n",
     name,
-    seconds[Repetitions / 2],
+    seconds,
     quality.faces,
     quality.isManifold ? "yes" : "no",
     quality.eulerCharacteristic,
     quality.smallestAngle.percentile1);
-  return seconds[Repetitions / 2];
+  return seconds;
 }
 } // namespace
 

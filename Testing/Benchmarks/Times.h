@@ -35,7 +35,23 @@ private:
   std::clock_t                          m_ProcessorStart{ std::clock() };
 };
 
-/** Seconds of a call; the least of several. */
+/** Elapsed and processor time of the calls of a function. */
+struct Times
+{
+  std::vector<double> elapsed, processor;
+
+  template <typename TFunction>
+  void
+  Measure(const TFunction & function)
+  {
+    const Stopwatch watch;
+    function();
+    processor.push_back(watch.ProcessorSeconds());
+    elapsed.push_back(watch.Seconds());
+  }
+};
+
+/** Duration of a call in seconds; the shortest if there are several. */
 template <typename TBody>
 double
 SecondsOf(const TBody & body, int calls = 1)
@@ -68,7 +84,7 @@ PeakMegabytes()
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-/** Prints whether a value is at most, or at least, what is asked. */
+/** Prints whether a value meets its upper or lower bound. */
 inline void
 PrintBound(const char * text, double value, double asked, bool isAtLeast = false)
 {
@@ -77,7 +93,7 @@ PrintBound(const char * text, double value, double asked, bool isAtLeast = false
     "  %-66s %10.4g   asked %s %g   %s\n", text, value, isAtLeast ? ">=" : "<=", asked, isMet ? "met" : "NOT MET");
 }
 
-/** Numbers of faces from the command line, at least 2000 each; ends the program after wrong ones. */
+/** Numbers of faces from the command line, at least 2000 each; ends the program if any is invalid. */
 inline std::vector<int>
 NumbersOfFaces(int argc, char * argv[], const std::vector<int> & defaults)
 {
