@@ -1,11 +1,13 @@
 #include "shapetonDicomSeriesWriter.h"
 #include "shapetonFileBytes.h"
+#include "shapetonPi.h"
 #include "shapetonTestFolder.h"
+#include "shapetonTestImages.h"
+#include "shapetonTestReports.h"
 #include "shapetonVolumeReader.h"
 
 #include "itkGDCMImageIO.h"
 #include "itkGDCMSeriesFileNames.h"
-#include "itkImageRegionIteratorWithIndex.h"
 #include "itkImageSeriesReader.h"
 
 #include "dcmtk/config/osconfig.h"
@@ -31,6 +33,7 @@ namespace fs = std::filesystem;
 
 namespace
 {
+using basetest::FilesIn;
 using basetest::Folder;
 using ImageType = itk::Image<short, 3>;
 
@@ -38,50 +41,26 @@ using ImageType = itk::Image<short, 3>;
 ImageType::Pointer
 MakeImage(unsigned int slices = 5, int offset = 0)
 {
-  auto                  image = ImageType::New();
-  ImageType::RegionType region({ { 0, 0, 0 } }, { { 7, 6, slices } });
-  image->SetRegions(region);
-  image->Allocate();
-  const double spacing[3] = { 0.7, 0.9, 1.25 };
-  const double origin[3] = { -123.456789, 1.0 / 3.0, 1e-7 };
-  image->SetSpacing(spacing);
-  image->SetOrigin(origin);
-  // 30 degrees about z, then 50 degrees about x.
-  const double             a = std::acos(-1.0) / 6.0;
-  const double             b = std::acos(-1.0) / 3.6;
-  ImageType::DirectionType direction;
-  const double             rows[3][3] = { { std::cos(a), -std::sin(a), 0.0 },
-                                          { std::cos(b) * std::sin(a), std::cos(b) * std::cos(a), -std::sin(b) },
-                                          { std::sin(b) * std::sin(a), std::sin(b) * std::cos(a), std::cos(b) } };
-  std::copy_n(&rows[0][0], 9, direction.GetVnlMatrix().data_block());
-  image->SetDirection(direction);
+  const auto   image = basetest::NewImage<ImageType>({ { 7, 6, slices } },
+                                                   { { 0.7, 0.9, 1.25 } },
+                                                   { { -123.456789, 1.0 / 3.0, 1e-7 } },
+                                                   basetest::Rotation(0, shapeton::Pi / 3.6) *
+                                                     basetest::Rotation(2, shapeton::Pi / 6.0));
   unsigned int value = 12345 + offset;
-  for (itk::ImageRegionIterator<ImageType> it(image, region); !it.IsAtEnd(); ++it)
-  {
+  std::generate_n(image->GetBufferPointer(), image->GetBufferedRegion().GetNumberOfPixels(), [&value] {
     value = value * 1664525U + 1013904223U;
-    it.Set(static_cast<short>(static_cast<int>(value >> 17) - 1024));
-  }
+    return static_cast<short>(static_cast<int>(value >> 17) - 1024);
+  });
   image->SetPixel({ { 0, 0, 0 } }, -1024);
   image->SetPixel({ { 1, 0, 0 } }, 31743);
   return image;
-}
-
-std::set<std::string>
-NamesIn(const std::string & folder)
-{
-  std::set<std::string> names;
-  for (const auto & entry : fs::directory_iterator(folder))
-  {
-    names.insert(entry.path().filename().string());
-  }
-  return names;
 }
 
 std::map<std::string, std::string>
 BytesIn(const std::string & folder)
 {
   std::map<std::string, std::string> bytes;
-  for (const auto & name : NamesIn(folder))
+  for (const auto & name : FilesIn(folder))
   {
     bytes[name] = shapeton::ReadFileBytes(folder + "/" + name);
   }
@@ -132,11 +111,9 @@ ExpectSameImage(const ImageType * expected, const TImage * image)
     }
   }
   std::size_t differences = 0;
-  for (itk::ImageRegionConstIteratorWithIndex<ImageType> it(expected, expected->GetLargestPossibleRegion());
-       !it.IsAtEnd();
-       ++it)
+  for (itk::SizeValueType i = 0; i < expected->GetBufferedRegion().GetNumberOfPixels(); ++i)
   {
-    differences += image->GetPixel(it.GetIndex()) != it.Get();
+    differences += image->GetBufferPointer()[i] != expected->GetBufferPointer()[i];
   }
   EXPECT_EQ(differences, 0U);
 }
@@ -155,7 +132,7 @@ TEST(DicomSeriesWriter, DcmtkReadsPixelsAndGeometry)
   const Folder folder;
   const auto   image = MakeImage();
   shapeton::WriteDicomSeries(image, folder / "", Describe());
-  EXPECT_EQ(NamesIn(folder / ""),
+  EXPECT_EQ(FilesIn(folder / ""),
             (std::set<std::string>{ "IM0001.dcm", "IM0002.dcm", "IM0003.dcm", "IM0004.dcm", "IM0005.dcm" }));
   std::set<std::string> instances;
   for (int slice = 0; slice < 5; ++slice)
@@ -331,7 +308,7 @@ TEST(DicomSeriesWriter, RefusesWhatNoSeriesCanHold)
   auto upsideDown = Describe();
   upsideDown.patientPosition = "XYZ";
   EXPECT_NE(refuses(MakeImage(), upsideDown).find("XYZ"), std::string::npos);
-  EXPECT_TRUE(NamesIn(folder / "").empty());
+  EXPECT_TRUE(FilesIn(folder / "").empty());
 
   const std::string umlauts = Describe(std::string(64, 'x')).seriesDescription.substr(2) + "\xC3\xA4\xC3\xB6";
   EXPECT_EQ(refuses(MakeImage(), Describe(umlauts)), ""); // 64 characters in 66 bytes
@@ -343,16 +320,16 @@ TEST(DicomSeriesFolder, MakesFillsAndReplacesAFolder)
   const Folder folder;
   const auto   series = folder / "series";
   shapeton::WriteDicomSeriesFolder(MakeImage(), series, Describe());
-  EXPECT_EQ(NamesIn(series).size(), 5U);
+  EXPECT_EQ(FilesIn(series).size(), 5U);
   const auto before = BytesIn(series);
   shapeton::WriteDicomSeriesFolder(MakeImage(3, 1), series + "/", Describe());
-  EXPECT_EQ(NamesIn(series), (std::set<std::string>{ "IM0001.dcm", "IM0002.dcm", "IM0003.dcm" }));
+  EXPECT_EQ(FilesIn(series), (std::set<std::string>{ "IM0001.dcm", "IM0002.dcm", "IM0003.dcm" }));
   shapeton::WriteDicomSeriesFolder(MakeImage(), series, Describe());
   EXPECT_EQ(BytesIn(series), before);
   fs::create_directory(folder / "empty");
   shapeton::WriteDicomSeriesFolder(MakeImage(), folder / "empty", Describe());
   EXPECT_EQ(BytesIn(folder / "empty"), before);
-  EXPECT_EQ(NamesIn(folder / ""), (std::set<std::string>{ "empty", "series" }));
+  EXPECT_EQ(FilesIn(folder / ""), (std::set<std::string>{ "empty", "series" }));
 }
 
 TEST(DicomSeriesFolder, WritesThroughALink)
@@ -363,7 +340,7 @@ TEST(DicomSeriesFolder, WritesThroughALink)
   shapeton::WriteDicomSeriesFolder(MakeImage(), folder / "link", Describe());
   shapeton::WriteDicomSeriesFolder(MakeImage(), folder / "link", Describe());
   EXPECT_TRUE(fs::is_symlink(folder / "link"));
-  EXPECT_EQ(NamesIn(folder / "real").size(), 5U);
+  EXPECT_EQ(FilesIn(folder / "real").size(), 5U);
 }
 
 TEST(DicomSeriesFolder, RefusesAFolderWithOtherThings)
@@ -395,7 +372,7 @@ TEST(DicomSeriesFolder, RefusesAFolderWithOtherThings)
                shapeton::OutputError);
   EXPECT_THROW(shapeton::WriteDicomSeriesFolder(MakeImage(), ".", Describe()), shapeton::OutputError);
   EXPECT_THROW(shapeton::WriteDicomSeriesFolder(MakeImage(), "", Describe()), shapeton::OutputError);
-  EXPECT_EQ(NamesIn(folder / ""), (std::set<std::string>{ "file", "series" }));
+  EXPECT_EQ(FilesIn(folder / ""), (std::set<std::string>{ "file", "series" }));
 }
 
 TEST(DicomSeriesFolder, AFailureKeepsTheOldSeries)
@@ -406,7 +383,7 @@ TEST(DicomSeriesFolder, AFailureKeepsTheOldSeries)
   const auto before = BytesIn(series);
   EXPECT_THROW(shapeton::WriteDicomSeriesFolder(MakeImage(1), series, Describe()), shapeton::InputError);
   EXPECT_EQ(BytesIn(series), before);
-  EXPECT_EQ(NamesIn(folder / ""), (std::set<std::string>{ "series" }));
+  EXPECT_EQ(FilesIn(folder / ""), (std::set<std::string>{ "series" }));
 }
 
 namespace
@@ -435,14 +412,14 @@ TEST(DicomSeriesFolder, TidiesAfterKilledRuns)
 
   fs::copy(series, folder / (".series." + dead + ".part"));
   shapeton::WriteDicomSeriesFolder(MakeImage(3), series, Describe());
-  EXPECT_EQ(NamesIn(folder / ""), (std::set<std::string>{ "series" }));
+  EXPECT_EQ(FilesIn(folder / ""), (std::set<std::string>{ "series" }));
 
   // Killed between the two renames on a file system without exchange: the old series is restored.
   shapeton::WriteDicomSeriesFolder(MakeImage(), series, Describe());
   fs::rename(series, folder / (".series." + dead + ".old"));
   EXPECT_THROW(shapeton::WriteDicomSeriesFolder(MakeImage(1), series, Describe()), shapeton::InputError);
   EXPECT_EQ(BytesIn(series), old);
-  EXPECT_EQ(NamesIn(folder / ""), (std::set<std::string>{ "series" }));
+  EXPECT_EQ(FilesIn(folder / ""), (std::set<std::string>{ "series" }));
 
   // A written folder with an additional file is left unchanged.
   fs::create_directory(folder / (".series." + dead + ".part"));
@@ -484,12 +461,12 @@ TEST_P(KilledRun, LeavesAWholeSeries)
     EXPECT_TRUE(bytes == oldBytes || bytes == newBytes) << bytes.size() << " files";
     if (signal == SIGTERM)
     {
-      EXPECT_EQ(NamesIn(folder / ""), (std::set<std::string>{ "series" }));
+      EXPECT_EQ(FilesIn(folder / ""), (std::set<std::string>{ "series" }));
     }
   }
   shapeton::WriteDicomSeriesFolder(oldImage, series, Describe());
   EXPECT_EQ(BytesIn(series), oldBytes);
-  EXPECT_EQ(NamesIn(folder / ""), (std::set<std::string>{ "series" }));
+  EXPECT_EQ(FilesIn(folder / ""), (std::set<std::string>{ "series" }));
   EXPECT_GT(killed, 0);
 }
 

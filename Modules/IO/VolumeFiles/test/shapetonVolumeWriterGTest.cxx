@@ -37,20 +37,13 @@ template <typename TPixel>
 typename itk::Image<TPixel, 3>::Pointer
 MakeOblique(bool isLeftHanded = false)
 {
-  using ImageType = itk::Image<TPixel, 3>;
-  const auto                        image = ImageType::New();
-  typename ImageType::DirectionType direction = DicomFixture::ObliqueDirection();
+  itk::Matrix<double, 3, 3> direction = DicomFixture::ObliqueDirection();
   for (unsigned int i = 0; i < 3 && isLeftHanded; ++i)
   {
     direction(i, 0) = -direction(i, 0);
   }
-  const double spacing[3] = { 0.5, 0.75, 2.0 };
-  const double origin[3] = { -12.5, 30.25, 100.0 };
-  image->SetRegions(typename ImageType::SizeType{ { 5, 4, 3 } });
-  image->SetSpacing(spacing);
-  image->SetOrigin(origin);
-  image->SetDirection(direction);
-  image->Allocate();
+  const auto image = basetest::NewImage<itk::Image<TPixel, 3>>(
+    { { 5, 4, 3 } }, { { 0.5, 0.75, 2.0 } }, { { -12.5, 30.25, 100.0 } }, direction);
   std::mt19937 random(3);
   for (unsigned int i = 0; i < 60; ++i)
   {
@@ -89,15 +82,16 @@ RefusalOf(const std::string & path)
   return InputErrorOf([&path] { ReadVolume(path); });
 }
 
+const std::string Bytes8(8, 'a');
+const std::string EightBytes = "type: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n";
+
 std::string
-WriteNrrd(const std::string & header, const std::string & data)
+WriteNrrd(const std::string & header, const std::string & data = Bytes8)
 {
   const std::string path = TestFolder() + "/image.nrrd";
   shapeton::WriteText(path, "NRRD0004\n" + header + "\n" + data);
   return path;
 }
-
-const std::string Bytes8(8, 'a');
 } // namespace
 
 TEST(VolumeWriter, RoundTripsKeepPixelsAndObliqueGeometry)
@@ -216,7 +210,7 @@ TEST(VolumeWriter, ToShortOnlyWithoutLoss)
 
 TEST(ImageFile, NrrdIdentityIsTheDigestOfTheFile)
 {
-  const Volume volume = ReadVolume(WriteNrrd("type: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n", Bytes8));
+  const Volume volume = ReadVolume(WriteNrrd(EightBytes));
   EXPECT_EQ(volume.identity.size(), std::string("sha256:").size() + 64);
   EXPECT_EQ(volume.image->GetPixel({ { 1, 1, 1 } }), 97.0F);
   EXPECT_TRUE(volume.modality.empty());
@@ -224,22 +218,22 @@ TEST(ImageFile, NrrdIdentityIsTheDigestOfTheFile)
 
 TEST(ImageFile, AFourthDimensionMustHaveSizeOne)
 {
-  const Volume volume = ReadVolume(WriteNrrd("type: uchar\ndimension: 4\nsizes: 2 2 2 1\nencoding: raw\n", Bytes8));
+  const Volume volume = ReadVolume(WriteNrrd("type: uchar\ndimension: 4\nsizes: 2 2 2 1\nencoding: raw\n"));
   EXPECT_EQ(volume.image->GetLargestPossibleRegion().GetSize()[2], 2u);
-  EXPECT_TRUE(Contains(RefusalOf(WriteNrrd("type: uchar\ndimension: 4\nsizes: 2 2 1 2\nencoding: raw\n", Bytes8)),
+  EXPECT_TRUE(Contains(RefusalOf(WriteNrrd("type: uchar\ndimension: 4\nsizes: 2 2 1 2\nencoding: raw\n")),
                        "a series of 2 volumes"));
 }
 
 TEST(ImageFile, HeadersThatClaimTooMuchAreRefusedBeforeAllocation)
 {
-  const std::string raw = RefusalOf(
-    WriteNrrd("type: float\ndimension: 3\nsizes: 60000 60000 60000\nendian: little\nencoding: raw\n", Bytes8));
+  const std::string raw =
+    RefusalOf(WriteNrrd("type: float\ndimension: 3\nsizes: 60000 60000 60000\nendian: little\nencoding: raw\n"));
   EXPECT_TRUE(Contains(raw, "truncated: the header states 60000x60000x60000 voxels")) << raw;
   const std::string gzip =
-    RefusalOf(WriteNrrd("type: float\ndimension: 3\nsizes: 3000 3000 3000\nendian: little\nencoding: gzip\n", Bytes8));
+    RefusalOf(WriteNrrd("type: float\ndimension: 3\nsizes: 3000 3000 3000\nendian: little\nencoding: gzip\n"));
   EXPECT_TRUE(Contains(gzip, "truncated: ")) << gzip;
   const std::string overflow =
-    RefusalOf(WriteNrrd("type: uchar\ndimension: 3\nsizes: 4294967296 4294967296 4294967296\nencoding: raw\n", Bytes8));
+    RefusalOf(WriteNrrd("type: uchar\ndimension: 3\nsizes: 4294967296 4294967296 4294967296\nencoding: raw\n"));
   EXPECT_FALSE(overflow.empty());
 }
 
@@ -254,36 +248,31 @@ TEST(ImageFile, NonFiniteVoxelsAreCountedAndTheFirstIsNamed)
 
 TEST(ImageFile, UnsuitableKindsAreNamed)
 {
-  EXPECT_TRUE(
-    Contains(RefusalOf(WriteNrrd("type: uchar\ndimension: 2\nsizes: 2 4\nencoding: raw\n", Bytes8)), "a 2-D image"));
+  EXPECT_TRUE(Contains(RefusalOf(WriteNrrd("type: uchar\ndimension: 2\nsizes: 2 4\nencoding: raw\n")), "a 2-D image"));
   EXPECT_TRUE(Contains(RefusalOf(WriteNrrd("type: uchar\ndimension: 4\nsizes: 3 2 2 2\nkinds: RGB-color domain domain "
                                            "domain\nencoding: raw\n",
                                            std::string(24, 'a'))),
                        "3 components"));
-  EXPECT_TRUE(Contains(RefusalOf(WriteNrrd("type: uchar\ndimension: 3\nsizes: 2 4 1\nencoding: raw\n", Bytes8)),
-                       "a single slice"));
   EXPECT_TRUE(
-    Contains(RefusalOf(WriteNrrd("type: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n", "abc")), "truncated: "));
+    Contains(RefusalOf(WriteNrrd("type: uchar\ndimension: 3\nsizes: 2 4 1\nencoding: raw\n")), "a single slice"));
+  EXPECT_TRUE(Contains(RefusalOf(WriteNrrd(EightBytes, "abc")), "truncated: "));
   shapeton::VolumeReadOptions options;
   options.seriesUID = "1.2";
-  const std::string path = WriteNrrd("type: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n", Bytes8);
+  const std::string path = WriteNrrd(EightBytes);
   EXPECT_THROW(ReadVolume(path, options), shapeton::ParameterError);
 }
 
 TEST(ImageFile, UnusableGeometryIsRefused)
 {
   const std::string head = "type: uchar\ndimension: 3\nsizes: 2 2 2\nspace: left-posterior-superior\n";
-  EXPECT_TRUE(Contains(
-    RefusalOf(WriteNrrd(head + "space directions: (1,0,0) (0.3,1,0) (0,0,1)\nencoding: raw\n", Bytes8)), "orthogonal"));
-  EXPECT_FALSE(
-    RefusalOf(WriteNrrd(head + "space directions: (1,0,0) (0,0,0) (0,0,1)\nencoding: raw\n", Bytes8)).empty());
-  EXPECT_FALSE(
-    RefusalOf(WriteNrrd(head + "space directions: (nan,0,0) (0,1,0) (0,0,1)\nencoding: raw\n", Bytes8)).empty());
+  EXPECT_TRUE(Contains(RefusalOf(WriteNrrd(head + "space directions: (1,0,0) (0.3,1,0) (0,0,1)\nencoding: raw\n")),
+                       "orthogonal"));
+  EXPECT_FALSE(RefusalOf(WriteNrrd(head + "space directions: (1,0,0) (0,0,0) (0,0,1)\nencoding: raw\n")).empty());
+  EXPECT_FALSE(RefusalOf(WriteNrrd(head + "space directions: (nan,0,0) (0,1,0) (0,0,1)\nencoding: raw\n")).empty());
 }
 
 TEST(ImageFile, AMissingSpacingIsNoted)
 {
-  const std::string nrrd = "type: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n";
   const std::string meta = "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\n";
   const std::string data = "ElementDataFile = LOCAL\n" + std::string(Bytes8);
   const auto        notesOfMeta = [&](const std::string & spacing) {
@@ -292,7 +281,7 @@ TEST(ImageFile, AMissingSpacingIsNoted)
     return ReadVolume(path).notes.size();
   };
   const auto notesOfNrrd = [&](const std::string & spacing) {
-    return ReadVolume(WriteNrrd(nrrd + spacing, Bytes8)).notes.size();
+    return ReadVolume(WriteNrrd(EightBytes + spacing)).notes.size();
   };
   const auto notesOfNifti = [](double spacing) {
     niftitest::NiftiFile file;

@@ -6,6 +6,7 @@
 #include "shapetonJson.h"
 #include "shapetonExceptions.h"
 #include "shapetonTestImages.h"
+#include "shapetonTestReports.h"
 
 #include <stdexcept>
 
@@ -119,12 +120,7 @@ TEST_F(HeatReport, ThePageNeedsNoNetworkAndSaysWhatItIs)
   {
     EXPECT_EQ(html.find(unwanted), std::string::npos) << unwanted;
   }
-  std::size_t pictures = 0;
-  for (std::size_t at = html.find("<img"); at != std::string::npos; at = html.find("<img", at + 1))
-  {
-    ++pictures;
-  }
-  EXPECT_EQ(pictures, 4U);
+  EXPECT_EQ(basetest::CountOf(html, "<img"), 4U);
 }
 
 TEST_F(HeatReport, TablesAndJsonHoldTheClasses)
