@@ -1,6 +1,7 @@
 #include "shapetonColonAssessability.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonTestImages.h"
 
 #include "gtest/gtest.h"
 
@@ -10,18 +11,14 @@ namespace
 {
 using shapeton::ColonHindrance;
 
-/** A straight tube along x with radius 12 mm and voxels of 1 mm; the line is its axis. */
+/** A straight tube along x with a radius of 12 mm and 1 mm voxels; the line is its axis. */
 class Tube
 {
 public:
   explicit Tube(int length = 200) : m_Length(length)
   {
-    m_Lumen.labels = shapeton::ColonLumen::LabelImageType::New();
-    const shapeton::ColonLumen::LabelImageType::SizeType size{ { static_cast<itk::SizeValueType>(length), 30, 30 } };
-    m_Lumen.labels->SetRegions(size);
-    const double origin[3] = { 0.0, -15.0, -15.0 };
-    m_Lumen.labels->SetOrigin(origin);
-    m_Lumen.labels->Allocate(true);
+    m_Lumen.labels = basetest::NewImage<shapeton::ColonLumen::LabelImageType>(
+      { { static_cast<itk::SizeValueType>(length), 30, 30 } }, { 1.0, 1.0, 1.0 }, { 0.0, -15.0, -15.0 });
     m_Lumen.gravity.Fill(0.0);
     m_Lumen.gravity[1] = 1.0;
     this->Fill(0, length, 12.0);
@@ -31,18 +28,12 @@ public:
   void
   Fill(int begin, int end, double radius, double level = 100.0)
   {
-    for (itk::IndexValueType x = begin; x < end; ++x)
-    {
-      for (itk::IndexValueType y = 0; y < 30; ++y)
+    basetest::ForVoxels(m_Lumen.labels, [&](const auto & index, const auto & p) {
+      if (index[0] >= begin && index[0] < end)
       {
-        for (itk::IndexValueType z = 0; z < 30; ++z)
-        {
-          const double down = static_cast<double>(y - 15);
-          const bool   isGas = std::hypot(down, static_cast<double>(z - 15)) <= radius && down <= level;
-          m_Lumen.labels->SetPixel({ { x, y, z } }, isGas ? 1 : 0);
-        }
+        m_Lumen.labels->SetPixel(index, std::hypot(p[1], p[2]) <= radius && p[1] <= level ? 1 : 0);
       }
-    }
+    });
   }
 
   void
@@ -142,7 +133,7 @@ TEST(ColonAssessability, NarrowStretchesCountAndSingleFoldsDoNot)
   EXPECT_EQ(part.Hindrances(), (std::vector<ColonHindrance>{ ColonHindrance::Narrow, ColonHindrance::NoLumen }));
   EXPECT_EQ(shapeton::HindranceAt(stretches, 70.0), ColonHindrance::Narrow);
   EXPECT_EQ(shapeton::HindranceAt(stretches, 90.0), ColonHindrance::None);
-  // Without the array, the result follows from gap and radius.
+  // If the array is missing, the result follows from gap and radius.
   EXPECT_EQ(shapeton::FindHinderedStretches(line).size(), 2u);
 }
 

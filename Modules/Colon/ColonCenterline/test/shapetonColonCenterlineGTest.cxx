@@ -3,8 +3,6 @@
 
 #include "shapetonTubeMask.h"
 
-#include "itkImageRegionIteratorWithIndex.h"
-#include "itkMultiThreaderBase.h"
 #include "shapetonTestErrors.h"
 #include "shapetonVolumeReader.h"
 #include "shapetonTestThreads.h"
@@ -89,7 +87,7 @@ IsInside(const ColonCenterline & line, const shapeton::LumenMask * mask)
   return true;
 }
 
-/** Trilinear between 1 for lumen and 0; the surface of the mask is at 0.5. */
+/** Trilinear interpolation between 1 in the lumen and 0 elsewhere; the surface of the mask is at 0.5. */
 double
 Occupancy(const shapeton::LumenMask * mask, const Eigen::Vector3d & at)
 {
@@ -182,31 +180,17 @@ TEST(ColonCenterline, OfAColonIsItsAxisInAnyImageFrame)
 TEST(ColonCenterline, CoversAWideLumenButNotABranch)
 {
   // Three tubes side by side overlap: 64 mm wide, 36 mm deep. The branch is at a right angle.
-  TubePoints axis;
-  for (double z = -150.0; z <= 150.0; z += 0.5)
-  {
-    axis.emplace_back(0.0, 0.0, z);
-  }
-  TubeMask mask(axis, 200.0, { 1.5, 1.5, 1.5 }, shapeton::ObliqueFrame());
+  const auto axis = [](double x) { return shapeton::CurveThrough({ { x, 0.0, -150.0 }, { x, 0.0, 150.0 } }); };
+  TubeMask   mask(axis(0.0), 200.0, { 1.5, 1.5, 1.5 }, shapeton::ObliqueFrame());
   for (const double x : { -14.0, 0.0, 14.0 })
   {
-    TubePoints beside = axis;
-    for (Eigen::Vector3d & point : beside)
-    {
-      point.x() = x;
-    }
-    mask.Paint(beside, 18.0);
+    mask.Paint(axis(x), 18.0);
   }
   const ColonCenterline wide = shapeton::TraceColonCenterline(mask.Get());
   EXPECT_GT(wide.coverage, 0.99);
   EXPECT_FALSE(HasWarning(wide, "side branch"));
 
-  TubePoints branch;
-  for (double y = 0.0; y <= 130.0; y += 0.5)
-  {
-    branch.emplace_back(0.0, y, 0.0);
-  }
-  mask.Paint(branch, 12.0);
+  mask.Paint(shapeton::CurveThrough({ { 0.0, 0.0, 0.0 }, { 0.0, 130.0, 0.0 } }), 12.0);
   const ColonCenterline line = shapeton::TraceColonCenterline(mask.Get());
   const double          volume = line.pieces.front().volume;                           // ml
   const double away = (130.0 + 8.0 - 10.0 - 36.0) * shapeton::Pi * 12.0 * 12.0 * 1e-3; // beyond 10 mm + 2 radii; a cap
@@ -272,7 +256,7 @@ TEST(ColonCenterline, OfATorusArcAndAHelixHasTheClosedLength)
   }
 }
 
-/** Limbs separated by septa of one voxel with some leaks. */
+/** Limbs separated by septa one voxel thick, with some leaks. */
 TubeMask
 LeakySerpentine(const TubePoints & truth, double pitch, double hole)
 {
@@ -307,7 +291,8 @@ TEST(ColonCenterline, GoesThroughANarrowPlaceRatherThanAWiderHole)
 {
   const double     pitch = 30.0;
   const TubePoints truth = Serpentine(3, 220.0, pitch);
-  // The colon is 5 mm wide in the middle of its second limb, the holes between the limbs up to half their width.
+  // The colon is 5 mm wide halfway along its second limb; the holes between the limbs are up to half as wide as the
+  // limbs.
   for (const double hole : { 4.0, 6.8, 7.5 })
   {
     TubeMask mask(truth, 25.0, { 1.2, 1.0, 1.2 });
@@ -387,13 +372,7 @@ TEST(ColonCenterline, CutsAHoleByWhichThePouchOfTheLastPieceHangsOnTheFirst)
   mask.Paint(shapeton::PartOf(truth, 0.43, 0.62), 16.0);
   mask.Paint(shapeton::PartOf(truth, 0.69, 1.0), [](double share) { return 18.0 + 10.0 * share; });
   const Eigen::Vector3d crest = truth[static_cast<std::size_t>(0.145 * truth.size())];
-  const Eigen::Vector3d pouch = truth.back();
-  TubePoints            hole;
-  for (double share = 0.0; share <= 1.0; share += 0.01)
-  {
-    hole.push_back(crest + share * (pouch - crest));
-  }
-  mask.Paint(hole, 2.2);
+  mask.Paint(shapeton::CurveThrough({ crest, truth.back() }), 2.2);
   const ColonCenterline line = shapeton::TraceColonCenterline(mask.Get());
   ASSERT_EQ(line.gaps.size(), 2u);
   EXPECT_GT(line.coverage, 0.9);
@@ -467,7 +446,7 @@ TEST(ColonCenterline, ReachesThePoleOfAWideCecum)
   const TubePoints      points = PointsOf(shapeton::TraceColonCenterline(mask.Get()));
   const Eigen::Vector3d out = (truth.back() - truth[truth.size() - 20]).normalized();
   const Eigen::Vector3d pole = truth.back() + radius * out;
-  // 3 mm before the wall, within the spacing of the grid.
+  // 3 mm before the wall, to within the grid spacing.
   EXPECT_NEAR((pole - points.back()).dot(out), 3.0, 3.0);
   EXPECT_LT((points.back() - pole).norm(), 9.0);
 }
@@ -558,21 +537,19 @@ Coarser(const itk::Image<float, 3> * image)
   mask->SetDirection(image->GetDirection());
   mask->SetSpacing(image->GetSpacing() * 2.0);
   mask->Allocate(true);
-  itk::ImageRegionIteratorWithIndex<shapeton::LumenMask> it(mask, mask->GetBufferedRegion());
-  for (; !it.IsAtEnd(); ++it)
-  {
+  basetest::ForVoxels(mask, [&](const itk::Index<3> & coarse, const auto &) {
     bool isLumen = true;
     for (int corner = 0; corner < 8; ++corner)
     {
       itk::Index<3> index;
       for (int a = 0; a < 3; ++a)
       {
-        index[a] = 2 * it.GetIndex()[a] + (corner >> a & 1);
+        index[a] = 2 * coarse[a] + (corner >> a & 1);
       }
       isLumen = isLumen && image->GetPixel(index) != 0.0F;
     }
-    it.Set(isLumen ? 1 : 0);
-  }
+    mask->SetPixel(coarse, isLumen ? 1 : 0);
+  });
   return mask;
 }
 

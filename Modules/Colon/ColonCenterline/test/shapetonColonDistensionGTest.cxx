@@ -6,15 +6,6 @@
 
 namespace
 {
-shapeton::SurfaceArray
-Array(const std::string & name, const Eigen::VectorXd & values)
-{
-  shapeton::SurfaceArray array;
-  array.name = name;
-  array.values = values;
-  return array;
-}
-
 /** 100 mm in unequal steps: radius 15 mm up to 40 mm, then a gap of 20 mm, then radius 4 mm. */
 shapeton::CurveSet
 Line()
@@ -27,7 +18,7 @@ Line()
   curve.V = shapeton::VertexMatrix::Zero(8, 3);
   curve.V.col(2) = arc;
   curve.curves = { { 0, 1, 2, 3, 4, 5, 6, 7 } };
-  curve.pointArrays = { Array("arcLength", arc), Array("radius", radius), Array("gap", gap) };
+  curve.pointArrays = { { "arcLength", arc }, { "radius", radius }, { "gap", gap } };
   return curve;
 }
 

@@ -63,7 +63,7 @@ WalkFrom(const TreeLinks & links, int start)
   return walk;
 }
 
-/** Reference result by a search from each core cell. */
+/** Reference result, found by a search from each core cell. */
 double
 LongestWay(const Tree & tree)
 {
@@ -97,7 +97,7 @@ RingTo(const TreeWalk & walk, int cell)
   return ring;
 }
 
-/** Compares the longest path after each swap between two cells with brute force. */
+/** Compares the longest paths after each swap on the path between two cells with those found by brute force. */
 void
 ExpectWays(const Tree & tree, int from, int to)
 {

@@ -14,30 +14,23 @@ namespace
 {
 namespace fs = std::filesystem;
 using namespace tubecolons;
+using basetest::ErrorOf;
 using shapeton::ExaminationFile;
 using shapeton::ExaminationFolder;
 
-std::string
-FreshFolder(const std::string & name)
+/** The folder of an examination, and what reading it gives. */
+struct ExamFolder
 {
-  const std::string folder = ::testing::TempDir() + "ColonExamination/" + name;
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
-}
+  explicit ExamFolder(const shapeton::ColonPositionFiles & files) { WriteExamination(files, folder / "."); }
 
-template <typename TAction>
-std::string
-FaultOf(const TAction & action)
-{
-  return basetest::ErrorOf([&] { action(); });
-}
+  shapeton::ColonPositionFiles
+  Read(const std::string & name) const
+  {
+    return shapeton::ReadColonPosition(ExaminationFolder(folder / ".", "ColonRegistration"), name);
+  }
 
-shapeton::ColonPositionFiles
-Read(const std::string & folder, const std::string & name)
-{
-  return shapeton::ReadColonPosition(ExaminationFolder(folder, "ColonRegistration"), name);
-}
+  basetest::Folder folder;
+};
 } // namespace
 
 TEST(ExaminationFiles, HaveOneNameEach)
@@ -80,13 +73,13 @@ TEST(ExaminationFolder, OfAnotherVersionIsRefused)
 {
   const basetest::Folder folder;
   const std::string      path = folder / "examination.json";
-  EXPECT_EQ(FaultOf([&] { ExaminationFolder exam(folder / "."); }), ""); // put together from results of single tools
+  EXPECT_EQ(ErrorOf([&] { ExaminationFolder exam(folder / "."); }), ""); // put together from results of single tools
   shapeton::WriteExaminationVersion(path);
-  EXPECT_EQ(FaultOf([&] { ExaminationFolder exam(folder / "."); }), "");
+  EXPECT_EQ(ErrorOf([&] { ExaminationFolder exam(folder / "."); }), "");
   for (const std::string text : { "{\"version\": 99}", "{\"version\": \"1\"}", "{}", "[1]" })
   {
     shapeton::WriteFileBytes(path, text);
-    EXPECT_NE(FaultOf([&] { ExaminationFolder exam(folder / "."); }).find("examination.json\" states the version"),
+    EXPECT_NE(ErrorOf([&] { ExaminationFolder exam(folder / "."); }).find("examination.json\" states the version"),
               std::string::npos)
       << text;
   }
@@ -109,9 +102,7 @@ TEST(ColonExamination, HasASecondPositionOnceItIsFlat)
 TEST(ColonPositionFiles, ReadsWhatTheFolderHolds)
 {
   const shapeton::ColonPositionFiles written = MakeExamination("supine", 1, {});
-  const std::string                  folder = FreshFolder("examination");
-  WriteExamination(written, folder);
-  const shapeton::ColonPositionFiles read = Read(folder, "supine");
+  const shapeton::ColonPositionFiles read = ExamFolder(written).Read("supine");
   EXPECT_TRUE(read.warnings.empty());
   EXPECT_EQ(read.position.flat->Surface().V, written.position.flat->Surface().V);
   EXPECT_EQ(read.position.flexures, written.position.flexures);
@@ -137,23 +128,19 @@ TEST(ColonPositionFiles, ReadsWhatTheFolderHolds)
 
 TEST(ColonPositionFiles, EqualExaminationsHaveOneIdentity)
 {
-  WriteExamination(MakeExamination("a", 1, {}), FreshFolder("one"));
-  WriteExamination(MakeExamination("b", 1, {}), FreshFolder("same"));
-  WriteExamination(MakeExamination("c", 2, {}), FreshFolder("other"));
-  const auto identity = [](const char * name) {
-    return Read(::testing::TempDir() + "ColonExamination/" + name, "supine").identity;
+  const auto identity = [](const char * name, int patient) {
+    return ExamFolder(MakeExamination(name, patient, {})).Read("supine").identity;
   };
-  EXPECT_EQ(identity("one"), identity("same"));
-  EXPECT_NE(identity("one"), identity("other"));
+  EXPECT_EQ(identity("a", 1), identity("b", 1));
+  EXPECT_NE(identity("a", 1), identity("c", 2));
 }
 
 TEST(ColonPositionFiles, NamesWhatIsMissingAndWhoWritesIt)
 {
   const auto faultWithout = [](const std::string & file) {
-    const std::string folder = FreshFolder("part");
-    WriteExamination(MakeExamination("prone", 1, {}), folder);
-    fs::remove(folder + '/' + file);
-    return FaultOf([&] { Read(folder, "prone"); });
+    const ExamFolder exam(MakeExamination("prone", 1, {}));
+    fs::remove(exam.folder / file);
+    return ErrorOf([&] { exam.Read("prone"); });
   };
   for (const auto & [file, tool] :
        { std::pair<const char *, const char *>{ "segmentation/centerline.vtp", "(ColonSegmentation)" },
@@ -167,16 +154,16 @@ TEST(ColonPositionFiles, NamesWhatIsMissingAndWhoWritesIt)
     EXPECT_NE(fault.find(tool), std::string::npos) << fault;
   }
   EXPECT_EQ(faultWithout("landmarks/taeniae.vtp"), "");
-  EXPECT_NE(FaultOf([] { Read("absent", "prone"); }).find("the examination \"absent\" was not found"),
-            std::string::npos);
+  EXPECT_NE(
+    ErrorOf([] { ExaminationFolder("absent", "ColonRegistration"); }).find("the examination \"absent\" was not found"),
+    std::string::npos);
 }
 
 TEST(ColonPositionFiles, WithoutTaeniaeThereIsAWarning)
 {
-  const std::string folder = FreshFolder("noTaeniae");
-  WriteExamination(MakeExamination("prone", 1, {}), folder);
-  fs::remove(folder + "/landmarks/taeniae.vtp");
-  const shapeton::ColonPositionFiles files = Read(folder, "prone");
+  const ExamFolder exam(MakeExamination("prone", 1, {}));
+  fs::remove(exam.folder / "landmarks/taeniae.vtp");
+  const shapeton::ColonPositionFiles files = exam.Read("prone");
   ASSERT_EQ(files.warnings.size(), 1U);
   EXPECT_NE(files.warnings[0].find("no taeniae"), std::string::npos);
 }
@@ -184,10 +171,9 @@ TEST(ColonPositionFiles, WithoutTaeniaeThereIsAWarning)
 TEST(ColonPositionFiles, ExaminationsThatChangedPlacesAreTold)
 {
   const auto warnings = [](const std::string & name, const std::string & lumen) {
-    const std::string folder = FreshFolder("places");
-    WriteExamination(MakeExamination(name, 1, {}), folder);
-    shapeton::WriteFileBytes(folder + "/segmentation/quality.json", "{\"lumen\": {" + lumen + "}}");
-    return Read(folder, name).warnings;
+    const ExamFolder exam(MakeExamination(name, 1, {}));
+    shapeton::WriteFileBytes(exam.folder / "segmentation/quality.json", "{\"lumen\": {" + lumen + "}}");
+    return exam.Read(name).warnings;
   };
   const std::string prone = "\"position\": \"prone\", \"gravitySource\": \"levels\"";
   EXPECT_TRUE(warnings("prone", prone).empty());
@@ -202,10 +188,9 @@ TEST(ColonPositionFiles, ExaminationsThatChangedPlacesAreTold)
 TEST(ColonPositionFiles, MalformedFilesAreRefused)
 {
   const auto faultWith = [](const std::string & file, const std::string & bytes) {
-    const std::string folder = FreshFolder("malformed");
-    WriteExamination(MakeExamination("prone", 1, {}), folder);
-    shapeton::WriteFileBytes(folder + '/' + file, bytes);
-    return FaultOf([&] { Read(folder, "prone"); });
+    const ExamFolder exam(MakeExamination("prone", 1, {}));
+    shapeton::WriteFileBytes(exam.folder / file, bytes);
+    return ErrorOf([&] { exam.Read("prone"); });
   };
   EXPECT_NE(faultWith("landmarks/landmarks.json", "{}").find("not written by ColonLandmarks"), std::string::npos);
   EXPECT_NE(faultWith("folds/folds.csv", "fold,u\n1,2\n").find("folds.csv\", line 1"), std::string::npos);

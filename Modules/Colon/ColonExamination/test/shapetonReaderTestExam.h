@@ -12,7 +12,7 @@
 
 namespace readertest
 {
-/** Bytes of a PNG file of one pixel. */
+/** Bytes of a one-pixel PNG file. */
 inline std::string
 OnePixelPng()
 {
@@ -20,8 +20,8 @@ OnePixelPng()
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==");
 }
 
-/** Writes the candidates of a run: in this order sizes of 12, 7 and 4 mm in the sigmoid, 10, 20 and 30 cm from the anal
- * verge. */
+/** Writes the candidates of a run: in this order, candidates of 12, 7 and 4 mm in the sigmoid, 10, 20 and 30 cm from
+ * the anal verge. */
 inline void
 WriteCandidates(const std::string & folder)
 {
@@ -43,8 +43,8 @@ WriteCandidates(const std::string & folder)
   shapeton::TableOfPolypCandidates(candidates).Write(folder + "/polyps/candidates.csv");
 }
 
-/** Verdicts of version 2 on this run: candidate 1 is a pedunculated polyp of 9 mm, 2 is unsure, 3 unread; a finding of
- * 11 mm; a bookmark; category C3. */
+/** Version 2 verdicts on this run: candidate 1 is a 9 mm pedunculated polyp, 2 is unsure, 3 is unread; an 11 mm
+ * finding; a bookmark; category C3. */
 inline shapeton::Json
 Verdicts(const std::string & folder)
 {

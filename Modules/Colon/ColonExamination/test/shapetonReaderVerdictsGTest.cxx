@@ -14,7 +14,7 @@ using namespace shapeton;
 using basetest::Folder;
 using readertest::Verdicts;
 
-/** A run with verdicts, which a test may change before they are read. */
+/** A run whose verdicts a test may change before they are read. */
 class ReaderVerdictsFile : public testing::Test
 {
 protected:

@@ -184,7 +184,7 @@ TEST(ColonFlexures, OfAPartOfAColonAreNotNamed)
 
 TEST(ColonFlexures, OfALineLikeNoColonAreNotFound)
 {
-  // Straight up, without bends and at the midline.
+  // A straight upward line in the midline, without bends.
   const ColonFlexures found = FindColonFlexures(RoundedCurve({ { 0, 0, 0 }, { 0, 0, 1500 } }));
   EXPECT_LT(found.NumberFound(), 4);
   EXPECT_FALSE(found.warnings.empty());

@@ -75,7 +75,8 @@ TEST(ColonSegments, LieBetweenTheFlexures)
       expected += arc > border.arcLength ? 1 : 0;
       nearest = std::min(nearest, std::abs(arc - border.arcLength));
     }
-    // At a bend, the cross-section plane and the nearest point of the line differ by up to the radius.
+    // At a bend, the positions given by the cross-section plane and by the nearest point of the line differ by up to
+    // the radius.
     if (nearest > 1.5 * radius)
     {
       ASSERT_EQ(segments.segmentOfFace[face], expected) << arc;

@@ -50,7 +50,7 @@ CellsOf(const TaeniaAngles & angles)
   return cells;
 }
 
-/** The three tracks are limited to these cells and the next ones. */
+/** The three tracks are limited to these cells and their successors. */
 constexpr std::array<int, 3> freeCells{ 5, 29, 50 };
 
 bool

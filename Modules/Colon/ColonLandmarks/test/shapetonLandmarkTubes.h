@@ -34,12 +34,8 @@ TubeAlong(const shapeton::CurveSet & curve,
     const Eigen::Vector3d before = frame[std::max<Eigen::Index>(i - 1, 0)];
     frame[i] = (before - t * t.dot(before)).normalized();
   }
-  flattubes::TubeForm form;
-  form.around = around;
-  form.along = static_cast<int>(last / step);
-  form.circumference = 2.0 * pi * radius;
-  form.length = form.along * step;
-  return flattubes::MakeFlatTube(form, [&](double u, double angle) {
+  const auto along = static_cast<int>(last / step);
+  return flattubes::MakeFlatTube({ around, along, 2.0 * pi * radius, along * step }, [&](double u, double angle) {
     const auto            i = std::min(static_cast<Eigen::Index>(u + 0.5), last);
     const Eigen::Vector3d a = frame[i];
     const Eigen::Vector3d b = tangentAt(i).cross(a);
@@ -66,8 +62,8 @@ TaeniaAngle(int taenia, double u, double nearer = 0.0)
          nearer * shares[taenia % 3] * std::exp(-0.5 * middle * middle);
 }
 
-/** A straight tube, 480 mm long, with folds between three winding taeniae. Folds begin before `foldsEnd` mm; the wall
- * bulges outward by up to `bulge` mm between taeniae along the whole tube. `nearer` as above. */
+/** A straight tube, 480 mm long, with folds between three winding taeniae. There are folds up to `foldsEnd` mm; the
+ * wall bulges outward by up to `bulge` mm between taeniae along the whole tube. `nearer` as above. */
 inline shapeton::SurfaceMesh
 TubeWithTaeniae(double foldsEnd = 480.0, double bulge = 0.0, double nearer = 0.0)
 {
@@ -76,26 +72,16 @@ TubeWithTaeniae(double foldsEnd = 480.0, double bulge = 0.0, double nearer = 0.0
   {
     for (int t = 0; t < 3; ++t)
     {
-      const double    u = 20.0 + 16.0 * ring + 5.0 * t;
-      foldtubes::Fold fold;
-      fold.u = u;
+      const double u = 20.0 + 16.0 * ring + 5.0 * t;
       const double begin = TaeniaAngle(t, u, nearer);
       const double end = TaeniaAngle(t + 1, u, nearer);
-      fold.angle = 0.5 * (begin + end);
-      fold.halfLength = 15.0 * (end - begin) / (2.0 * pi / 3.0);
-      fold.height = 6.0;
       if (u < foldsEnd)
       {
-        folds.push_back(fold);
+        folds.push_back({ u, 0.5 * (begin + end), 15.0 * (end - begin) / (2.0 * pi / 3.0), 6.0 });
       }
     }
   }
-  flattubes::TubeForm form;
-  form.around = 90;
-  form.along = 360;
-  form.circumference = 2.0 * pi * foldtubes::radius;
-  form.length = 480.0;
-  return flattubes::MakeFlatTube(form, [&](double u, double angle) {
+  return flattubes::MakeFlatTube({ 90, 360, 2.0 * pi * foldtubes::radius, 480.0 }, [&](double u, double angle) {
     double r = foldtubes::radius + 0.5 * bulge * (1.0 - std::cos(3.0 * (angle - TaeniaAngle(0, u))));
     for (const foldtubes::Fold & fold : folds)
     {

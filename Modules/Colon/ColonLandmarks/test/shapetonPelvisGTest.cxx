@@ -1,6 +1,8 @@
 #include "shapetonPelvis.h"
 
-#include "itkImageRegionIteratorWithIndex.h"
+#include "shapetonTestFrames.h"
+
+#include <Eigen/Geometry>
 
 #include <gtest/gtest.h>
 
@@ -36,7 +38,7 @@ struct SolidPelvis
     const double front = p.z() >= -20.0 ? 10.0 : 10.0 + 2.0 * (-20.0 - p.z());
     return hasSpine && std::abs(p.x()) < 20.0 && IsIn(p.z(), -60.0, 140.0) && IsIn(p.y(), front, front + 35.0);
   }
-  /** Contrast agent in bowel in front of sacrum and iliac bones. */
+  /** Contrast agent in the bowel in front of the sacrum and the iliac bones. */
   static bool
   IsContrast(const Vector3d & p)
   {
@@ -58,32 +60,14 @@ ImageOf(const SolidPelvis & pelvis,
         const Vector3d &    spacing,
         double              tilt)
 {
-  const auto           image = Image::New();
-  Image::SizeType      size;
-  Image::SpacingType   step;
-  Image::PointType     origin;
-  Image::DirectionType direction;
-  direction.SetIdentity();
-  direction(1, 1) = direction(2, 2) = std::cos(tilt);
-  direction(2, 1) = std::sin(tilt);
-  direction(1, 2) = -std::sin(tilt);
+  const auto      axes = Eigen::AngleAxisd(tilt, Vector3d::UnitX()).toRotationMatrix();
+  Image::SizeType size;
   for (int a = 0; a < 3; ++a)
   {
     size[a] = static_cast<itk::SizeValueType>(extent[a] / spacing[a]);
-    step[a] = spacing[a];
-    origin[a] = low[a];
   }
-  image->SetRegions(size);
-  image->SetSpacing(step);
-  image->SetOrigin(origin);
-  image->SetDirection(direction);
-  image->Allocate();
-  for (itk::ImageRegionIteratorWithIndex<Image> it(image, image->GetBufferedRegion()); !it.IsAtEnd(); ++it)
-  {
-    Image::PointType point;
-    image->TransformIndexToPhysicalPoint(it.GetIndex(), point);
-    it.Set(pelvis.ValueAt({ point[0], point[1], point[2] }));
-  }
+  const auto image = basetest::NewImageInFrame<Image>(size, spacing, low, axes);
+  basetest::Sample(image.GetPointer(), [&](const auto & point) { return pelvis.ValueAt(basetest::ToEigen(point)); });
   return image;
 }
 

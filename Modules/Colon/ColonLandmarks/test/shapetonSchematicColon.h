@@ -54,7 +54,7 @@ ArcLengthNear(const shapeton::CurveSet & curve, const Eigen::Vector3d & point)
   return curve.pointArrays[0].values(i, 0);
 }
 
-/** \param loop points of a loop of the descending colon, for a redundant one. */
+/** \param loop points of a loop in the descending colon, to make it redundant. */
 inline SchematicColon
 MakeSchematicColon(const std::vector<Eigen::Vector3d> & loop = {})
 {

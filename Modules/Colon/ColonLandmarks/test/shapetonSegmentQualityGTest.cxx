@@ -2,8 +2,8 @@
 
 #include "shapetonExceptions.h"
 #include "shapetonPi.h"
-
-#include "itkImageRegionIteratorWithIndex.h"
+#include "shapetonTestImages.h"
+#include "shapetonTestSurfaces.h"
 
 #include "gtest/gtest.h"
 
@@ -15,13 +15,7 @@ constexpr double radius = 20.0, length = 300.0, border = 100.0; // mm
 constexpr double poolBegin = 110.0;                             // mm
 constexpr double level = -5.0;                                  // mm: y of the fluid level
 
-SurfaceArray
-Array(const std::string & name, const Eigen::VectorXd & values)
-{
-  return { name, values, false };
-}
-
-/** The axis of the tube, a point each 5 mm; the caliber is 40 mm, or 8 mm between 60 and 70 mm. */
+/** The axis of the tube, with a point every 5 mm; the caliber is 40 mm, or 8 mm between 60 and 70 mm. */
 CurveSet
 Axis()
 {
@@ -37,7 +31,7 @@ Axis()
   {
     curve.curves[0].push_back(i);
   }
-  curve.pointArrays = { Array("arcLength", arc), Array("radius", radii), Array("gap", Eigen::VectorXd::Zero(points)) };
+  curve.pointArrays = { { "arcLength", arc }, { "radius", radii }, { "gap", Eigen::VectorXd::Zero(points) } };
   return curve;
 }
 
@@ -45,23 +39,11 @@ Axis()
 SurfaceMesh
 Tube()
 {
-  constexpr int turn = 120, rings = 151;
-  SurfaceMesh   tube;
-  tube.V.resize(turn * rings, 3);
-  tube.F.resize(2 * turn * (rings - 1), 3);
+  SurfaceMesh  tube = testsurfaces::Cylinder(120, 150, radius, length);
   SurfaceArray segment{ "segment", SurfaceArray::ValueMatrix(tube.F.rows(), 1), true };
-  for (int i = 0; i < turn * rings; ++i)
+  for (int face = 0; face < tube.NumberOfFaces(); ++face)
   {
-    const double angle = TwoPi * (i % turn) / turn;
-    const double z = length * (i / turn) / (rings - 1.0);
-    tube.V.row(i) << radius * std::cos(angle), radius * std::sin(angle), z;
-    if (i < turn * (rings - 1))
-    {
-      const int next = i - i % turn + (i + 1) % turn;
-      tube.F.row(2 * i) << i, next, i + turn;
-      tube.F.row(2 * i + 1) << next, next + turn, i + turn;
-      segment.values(2 * i, 0) = segment.values(2 * i + 1, 0) = z < border ? 1 : 2;
-    }
+    segment.values(face, 0) = tube.V(tube.F(face, 0), 2) < border ? 1 : 2;
   }
   tube.cellArrays.push_back(segment);
   return tube;
@@ -71,33 +53,12 @@ Tube()
 LumenMask::Pointer
 Lumen()
 {
-  const auto            image = LumenMask::New();
-  LumenMask::RegionType region;
-  region.SetSize({ { 60, 60, 170 } });
-  image->SetRegions(region);
-  const double             spacings[3] = { 1.0, 1.2, 2.0 };
-  LumenMask::DirectionType direction;
-  const double             angle = 0.3;
-  direction.SetIdentity();
-  direction(0, 0) = direction(1, 1) = std::cos(angle);
-  direction(1, 0) = std::sin(angle);
-  direction(0, 1) = -std::sin(angle);
-  LumenMask::PointType origin;
-  origin[0] = -18.0;
-  origin[1] = -43.0;
-  origin[2] = -20.0;
-  image->SetSpacing(spacings);
-  image->SetDirection(direction);
-  image->SetOrigin(origin);
-  image->Allocate(true);
-  for (itk::ImageRegionIteratorWithIndex<LumenMask> it(image, region); !it.IsAtEnd(); ++it)
-  {
-    const auto p = image->TransformIndexToPhysicalPoint<double>(it.GetIndex());
-    if (std::hypot(p[0], p[1]) < radius && p[2] > 0.0 && p[2] < length)
-    {
-      it.Set(p[2] > poolBegin && p[1] < level ? 2 : 1);
-    }
-  }
+  const auto image = basetest::NewImage<LumenMask>(
+    { { 60, 60, 170 } }, { 1.0, 1.2, 2.0 }, { -18.0, -43.0, -20.0 }, basetest::Rotation(2, 0.3));
+  basetest::Sample(image.GetPointer(), [](const auto & p) {
+    const bool isLumen = std::hypot(p[0], p[1]) < radius && p[2] > 0.0 && p[2] < length;
+    return !isLumen ? 0 : p[2] > poolBegin && p[1] < level ? 2 : 1;
+  });
   return image;
 }
 } // namespace
@@ -122,8 +83,8 @@ TEST(SegmentQuality, StatesWhatIsKnownOfATube)
   const std::vector<SegmentQuality> rows = MeasureSegmentQuality(input);
   ASSERT_EQ(rows.size(), 2u);
 
-  // The rectum, without the anal canal, extends from 40 to 100 mm; the steps from 60 to 70 mm have a
-  // caliber of 8 mm, those next to them 24 mm.
+  // The rectum, excluding the anal canal, extends from 40 to 100 mm; the steps from 60 to 70 mm have a caliber of 8 mm,
+  // those next to them 24 mm.
   EXPECT_DOUBLE_EQ(rows[0].distension.begin, AnalCanalLength);
   EXPECT_DOUBLE_EQ(rows[0].distension.leastCaliber, 8.0);
   EXPECT_DOUBLE_EQ(rows[0].distension.share, 50.0 / 60.0);

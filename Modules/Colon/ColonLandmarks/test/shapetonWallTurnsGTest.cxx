@@ -29,12 +29,8 @@ AngleOnTorus(double onMap)
 FlatColonGrid
 BentTube()
 {
-  const double        height = std::sqrt(bendRadius * bendRadius - tubeRadius * tubeRadius);
-  flattubes::TubeForm form;
-  form.around = 120;
-  form.along = 60;
-  form.circumference = 2.0 * flattubes::pi * tubeRadius;
-  form.length = 0.5 * flattubes::pi * height;
+  const double              height = std::sqrt(bendRadius * bendRadius - tubeRadius * tubeRadius);
+  const flattubes::TubeForm form{ 120, 60, 2.0 * flattubes::pi * tubeRadius, 0.5 * flattubes::pi * height };
   return FlatColonGrid(flattubes::MakeFlatTube(form, [height](double u, double onMap) {
     const double angle = AngleOnTorus(onMap);
     const double reach = bendRadius + tubeRadius * std::cos(angle);

@@ -8,7 +8,8 @@ namespace
 {
 TEST(ColonGravity, DirectionOfEachPatientPosition)
 {
-  // LPS: x to the left, y to the back, z to the head; for a patient on the right side, gravity points to the right.
+  // LPS: x to the left, y to the back, z to the head; for a patient lying on the right side, gravity points to the
+  // right.
   const std::pair<const char *, std::array<double, 3>> truth[] = {
     { "HFS", { 0, 1, 0 } },    { "FFS", { 0, 1, 0 } },           { "HFP", { 0, -1, 0 } },
     { "FFP", { 0, -1, 0 } },   { "HFDR", { -1, 0, 0 } },         { "FFDR", { -1, 0, 0 } },

@@ -26,16 +26,14 @@ Oblique(double aboutZ, double aboutX)
   return shapeton::TurnedAxes(aboutZ / 57.29578, aboutX / 57.29578);
 }
 
-/** A half-filled colon next to a thinner bowel, behind a wall of 3 mm, filled with fluid of the same brightness. */
+/** A half-filled colon next to a thinner bowel that is behind a 3 mm wall and filled with equally bright fluid. */
 ColonTestScene
 ColonAndBowel(const Vec & gravity)
 {
-  ColonTestScene scene;
+  // The bowel is beside the colon, perpendicular to gravity; they touch below the level.
+  const Vec      aside = At(gravity[1], -gravity[0], 0) * 30.0 + gravity * 8.0;
+  ColonTestScene scene({ { Tube(At(0, 0, 0), 2, 30, 18), 4.0, 700.0 }, { Tube(aside, 2, 30, 10), -1e9, 700.0 } });
   scene.gravity = gravity;
-  scene.lumens.push_back({ Tube(At(0, 0, 0), 2, 30, 18), 4.0, 700.0 });
-  // Beside the colon perpendicular to gravity; they touch below the level.
-  const Vec aside = At(gravity[1], -gravity[0], 0) * 30.0 + gravity * 8.0;
-  scene.lumens.push_back({ Tube(aside, 2, 30, 10), -1e9, 700.0 });
   return scene;
 }
 
@@ -75,11 +73,24 @@ Segment(const ImageType * image, const std::string & position = "")
   return shapeton::SegmentColonLumen(image, options);
 }
 
+/** A scene in voxels of 2 mm. */
+ImageType::Pointer
+Coarse(const ColonTestScene & scene, int slices = 50)
+{
+  return shapeton::SampledImage(scene, { 72, 72, slices }, { 2.0, 2.0, 2.0 });
+}
+
+unsigned char
+LabelAt(const shapeton::ColonLumen & lumen, const Vec & place)
+{
+  const itk::Point<double, 3> point(place.GetDataPointer());
+  return lumen.labels->GetPixel(lumen.labels->TransformPhysicalPointToIndex(point));
+}
+
 TEST(ColonLumenSegmentation, TakesGasAndFluidAndNoBowelOfEqualBrightness)
 {
   const auto scene = ColonAndBowel(At(0, 1, 0));
-  const auto image = shapeton::SampledImage(scene, { 110, 110, 80 }, { 1.3, 1.3, 1.3 });
-  const auto lumen = Segment(image, "HFS");
+  const auto lumen = Segment(shapeton::SampledImage(scene, { 110, 110, 80 }, { 1.3, 1.3, 1.3 }), "HFS");
   EXPECT_EQ(lumen.failure, "");
   EXPECT_TRUE(lumen.warnings.empty());
   const auto overlap = Compare(scene, lumen);
@@ -93,37 +104,29 @@ TEST(ColonLumenSegmentation, TakesGasAndFluidAndNoBowelOfEqualBrightness)
   EXPECT_NEAR(lumen.pieces[0].inscribedRadius, 18.0, 1.5);
 }
 
-/** A pool of poorly mixed fluid with a slanting floor; 2 mm below is bowel as bright as well-mixed fluid. */
+/** A pool of poorly mixed fluid with a slanting floor; the bowel 2 mm below it is as bright as well-mixed fluid. */
 TEST(ColonLumenSegmentation, BrightBowelUnderAShallowFaintPoolStaysOut)
 {
-  const auto     floor = [](const Vec & x) { return 12.5 + 0.25 * (x[0] - 28.0); };
-  const auto     tube = Tube(At(28, 0, 0), 2, 30, 17);
-  ColonTestScene scene;
-  scene.bodyRadius = 75.0;
-  scene.lumens.push_back({ Tube(At(-28, 0, 0), 2, 30, 18), 4.0, 700.0 });
-  scene.lumens.push_back(
-    { [=](const Vec & x) {
-       const double below = x[1] - floor(x);
-       return std::min({ 11.0 - std::abs(x[0] - 28.0), 30.0 - std::abs(x[2]), below - 2.06, 14.0 - below });
-     },
-      -1e9,
-      650.0 });
-  scene.lumens.push_back({ [=](const Vec & x) { return std::min(tube(x), floor(x) - x[1]); }, 10.5, 270.0 });
+  const auto floor = [](const Vec & x) { return 12.5 + 0.25 * (x[0] - 28.0); };
+  const auto tube = Tube(At(28, 0, 0), 2, 30, 17);
+  const auto bowel = [=](const Vec & x) {
+    const double below = x[1] - floor(x);
+    return std::min({ 11.0 - std::abs(x[0] - 28.0), 30.0 - std::abs(x[2]), below - 2.06, 14.0 - below });
+  };
+  const auto           pool = [=](const Vec & x) { return std::min(tube(x), floor(x) - x[1]); };
+  const ColonTestScene scene(
+    { { Tube(At(-28, 0, 0), 2, 30, 18), 4.0, 700.0 }, { bowel, -1e9, 650.0 }, { pool, 10.5, 270.0 } }, 75.0);
   const auto image = shapeton::SampledImage(scene, { 116, 116, 76 }, { 1.4, 1.4, 1.4 });
   const auto lumen = Segment(image, "HFS");
   EXPECT_EQ(lumen.failure, "");
-  const auto label = [&](double x, double y) {
-    itk::Point<double, 3> p(At(x, y, 0).GetDataPointer());
-    return lumen.labels->GetPixel(lumen.labels->TransformPhysicalPointToIndex(p));
-  };
   EXPECT_LT(Compare(scene, lumen).leakMl, 0.2);
-  EXPECT_EQ(label(28, 8), 1);
-  EXPECT_EQ(label(34, 12), 2);
-  EXPECT_EQ(label(-28, 10), 2);
+  EXPECT_EQ(LabelAt(lumen, At(28, 8, 0)), 1);
+  EXPECT_EQ(LabelAt(lumen, At(34, 12, 0)), 2);
+  EXPECT_EQ(LabelAt(lumen, At(-28, 10, 0)), 2);
 }
 
-/** With voxels of 2.8 mm, the pool below is found for any subvoxel position of the level, even though an equally bright
- * bowel is connected to it through a barely visible wall of 1 mm. */
+/** With 2.8 mm voxels, the pool below is found for any subvoxel position of the level, even though an equally bright
+ * bowel is connected to it through a barely visible 1 mm wall. */
 TEST(ColonLumenSegmentation, APoolOfCoarseVoxelsIsFoundThoughABrightBowelHangsOnIt)
 {
   for (const double level : { 3.0, 3.7, 4.4, 5.1 })
@@ -131,8 +134,7 @@ TEST(ColonLumenSegmentation, APoolOfCoarseVoxelsIsFoundThoughABrightBowelHangsOn
     ColonTestScene scene = ColonAndBowel(At(0, 1, 0));
     scene.lumens[0].level = level;
     scene.lumens[1].depth = Tube(At(27.9, 8, 0), 2, 30, 10);
-    const auto image = shapeton::SampledImage(scene, { 52, 52, 40 }, { 2.8, 2.8, 2.8 });
-    const auto lumen = Segment(image, "HFS");
+    const auto lumen = Segment(shapeton::SampledImage(scene, { 52, 52, 40 }, { 2.8, 2.8, 2.8 }), "HFS");
     ASSERT_EQ(lumen.failure, "") << level;
     const Overlap overlap = Compare(scene, lumen);
     EXPECT_GT(overlap.dice, 0.96) << level;
@@ -145,8 +147,7 @@ TEST(ColonLumenSegmentation, GravityIsReadFromTheLevels)
   for (const Vec & gravity : { At(0, 1, 0), At(0, -1, 0), At(1, 0, 0), At(-1, 0, 0) })
   {
     const auto scene = ColonAndBowel(gravity);
-    const auto image = shapeton::SampledImage(scene, { 72, 72, 50 }, { 2.0, 2.0, 2.0 });
-    const auto lumen = Segment(image);
+    const auto lumen = Segment(Coarse(scene));
     EXPECT_EQ(lumen.gravitySource, shapeton::ColonGravitySource::Levels);
     EXPECT_EQ(lumen.gravity, gravity);
     EXPECT_GT(Compare(scene, lumen).dice, 0.97);
@@ -155,9 +156,7 @@ TEST(ColonLumenSegmentation, GravityIsReadFromTheLevels)
 
 TEST(ColonLumenSegmentation, TheGivenPositionWinsAndTheContradictionIsToldOf)
 {
-  const auto scene = ColonAndBowel(At(0, 1, 0));
-  const auto image = shapeton::SampledImage(scene, { 72, 72, 50 }, { 2.0, 2.0, 2.0 });
-  const auto lumen = Segment(image, "prone");
+  const auto lumen = Segment(Coarse(ColonAndBowel(At(0, 1, 0))), "prone");
   EXPECT_EQ(lumen.gravity, At(0, -1, 0));
   ASSERT_EQ(lumen.warnings.size(), 1U);
   EXPECT_NE(lumen.warnings[0].find("indicate supine"), std::string::npos);
@@ -182,8 +181,7 @@ TEST(ColonLumenSegmentation, ObliqueAnisotropicAndPermutedAxes)
 
 TEST(ColonLumenSegmentation, SameBytesForAnyNumberOfThreads)
 {
-  const auto scene = ColonAndBowel(At(0, 1, 0));
-  const auto image = shapeton::SampledImage(scene, { 72, 72, 50 }, { 2.0, 2.0, 2.0 });
+  const auto image = Coarse(ColonAndBowel(At(0, 1, 0)));
   basetest::ExpectSameWithAnyThreads(
     [&] {
       const auto lumen = Segment(image, "HFS");
@@ -194,17 +192,11 @@ TEST(ColonLumenSegmentation, SameBytesForAnyNumberOfThreads)
 
 TEST(ColonLumenSegmentation, ASeedPointTakesAPieceThatIsTooThin)
 {
-  ColonTestScene scene;
-  scene.lumens.push_back({ Tube(At(-25, 0, 0), 2, 30, 18), 1e9, 0.0 });
-  scene.lumens.push_back({ Tube(At(25, 0, 0), 2, 20, 6), 1e9, 0.0 });
-  const auto                   image = shapeton::SampledImage(scene, { 72, 72, 50 }, { 2.0, 2.0, 2.0 });
+  const auto image = Coarse(
+    ColonTestScene({ { Tube(At(-25, 0, 0), 2, 30, 18), 1e9, 0.0 }, { Tube(At(25, 0, 0), 2, 20, 6), 1e9, 0.0 } }));
   shapeton::ColonLumenSettings options;
   EXPECT_EQ(shapeton::SegmentColonLumen(image, options).pieces.size(), 1U);
-  itk::Point<double, 3> seed;
-  seed[0] = 25.0;
-  seed[1] = 1.0;
-  seed[2] = -3.0;
-  options.seedPoint.push_back(seed);
+  options.seedPoint.emplace_back(At(25, 1, -3).GetDataPointer());
   EXPECT_EQ(shapeton::SegmentColonLumen(image, options).pieces.size(), 2U);
   options.seedPoint[0][1] = 30.0; // soft tissue
   EXPECT_THROW(shapeton::SegmentColonLumen(image, options), shapeton::ParameterError);
@@ -214,9 +206,8 @@ TEST(ColonLumenSegmentation, ASeedPointTakesAPieceThatIsTooThin)
 
 TEST(ColonLumenSegmentation, FluidWithoutGasIsColonWhereItIsWiderThanSmallBowel)
 {
-  ColonTestScene scene;
-  scene.lumens.push_back({ Tube(At(-30, -20, 0), 2, 40, 18), -16.0, 700.0 });
-  scene.lumens.push_back({ Tube(At(25, 30, 0), 2, 45, 16), -1e9, 700.0 });
+  ColonTestScene scene(
+    { { Tube(At(-30, -20, 0), 2, 40, 18), -16.0, 700.0 }, { Tube(At(25, 30, 0), 2, 45, 16), -1e9, 700.0 } });
   const auto image = shapeton::SampledImage(scene, { 100, 100, 90 }, { 1.5, 1.5, 1.5 });
   const auto wide = Segment(image, "HFS");
   EXPECT_EQ(wide.pieces.size(), 2U);
@@ -232,66 +223,56 @@ TEST(ColonLumenSegmentation, FluidWithoutGasIsColonWhereItIsWiderThanSmallBowel)
   EXPECT_TRUE(narrow.warnings.empty());
 }
 
-unsigned char
-LabelAt(const shapeton::ColonLumen & lumen, const Vec & place)
-{
-  const itk::Point<double, 3> point(place.GetDataPointer());
-  return lumen.labels->GetPixel(lumen.labels->TransformPhysicalPointToIndex(point));
-}
-
-/** Two half-filled loops of colon, and a narrow bowel filled with fluid between them; one opening connects it to the
- * loop on the left, and `isOpenRight` another one to the loop on the right. */
+/** Two half-filled loops of colon, and a narrow fluid-filled bowel between them; one opening connects it to the left
+ * loop and, if `isOpenRight`, another one to the right loop. */
 TEST(ColonLumenSegmentation, FluidBetweenTwoPiecesOfColonIsColonIfItIsOpenToBoth)
 {
   for (const bool isOpenRight : { true, false })
   {
-    ColonTestScene scene;
-    scene.bodyRadius = 75.0;
-    scene.lumens.push_back({ Tube(At(-40, 0, 0), 2, 30, 18), 4.0, 700.0 });
-    scene.lumens.push_back({ Tube(At(40, 0, 0), 2, 30, 18), 4.0, 700.0 });
     const auto   bowel = Tube(At(0, 12, 0), 0, 12, 7);
     const double right = isOpenRight ? 28.0 : 0.0;
     const auto   slit = [=](const Vec & x) {
       return std::min({ 1.7 - std::abs(x[1] - 12.0), 5.0 - std::abs(x[2]), right - x[0], 28.0 + x[0] });
     };
-    scene.lumens.push_back({ [=](const Vec & x) { return std::max(bowel(x), slit(x)); }, -1e9, 700.0 });
-    const auto lumen = Segment(shapeton::SampledImage(scene, { 108, 108, 76 }, { 1.5, 1.5, 1.5 }), "HFS");
+    const ColonTestScene scene({ { Tube(At(-40, 0, 0), 2, 30, 18), 4.0, 700.0 },
+                                 { Tube(At(40, 0, 0), 2, 30, 18), 4.0, 700.0 },
+                                 { [=](const Vec & x) { return std::max(bowel(x), slit(x)); }, -1e9, 700.0 } },
+                               75.0);
+    const auto           lumen = Segment(shapeton::SampledImage(scene, { 108, 108, 76 }, { 1.5, 1.5, 1.5 }), "HFS");
     EXPECT_EQ(LabelAt(lumen, At(0, 12, 0)), isOpenRight ? 2 : 0);
     EXPECT_EQ(LabelAt(lumen, At(12, 12, 4)), isOpenRight ? 2 : 0);
     EXPECT_EQ(lumen.pieces.size(), isOpenRight ? 1U : 2U);
   }
 }
 
-/** A loop of colon whose gas and fluid meet in a plane of slope 0.25, or are separated by a wall of `wall` mm. */
+/** A loop of colon whose gas and fluid meet in a plane with a slope of 0.25, or are separated by a wall `wall` mm
+ * thick. */
 TEST(ColonLumenSegmentation, ATiltedLevelIsALevelUnlessAWallIsInBetween)
 {
   for (const double wall : { 0.0, 3.0 })
   {
-    ColonTestScene scene;
-    scene.bodyRadius = 75.0;
-    scene.lumens.push_back({ Tube(At(-36, 0, 0), 2, 30, 18), 4.0, 700.0 });
-    const auto tube = Tube(At(36, 0, 0), 2, 30, 16);
-    const auto below = [](const Vec & x) { return x[1] - 2.0 - 0.25 * x[2]; };
-    scene.lumens.push_back({ [=](const Vec & x) { return std::min(tube(x), -below(x)); } });
-    scene.lumens.push_back({ [=](const Vec & x) { return std::min(tube(x), below(x) - wall); }, -1e9, 700.0 });
-    const auto lumen = Segment(shapeton::SampledImage(scene, { 108, 108, 76 }, { 1.5, 1.5, 1.5 }), "HFS");
+    const auto           tube = Tube(At(36, 0, 0), 2, 30, 16);
+    const auto           below = [](const Vec & x) { return x[1] - 2.0 - 0.25 * x[2]; };
+    const ColonTestScene scene({ { Tube(At(-36, 0, 0), 2, 30, 18), 4.0, 700.0 },
+                                 { [=](const Vec & x) { return std::min(tube(x), -below(x)); } },
+                                 { [=](const Vec & x) { return std::min(tube(x), below(x) - wall); }, -1e9, 700.0 } },
+                               75.0);
+    const auto           lumen = Segment(shapeton::SampledImage(scene, { 108, 108, 76 }, { 1.5, 1.5, 1.5 }), "HFS");
     EXPECT_EQ(LabelAt(lumen, At(36, -6, 0)), 1);
     EXPECT_EQ(LabelAt(lumen, At(36, 10, 0)), wall > 0.0 ? 0 : 2);
     EXPECT_EQ(LabelAt(lumen, At(36, 12, 18)), wall > 0.0 ? 0 : 2);
   }
 }
 
-/** Half-filled ascending and descending colon, and another bowel: a longitudinal tube filled with fluid below
+/** Half-filled ascending and descending colon, and another bowel, which is a longitudinal tube filled with fluid below
  * `level`. */
 shapeton::ColonLumen
 SegmentWithBowel(const Vec & middle, double halfLength, double radius, double level)
 {
-  ColonTestScene scene;
-  scene.lumens.push_back({ Tube(At(-36, 0, 40), 2, 30, 18), 4.0, 700.0 });
-  scene.lumens.push_back({ Tube(At(36, 0, 40), 2, 30, 18), 4.0, 700.0 });
-  scene.lumens.push_back({ Tube(middle, 2, halfLength, radius), level, 700.0 });
-  const auto image = shapeton::SampledImage(scene, { 88, 88, 124 }, { 1.5, 1.5, 1.5 });
-  return Segment(image, "HFS");
+  const ColonTestScene scene({ { Tube(At(-36, 0, 40), 2, 30, 18), 4.0, 700.0 },
+                               { Tube(At(36, 0, 40), 2, 30, 18), 4.0, 700.0 },
+                               { Tube(middle, 2, halfLength, radius), level, 700.0 } });
+  return Segment(shapeton::SampledImage(scene, { 88, 88, 124 }, { 1.5, 1.5, 1.5 }), "HFS");
 }
 
 TEST(ColonLumenSegmentation, BowelAtThePlaceOfTheRectumIsTakenThoughItIsThin)
@@ -330,14 +311,14 @@ LabeledMl(const shapeton::ColonLumen & lumen, double low, double high)
   return 1e-3 * spacing[0] * spacing[1] * spacing[2] * static_cast<double>(count);
 }
 
-/** The rectum ends at z = -18, the body at z = -45; a catheter of 4 mm radius is in both and in the canal between. */
+/** The rectum ends at z = -18, the body at z = -45; a catheter with a radius of 4 mm passes through both and through
+ * the canal between them. */
 TEST(ColonLumenSegmentation, TheCatheterIsLumenDownToTheAnalVerge)
 {
-  ColonTestScene scene;
-  scene.lumens.push_back({ Tube(At(0, 2, -30), 2, 50, 3), 1e9, 0.0 });
-  scene.lumens.push_back({ Tube(At(0, 2, -30), 2, 50, 4), -1e9, 280.0 });
-  scene.lumens.push_back({ Tube(At(0, 0, 25), 2, 25, 18), 1e9, 0.0 });
-  scene.lumens.push_back({ [](const Vec & x) { return -45.0 - x[2]; }, 1e9, 0.0 });
+  const ColonTestScene scene({ { Tube(At(0, 2, -30), 2, 50, 3), 1e9, 0.0 },
+                               { Tube(At(0, 2, -30), 2, 50, 4), -1e9, 280.0 },
+                               { Tube(At(0, 0, 25), 2, 25, 18), 1e9, 0.0 },
+                               { [](const Vec & x) { return -45.0 - x[2]; }, 1e9, 0.0 } });
   for (const double turn : { 0.0, 180.0 }) // about x: the slices run upwards and downwards
   {
     const auto image = shapeton::SampledImage(scene, { 110, 110, 96 }, { 1.3, 1.3, 1.3 }, Oblique(0.0, turn));
@@ -352,32 +333,26 @@ TEST(ColonLumenSegmentation, TheCatheterIsLumenDownToTheAnalVerge)
 /** A cleft on a cushion: room air, shell, air, shell, air. */
 TEST(ColonLumenSegmentation, AirThatOnlyThinShellsCoverIsOutside)
 {
-  ColonTestScene scene;
-  const auto     slab = [](double front, double back) {
+  const auto slab = [](double front, double back) {
     return [=](const Vec & x) {
       return std::min({ 14.0 - std::abs(x[0]), 40.0 - std::abs(x[2]), x[1] - front, back - x[1] });
     };
   };
-  scene.lumens.push_back({ Tube(At(0, -20, 0), 2, 30, 18), 1e9, 0.0 });
-  scene.lumens.push_back({ slab(20, 46), 1e9, 0.0 });
-  scene.lumens.push_back({ slab(50, 60), 1e9, 0.0 });
-  const auto image = shapeton::SampledImage(scene, { 72, 72, 60 }, { 2.0, 2.0, 2.0 });
-  EXPECT_EQ(Segment(image).pieces.size(), 1U);
+  ColonTestScene scene(
+    { { Tube(At(0, -20, 0), 2, 30, 18), 1e9, 0.0 }, { slab(20, 46), 1e9, 0.0 }, { slab(50, 60), 1e9, 0.0 } });
+  EXPECT_EQ(Segment(Coarse(scene, 60)).pieces.size(), 1U);
   scene.lumens.pop_back(); // without the cushion, the wall is 18 mm thick
-  scene.Sample(image);
-  EXPECT_EQ(Segment(image).pieces.size(), 2U);
+  EXPECT_EQ(Segment(Coarse(scene, 60)).pieces.size(), 2U);
 }
 
 TEST(ColonLumenSegmentation, LargeLevelsOverruleTheCodeOfAHeader)
 {
-  ColonTestScene scene;
-  for (const double x : { -80.0, 0.0, 80.0 })
-  {
-    scene.lumens.push_back({ Tube(At(x, 0, 0), 2, 55, 32), 4.0, 500.0 });
-  }
-  scene.bodyRadius = 140.0;
-  const auto image = shapeton::SampledImage(scene, { 150, 150, 72 }, { 2.0, 2.0, 2.0 });
-  const auto lumen = Segment(image, "HFP");
+  const ColonTestScene scene({ { Tube(At(-80, 0, 0), 2, 55, 32), 4.0, 500.0 },
+                               { Tube(At(0, 0, 0), 2, 55, 32), 4.0, 500.0 },
+                               { Tube(At(80, 0, 0), 2, 55, 32), 4.0, 500.0 } },
+                             140.0);
+  const auto           image = shapeton::SampledImage(scene, { 150, 150, 72 }, { 2.0, 2.0, 2.0 });
+  const auto           lumen = Segment(image, "HFP");
   EXPECT_EQ(lumen.gravity, At(0, 1, 0));
   EXPECT_EQ(lumen.gravitySource, shapeton::ColonGravitySource::Levels);
   ASSERT_EQ(lumen.warnings.size(), 1U);
@@ -386,8 +361,8 @@ TEST(ColonLumenSegmentation, LargeLevelsOverruleTheCodeOfAHeader)
   EXPECT_EQ(Segment(image, "prone").gravity, At(0, -1, 0));
 }
 
-/** At the caudal border, gas over fluid is elongated sideways, the natal cleft is oriented front to back, and a strip
- * of air next to the table extends to the side of the image. */
+/** At the caudal border, gas over fluid is elongated sideways, the natal cleft is oriented from front to back, and a
+ * strip of air next to the table extends to the side of the image. */
 TEST(ColonLumenSegmentation, AFlatLumenThatTheCaudalBorderCutsIsNoCleft)
 {
   const auto flat = [](double across, double deep, double middle) {
@@ -396,23 +371,20 @@ TEST(ColonLumenSegmentation, AFlatLumenThatTheCaudalBorderCutsIsNoCleft)
     };
   };
   const auto pieces = [&](double across, double deep, double middle) {
-    ColonTestScene scene;
-    scene.bodyRadius = 90.0; // only the corners of the image are room air
-    scene.lumens.push_back({ Tube(At(0, -30, 20), 2, 30, 18), 1e9, 0.0 });
-    scene.lumens.push_back({ flat(across, deep, middle), 1e9, 0.0 });
-    const auto image = shapeton::SampledImage(scene, { 72, 72, 60 }, { 2.0, 2.0, 2.0 });
-    return Segment(image).pieces.size();
+    const ColonTestScene scene(
+      { { Tube(At(0, -30, 20), 2, 30, 18), 1e9, 0.0 }, { flat(across, deep, middle), 1e9, 0.0 } },
+      90.0); // only the corners of the image are room air
+    return Segment(Coarse(scene, 60)).pieces.size();
   };
   EXPECT_EQ(pieces(30.0, 12.0, 0.0), 2U);
   EXPECT_EQ(pieces(12.0, 30.0, 0.0), 1U);
   EXPECT_EQ(pieces(30.0, 12.0, 45.0), 1U);
 }
 
-/** In a small field of view, the front border cuts the body and the back border is in room air. */
+/** The field of view is small: the front border cuts the body, and the back border is in room air. */
 TEST(ColonLumenSegmentation, ABorderThatCutsTheBodyIsNoThinShell)
 {
-  ColonTestScene scene;
-  scene.lumens.push_back({ Tube(At(0, -25, 0), 2, 30, 15), 1e9, 0.0 });
+  const ColonTestScene scene({ { Tube(At(0, -25, 0), 2, 30, 15), 1e9, 0.0 } });
   for (const int width : { 46, 70 }) // the wider one shows air on both sides of the body
   {
     const auto image = shapeton::CenteredImage({ width, 60, 50 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
@@ -428,10 +400,7 @@ TEST(ColonLumenSegmentation, ABorderThatCutsTheBodyIsNoThinShell)
 
 TEST(ColonLumenSegmentation, UntaggedFluidIsNoLumen)
 {
-  ColonTestScene scene;
-  scene.lumens.push_back({ Tube(At(0, 0, 0), 2, 30, 18), 4.0, 20.0 });
-  const auto image = shapeton::SampledImage(scene, { 72, 72, 50 }, { 2.0, 2.0, 2.0 });
-  const auto lumen = Segment(image);
+  const auto lumen = Segment(Coarse(ColonTestScene({ { Tube(At(0, 0, 0), 2, 30, 18), 4.0, 20.0 } })));
   EXPECT_FALSE(lumen.isTagged);
   EXPECT_EQ(lumen.gravitySource, shapeton::ColonGravitySource::Levels);
   ASSERT_EQ(lumen.pieces.size(), 1U);
@@ -440,32 +409,24 @@ TEST(ColonLumenSegmentation, UntaggedFluidIsNoLumen)
 
 TEST(ColonLumenSegmentation, ABodyWithoutGasHasNoColon)
 {
-  ColonTestScene scene;
-  const auto     image = shapeton::SampledImage(scene, { 72, 72, 40 }, { 2.0, 2.0, 2.0 });
-  EXPECT_EQ(Segment(image).failure.find("no colon found"), 0U);
+  EXPECT_EQ(Segment(Coarse(ColonTestScene(), 40)).failure.find("no colon found"), 0U);
 }
 
 TEST(ColonLumenSegmentation, ThinGasIsNoDistendedColon)
 {
-  ColonTestScene scene;
-  scene.lumens.push_back({ Tube(At(0, 0, 0), 2, 30, 7), 1e9, 0.0 });
-  const auto image = shapeton::SampledImage(scene, { 72, 72, 50 }, { 2.0, 2.0, 2.0 });
-  const auto lumen = Segment(image);
+  const auto lumen = Segment(Coarse(ColonTestScene({ { Tube(At(0, 0, 0), 2, 30, 7), 1e9, 0.0 } })));
   EXPECT_EQ(lumen.failure.find("the colon is not distended or tagged enough"), 0U);
   ASSERT_FALSE(lumen.leftOut.empty());
   EXPECT_NEAR(lumen.leftOut[0].inscribedRadius, 7.0, 2.0);
 }
 
-/** Two lungs: parenchyma of the given HU with vessels of 2 mm radius, 15 mm apart. */
+/** Two lungs: parenchyma of the given HU, and vessels with a radius of 2 mm, 15 mm apart. */
 ColonTestScene
 Lungs(double parenchyma, bool hasVessels)
 {
-  ColonTestScene scene;
-  scene.bodyRadius = 90.0;
-  for (const double side : { -40.0, 40.0 })
-  {
-    scene.lumens.push_back({ Tube(At(side, 0, 0), 2, 40, 32), 1e9, 0.0, parenchyma });
-  }
+  ColonTestScene scene({ { Tube(At(-40, 0, 0), 2, 40, 32), 1e9, 0.0, parenchyma },
+                         { Tube(At(40, 0, 0), 2, 40, 32), 1e9, 0.0, parenchyma } },
+                       90.0);
   if (hasVessels)
   {
     scene.fold = [](const itk::Vector<double, 3> & x) {
@@ -480,8 +441,7 @@ Lungs(double parenchyma, bool hasVessels)
 ImageType::Pointer
 Chest(const ColonTestScene & scene)
 {
-  const auto image = shapeton::SampledImage(scene, { 100, 100, 60 }, { 2.0, 2.0, 2.5 });
-  return image;
+  return shapeton::SampledImage(scene, { 100, 100, 60 }, { 2.0, 2.0, 2.5 });
 }
 
 TEST(ColonLumenSegmentation, LungOfAnyDensityIsNotColon)

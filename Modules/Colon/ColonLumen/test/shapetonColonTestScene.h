@@ -31,12 +31,16 @@ public:
 
   Vec                gravity{ 0.0 };
   std::vector<Lumen> lumens;
-  /** Radius (mm) of the body from the center; air outside. */
-  double bodyRadius{ 65.0 };
-  /** Tissue (50 HU) that replaces all other matter where positive, for example a fold. */
+  /** Radius (mm) of the body around the center; outside is air. */
+  double bodyRadius;
+  /** Tissue (50 HU), for example a fold, that replaces all other matter where the function is positive. */
   std::function<double(const Vec &)> fold;
 
-  ColonTestScene() { gravity[1] = 1.0; }
+  explicit ColonTestScene(std::vector<Lumen> itsLumens = {}, double itsBodyRadius = 65.0)
+    : lumens(std::move(itsLumens)), bodyRadius(itsBodyRadius)
+  {
+    gravity[1] = 1.0;
+  }
 
   double
   At(const Vec & x) const
@@ -105,7 +109,7 @@ TurnedAxes(double aboutZ, double aboutX)
   return itk::Matrix<double, 3, 3>(basetest::Rotation(2, aboutZ) * basetest::Rotation(0, aboutX));
 }
 
-/** A tube around the line through `middle` along axis `axis` with round ends. */
+/** A tube with round ends around the line through `middle` along axis `axis`. */
 inline std::function<double(const itk::Vector<double, 3> &)>
 Tube(const itk::Vector<double, 3> & middle, int axis, double halfLength, double radius)
 {

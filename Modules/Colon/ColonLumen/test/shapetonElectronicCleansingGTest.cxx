@@ -4,7 +4,6 @@
 #include "shapetonTestThreads.h"
 #include "shapetonTestImages.h"
 #include "itkDiscreteGaussianImageFilter.h"
-#include "itkImageRegionConstIteratorWithIndex.h"
 #include "itkLinearInterpolateImageFunction.h"
 
 #include <gtest/gtest.h>
@@ -47,9 +46,7 @@ Cleanse(const ColonTestScene & scene, double voxel)
 Cleansed
 CleanseTube(double voxel, const std::function<double(const Vec &)> & fold = {})
 {
-  ColonTestScene scene;
-  scene.bodyRadius = 40.0;
-  scene.lumens.push_back({ Tube(At(0, 0, 0), 2, 24, 18), 3.0, 700.0 });
+  ColonTestScene scene({ { Tube(At(0, 0, 0), 2, 24, 18), 3.0, 700.0 } }, 40.0);
   scene.fold = fold;
   return Cleanse(scene, voxel);
 }
@@ -65,25 +62,24 @@ Percentile(std::vector<double> values, double share)
 std::vector<Vec>
 HalfLevelPoints(const itk::Image<float, 3> * occupancy)
 {
-  std::vector<Vec>                                             points;
-  itk::ImageRegionConstIteratorWithIndex<itk::Image<float, 3>> voxel(occupancy, occupancy->GetBufferedRegion());
-  for (; !voxel.IsAtEnd(); ++voxel)
-  {
+  std::vector<Vec> points;
+  basetest::ForVoxels(occupancy, [&](const itk::Index<3> & index, const auto &) {
+    const float value = occupancy->GetPixel(index);
     for (unsigned int a = 0; a < 3; ++a)
     {
-      auto next = voxel.GetIndex();
+      auto next = index;
       ++next[a];
-      if (!occupancy->GetBufferedRegion().IsInside(next) || (voxel.Get() < 0.5F) == (occupancy->GetPixel(next) < 0.5F))
+      if (!occupancy->GetBufferedRegion().IsInside(next) || (value < 0.5F) == (occupancy->GetPixel(next) < 0.5F))
       {
         continue;
       }
-      itk::ContinuousIndex<double, 3> place(voxel.GetIndex());
-      place[a] += (0.5 - voxel.Get()) / (occupancy->GetPixel(next) - voxel.Get());
+      itk::ContinuousIndex<double, 3> place(index);
+      place[a] += (0.5 - value) / (occupancy->GetPixel(next) - value);
       itk::Point<double, 3> point;
       occupancy->TransformContinuousIndexToPhysicalPoint(place, point);
       points.push_back(point.GetVectorFromOrigin());
     }
-  }
+  });
   return points;
 }
 
@@ -107,7 +103,7 @@ TEST(ElectronicCleansing, TheWallIsFoundFinerThanVoxels)
 }
 
 /** Gas in a dome over a wide pool. Beyond the dome, the roof of the pool is 1.5 mm above the level, and the gap is
- * filled with fluid that wets it. */
+ * filled with fluid that wets the roof. */
 TEST(ElectronicCleansing, NoSlitsAreLeftAtTheRimOfALevel)
 {
   const auto box = [](double halfWidth, double top, double bottom) {
@@ -115,13 +111,9 @@ TEST(ElectronicCleansing, NoSlitsAreLeftAtTheRimOfALevel)
       return std::min({ halfWidth - std::abs(x[0]), x[1] - top, bottom - x[1], 24.0 - std::abs(x[2]) });
     };
   };
-  const auto     dome = box(11.0, -23.0, 0.0);
-  const auto     pool = box(20.0, -1.5, 14.0);
-  ColonTestScene scene;
-  scene.bodyRadius = 40.0;
-  scene.lumens.push_back({ dome, 1e9, 0.0 });
-  scene.lumens.push_back({ pool, -1e9, 700.0 });
-  const auto          c = Cleanse(scene, 1.0);
+  const auto          dome = box(11.0, -23.0, 0.0);
+  const auto          pool = box(20.0, -1.5, 14.0);
+  const auto          c = Cleanse(ColonTestScene({ { dome, 1e9, 0.0 }, { pool, -1e9, 700.0 } }, 40.0), 1.0);
   std::vector<double> roof;
   for (const Vec & point : HalfLevelPoints(c.result.occupancy))
   {
@@ -152,7 +144,7 @@ TEST(ElectronicCleansing, TheInsideBecomesGasAndTissueStays)
 
 TEST(ElectronicCleansing, FoldsInFluidAndThroughTheLevelStay)
 {
-  // A plate of 3 mm across the tube, up to 4 mm above the level, open at the top.
+  // A plate, 3 mm thick, across the tube up to 4 mm above the level; the tube is open above it.
   const auto                      fold = [](const Vec & x) { return std::min(1.5 - std::abs(x[2]), x[1] + 1.0); };
   const auto                      c = CleanseTube(1.4, fold);
   double                          kept = 0.0, all = 0.0;
@@ -162,7 +154,7 @@ TEST(ElectronicCleansing, FoldsInFluidAndThroughTheLevelStay)
     if (std::abs(v[2]) < 6.0 && c.scene.lumens[0].depth(v) > 3.0 && v[1] > 0.0 &&
         c.result.occupancy->TransformPhysicalPointToIndex(x, inside))
     {
-      // The lumen without the plate, over its extent, is the remaining slab.
+      // Whatever is not lumen within the tube must be the plate.
       kept += 1.0 - c.result.occupancy->GetPixel(inside);
       all += fold(v) > 0.0;
     }
@@ -170,7 +162,7 @@ TEST(ElectronicCleansing, FoldsInFluidAndThroughTheLevelStay)
   EXPECT_NEAR(kept / all, 1.0, 0.1);
 }
 
-/** Fraction of a ball of tissue above the half height between gas and tissue. */
+/** Fraction of a ball of tissue that is above the half height between gas and tissue. */
 double
 KeptOfBall(const itk::Image<float, 3> * ct, const Vec & middle, double radius)
 {
@@ -203,8 +195,8 @@ TEST(ElectronicCleansing, WhatTheBlurTakesFromAPolypInFluidComesBack)
   options.position = "HFS";
   c.lumen = shapeton::SegmentColonLumen(blur->GetOutput(), options);
   const auto result = shapeton::CleanseColon(blur->GetOutput(), c.lumen);
-  // The half height of a blurred ball is sigma^2 / radius = 0.16 mm inside, and voxels of 1.4 mm increase this: only 81
-  // % would remain.
+  // The half-height surface of a blurred ball is sigma^2 / radius = 0.16 mm inside the ball, and 1.4 mm voxels increase
+  // this: only 81 % would remain.
   EXPECT_GT(KeptOfBall(result.ct, middle, 3.5), 0.87);
 }
 
@@ -219,9 +211,7 @@ TEST(ElectronicCleansing, TheCropHasTheGeometryOfItsPart)
   EXPECT_LT((corner - c.result.occupancy->GetOrigin()).GetNorm(), 1e-9);
   // The border of the cropped image is free of lumen.
   const auto size = c.result.occupancy->GetBufferedRegion().GetSize();
-  for (std::size_t p = 0; p < size[0] * size[1] * size[2]; ++p)
-  {
-    const auto index = c.result.occupancy->ComputeIndex(static_cast<itk::OffsetValueType>(p));
+  basetest::ForVoxels(c.result.occupancy, [&](const auto & index, const auto &) {
     for (int a = 0; a < 3; ++a)
     {
       if (index[a] == 0 || index[a] + 1 == static_cast<int>(size[a]))
@@ -229,7 +219,7 @@ TEST(ElectronicCleansing, TheCropHasTheGeometryOfItsPart)
         ASSERT_EQ(c.result.occupancy->GetPixel(index), 0.0F);
       }
     }
-  }
+  });
 }
 
 TEST(ElectronicCleansing, SameBytesForAnyNumberOfThreads)

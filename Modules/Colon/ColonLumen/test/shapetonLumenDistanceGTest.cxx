@@ -9,29 +9,18 @@
 #include "gtest/gtest.h"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
 #include <limits>
-#include <vector>
 
 namespace
 {
 using shapeton::LumenMask;
 
-LumenMask::Pointer
-MakeMask(const itk::Size<3> & size, const Eigen::Vector3d & spacing)
-{
-  const auto mask = LumenMask::New();
-  mask->SetRegions(itk::ImageRegion<3>(size));
-  mask->SetSpacing(spacing.data());
-  mask->Allocate(true);
-  return mask;
-}
-
 /** Random mask; each voxel is lumen with probability `share`. */
 LumenMask::Pointer
-RandomMask(const itk::Size<3> & size, const Eigen::Vector3d & spacing, double share)
+RandomMask(const itk::Size<3> & size, const std::array<double, 3> & spacing, double share)
 {
-  const auto        mask = MakeMask(size, spacing);
+  const auto        mask = basetest::NewImage<LumenMask>(size, spacing);
   const std::size_t voxels = mask->GetBufferedRegion().GetNumberOfPixels();
   for (std::size_t i = 0; i < voxels; ++i)
   {
@@ -48,29 +37,20 @@ BruteForce(const LumenMask * mask, const itk::Index<3> & index)
   {
     return 0.0;
   }
-  const auto    size = mask->GetBufferedRegion().GetSize();
-  const auto    spacing = mask->GetSpacing();
-  double        least = std::numeric_limits<double>::infinity();
-  itk::Index<3> i;
-  for (i[2] = 0; i[2] < static_cast<long>(size[2]); ++i[2])
-  {
-    for (i[1] = 0; i[1] < static_cast<long>(size[1]); ++i[1])
+  const auto spacing = mask->GetSpacing();
+  double     least = std::numeric_limits<double>::infinity();
+  basetest::ForVoxels(mask, [&](const itk::Index<3> & i, const auto &) {
+    if (mask->GetPixel(i) == 0)
     {
-      for (i[0] = 0; i[0] < static_cast<long>(size[0]); ++i[0])
+      double squared = 0.0;
+      for (int a = 0; a < 3; ++a)
       {
-        if (mask->GetPixel(i) == 0)
-        {
-          double squared = 0.0;
-          for (int a = 0; a < 3; ++a)
-          {
-            const double step = spacing[a] * (i[a] - index[a]);
-            squared += step * step;
-          }
-          least = std::min(least, squared);
-        }
+        const double step = spacing[a] * (i[a] - index[a]);
+        squared += step * step;
       }
+      least = std::min(least, squared);
     }
-  }
+  });
   return std::sqrt(least) - 0.25 * std::min({ spacing[0], spacing[1], spacing[2] });
 }
 
@@ -78,19 +58,11 @@ TEST(LumenDistance, IsThatOfBruteForceOnUnequalSpacing)
 {
   for (const double share : { 0.5, 0.9, 0.995 })
   {
-    const auto    mask = RandomMask({ { 19, 13, 11 } }, { 0.7, 1.1, 2.3 }, share);
-    const auto    distance = shapeton::LumenDistance(mask, mask->GetBufferedRegion());
-    itk::Index<3> i;
-    for (i[2] = 0; i[2] < 11; ++i[2])
-    {
-      for (i[1] = 0; i[1] < 13; ++i[1])
-      {
-        for (i[0] = 0; i[0] < 19; ++i[0])
-        {
-          ASSERT_NEAR(distance->GetPixel(i), BruteForce(mask, i), 1e-5) << i << " of share " << share;
-        }
-      }
-    }
+    const auto mask = RandomMask({ { 19, 13, 11 } }, { 0.7, 1.1, 2.3 }, share);
+    const auto distance = shapeton::LumenDistance(mask, mask->GetBufferedRegion());
+    basetest::ForVoxels(mask, [&](const itk::Index<3> & i, const auto &) {
+      ASSERT_NEAR(distance->GetPixel(i), BruteForce(mask, i), 1e-5) << i << " of share " << share;
+    });
   }
 }
 
@@ -112,8 +84,8 @@ TEST(LumenDistance, OfATubeIsItsRadiusOnTheAxisOfAnObliqueImage)
 
 TEST(LumenDistance, CountsWhatLiesBeyondTheImageAsLumen)
 {
-  // A slab of 5 voxels that extends beyond all other borders.
-  const auto mask = MakeMask({ { 9, 7, 6 } }, { 1.0, 2.0, 3.0 });
+  // A slab, 5 voxels thick, that extends beyond all other borders.
+  const auto mask = basetest::NewImage<LumenMask>({ { 9, 7, 6 } }, { 1.0, 2.0, 3.0 });
   for (std::size_t i = 0; i < mask->GetBufferedRegion().GetNumberOfPixels(); ++i)
   {
     mask->GetBufferPointer()[i] = i % 9 >= 2 && i % 9 < 7;
@@ -135,7 +107,7 @@ TEST(LumenDistance, HasTheSameBytesForAnyNumberOfThreads)
 
 TEST(LumenDistance, RefusesMasksWithoutLumenOrWall)
 {
-  const auto empty = MakeMask({ { 4, 4, 4 } }, { 1, 1, 1 });
+  const auto empty = basetest::NewImage<LumenMask>({ { 4, 4, 4 } }, { 1, 1, 1 });
   EXPECT_THROW(shapeton::LumenRegion(empty), shapeton::InputError);
   empty->FillBuffer(1);
   EXPECT_THROW(shapeton::LumenDistance(empty, empty->GetBufferedRegion()), shapeton::InputError);
@@ -143,7 +115,7 @@ TEST(LumenDistance, RefusesMasksWithoutLumenOrWall)
 
 TEST(LumenRegion, IsTheBoxOfTheLumenWithinTheImage)
 {
-  const auto mask = MakeMask({ { 20, 20, 20 } }, { 1, 1, 1 });
+  const auto mask = basetest::NewImage<LumenMask>({ { 20, 20, 20 } }, { 1, 1, 1 });
   mask->SetPixel({ { 3, 9, 0 } }, 200);
   mask->SetPixel({ { 5, 7, 2 } }, 1);
   const auto region = shapeton::LumenRegion(mask, 2);
@@ -153,7 +125,7 @@ TEST(LumenRegion, IsTheBoxOfTheLumenWithinTheImage)
 
 TEST(LumenComponents, HangTogetherByFacesAlone)
 {
-  const auto mask = MakeMask({ { 8, 8, 8 } }, { 1.0, 2.0, 5.0 });
+  const auto mask = basetest::NewImage<LumenMask>({ { 8, 8, 8 } }, { 1.0, 2.0, 5.0 });
   // A ring around a column, and a voxel connected to it only by an edge.
   for (long x = 1; x < 6; ++x)
   {
@@ -175,30 +147,22 @@ TEST(LumenComponents, HangTogetherByFacesAlone)
 
 TEST(LumenComponents, LabelNeighborsAlikeAndCountAllVoxels)
 {
-  const auto    mask = RandomMask({ { 17, 15, 13 } }, { 1, 1, 1 }, 0.35);
-  const auto    found = shapeton::FindLumenComponents(mask, mask->GetBufferedRegion());
-  std::int64_t  counted = 0;
-  itk::Index<3> i;
-  for (i[2] = 0; i[2] < 13; ++i[2])
-  {
-    for (i[1] = 0; i[1] < 15; ++i[1])
+  const auto   mask = RandomMask({ { 17, 15, 13 } }, { 1, 1, 1 }, 0.35);
+  const auto   found = shapeton::FindLumenComponents(mask, mask->GetBufferedRegion());
+  std::int64_t counted = 0;
+  basetest::ForVoxels(mask, [&](const itk::Index<3> & i, const auto &) {
+    ASSERT_EQ(found.labels->GetPixel(i) != 0, mask->GetPixel(i) != 0);
+    counted += mask->GetPixel(i);
+    for (int a = 0; a < 3; ++a)
     {
-      for (i[0] = 0; i[0] < 17; ++i[0])
+      itk::Index<3> next = i;
+      if (++next[a] < static_cast<long>(mask->GetBufferedRegion().GetSize(a)) && mask->GetPixel(i) &&
+          mask->GetPixel(next))
       {
-        ASSERT_EQ(found.labels->GetPixel(i) != 0, mask->GetPixel(i) != 0);
-        counted += mask->GetPixel(i);
-        for (int a = 0; a < 3; ++a)
-        {
-          itk::Index<3> next = i;
-          if (++next[a] < static_cast<long>(mask->GetBufferedRegion().GetSize(a)) && mask->GetPixel(i) &&
-              mask->GetPixel(next))
-          {
-            ASSERT_EQ(found.labels->GetPixel(i), found.labels->GetPixel(next));
-          }
-        }
+        ASSERT_EQ(found.labels->GetPixel(i), found.labels->GetPixel(next));
       }
     }
-  }
+  });
   for (std::size_t c = 0; c < found.components.size(); ++c)
   {
     counted -= found.components[c].voxels;

@@ -30,17 +30,15 @@ BentTube(double x, double y, double tip, double radius, double bend)
   };
 }
 
-/** A rectum from z = -20 to 56, a body that ends at -45, and a catheter through both with its tip at `tip`. */
+/** A rectum from z = -20 to 56 in a body that ends at z = -45, and a catheter through both with its tip at `tip`. */
 ColonTestScene
 RectumScene(double tip, double y = 0.0, double wall = Plastic, double bend = 0.0)
 {
-  ColonTestScene scene;
-  scene.bodyRadius = 36.0;
-  scene.lumens.push_back({ BentTube(0, y, tip - 4.0, Bore, bend), 1e9, 0.0 });
-  scene.lumens.push_back({ BentTube(0, y, tip, Outer, bend), -1e9, wall });
-  scene.lumens.push_back({ Tube(At(0, 0, 18), 2, 20, Rectum), 1e9, 0.0 });
-  scene.lumens.push_back({ [](const Vec & p) { return -45.0 - p[2]; }, 1e9, 0.0 });
-  return scene;
+  return ColonTestScene({ { BentTube(0, y, tip - 4.0, Bore, bend), 1e9, 0.0 },
+                          { BentTube(0, y, tip, Outer, bend), -1e9, wall },
+                          { Tube(At(0, 0, 18), 2, 20, Rectum), 1e9, 0.0 },
+                          { [](const Vec & p) { return -45.0 - p[2]; }, 1e9, 0.0 } },
+                        36.0);
 }
 
 ImageType::Pointer
@@ -120,7 +118,7 @@ TEST(RectalCatheter, ATubeInFluidIsFoundAndFilledIn)
 
 TEST(RectalCatheter, ASoftBentTubeIsFoundAndFilledIn) { ExpectTube(Segment(RectumScene(24.0, 0.0, 30.0, 10.0)), 24.0); }
 
-/** A balloon of 22 mm with a membrane of 1.6 mm. */
+/** A balloon with a diameter of 22 mm and a 1.6 mm membrane. */
 ColonTestScene
 BalloonScene(double content, double membraneHU)
 {
@@ -197,7 +195,7 @@ TEST(RectalCatheter, TheAxisRunsInTheMiddleOfTheBore)
   EXPECT_GT(number, 50);
 }
 
-/** The result is invariant to mirroring left to right and to spacing. */
+/** The result is invariant to spacing and to mirroring from left to right. */
 TEST(RectalCatheter, MirrorAndResamplingKeepIt)
 {
   auto       scene = RectumScene(24.0, -6.0, Plastic, 8.0);

@@ -87,7 +87,7 @@ LengthOf(const TubePoints & points)
   return length;
 }
 
-/** Part of a curve between two fractions of its points. */
+/** The part of a curve between two positions, given as fractions of its points. */
 inline TubePoints
 PartOf(const TubePoints & points, double from, double to)
 {
@@ -124,7 +124,7 @@ public:
     m_Mask = basetest::NewImageInFrame<LumenMask>(size, spacing, frame * m_Lowest, frame);
   }
 
-  /** Sets all voxels with centers within `radius` of the curve to the value. */
+  /** Sets all voxels whose centers are within `radius` of the curve to the value. */
   void
   Paint(const TubePoints & points, const std::function<double(double)> & radiusOfShare, unsigned char value = 1)
   {

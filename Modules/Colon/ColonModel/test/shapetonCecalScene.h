@@ -2,19 +2,19 @@
 #define shapetonCecalScene_h
 
 #include "shapetonIleocecalValve.h"
-#include "shapetonTestFrames.h"
-
-#include "itkImageRegionIteratorWithIndex.h"
+#include "shapetonLumenShapes.h"
 
 #include <Eigen/Geometry>
 
 #include <cmath>
 
-/** The end of a colon: a tube of 24 mm radius along z from 0 to a hemisphere at 200 mm, with added structures. */
+/** The end of a colon: a tube with a radius of 24 mm along z that ends in a hemisphere at 200 mm, with added
+ * structures. */
 namespace cecalscene
 {
 constexpr double radius = 24.0, end = 200.0;
-/** Base of the valve: half an ellipsoid on the wall, 24 mm around the tube, 18 mm along it, 11 mm high. */
+/** Base of the valve: half an ellipsoid on the wall, 24 mm wide around the tube, 18 mm long along it, and 11 mm high.
+ */
 const Eigen::Vector3d valveBase(radius, 0.0, 130.0);
 
 struct Scene
@@ -93,18 +93,14 @@ Draw(const Scene &           scene,
 inline shapeton::CurveSet
 Line(const Scene & scene)
 {
-  shapeton::CurveSet line;
-  const int          points = static_cast<int>(end) - 9;
-  line.V.resize(points, 3);
-  line.curves.emplace_back();
-  Eigen::VectorXd arcLength(points);
-  for (int i = 0; i < points; ++i)
+  lumenshapes::Points points;
+  for (int z = 5; z < static_cast<int>(end) - 4; ++z)
   {
-    line.V.row(i) = (scene.turn * Eigen::Vector3d(0.0, 0.0, i + 5.0)).transpose();
-    line.curves.back().push_back(i);
-    arcLength[i] = 1000.0 + i;
+    points.emplace_back(scene.turn * Eigen::Vector3d(0.0, 0.0, z));
   }
-  line.pointArrays.push_back({ "arcLength", arcLength });
+  shapeton::CurveSet line = lumenshapes::Centerline(points);
+  line.pointArrays.resize(1); // arcLength
+  line.pointArrays[0].values.array() += 1000.0;
   return line;
 }
 

@@ -3,10 +3,10 @@
 #include "shapetonColonQuality.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonExceptions.h"
+#include "shapetonPi.h"
 #include "shapetonVolumeWriter.h"
 
 #include "itkCastImageFilter.h"
-#include "itkImageRegionIteratorWithIndex.h"
 #include "itkRegionOfInterestImageFilter.h"
 
 #include "gtest/gtest.h"
@@ -21,14 +21,13 @@ namespace
 using CtImage = itk::Image<float, 3>;
 using Source = shapeton::ColonPhantomImageSource;
 
-/** A patient with a spacing of 2.8 mm, or on the given grid. */
+/** A patient with a spacing of 2.8 mm on a grid with these axes. */
 Source::Pointer
-MakePatient(const Source::DirectionType & direction, int collapsed = 0)
+MakePatient(const Source::DirectionType & direction = basetest::Rotation(0, 0.0))
 {
   const auto                       source = Source::New();
   shapeton::ColonPhantomParameters parameters;
   parameters.seed = 1;
-  parameters.collapsed = collapsed;
   source->SetParameters(parameters);
   source->SetSize({ { 128, 128, 120 } });
   source->SetSpacing(Source::SpacingType(2.8));
@@ -36,14 +35,6 @@ MakePatient(const Source::DirectionType & direction, int collapsed = 0)
   source->CenterOutput();
   source->Update();
   return source;
-}
-
-Source::Pointer
-MakePatient(int collapsed = 0)
-{
-  Source::DirectionType axes;
-  axes.SetIdentity();
-  return MakePatient(axes, collapsed);
 }
 
 CtImage::Pointer
@@ -74,7 +65,7 @@ ExpectTube(const shapeton::SurfaceMesh & mesh)
   EXPECT_TRUE(quality.isOriented);
 }
 
-/** Mean distance of the points of the line from the true centerline, mm. */
+/** Mean distance from the points of the line to the true centerline, mm. */
 double
 MeanDistance(const shapeton::CurveSet & line, const shapeton::CurveSet & truth)
 {
@@ -159,19 +150,9 @@ TEST(ColonModel, OfACtIsATubeAroundTheTrueLine)
 
 TEST(ColonModel, ObliqueAxesGiveTheSameColon)
 {
-  Source::DirectionType axes; // rotation by 20 degrees about z, and two axes swapped
-  const double          c = std::cos(0.35);
-  const double          s = std::sin(0.35);
-  axes(0, 0) = c;
-  axes(0, 1) = 0.0;
-  axes(0, 2) = s;
-  axes(1, 0) = s;
-  axes(1, 1) = 0.0;
-  axes(1, 2) = -c;
-  axes(2, 0) = 0.0;
-  axes(2, 1) = 1.0;
-  axes(2, 2) = 0.0;
-  const auto                 patient = MakePatient(axes);
+  // Rotation by 20 degrees about z, and two axes swapped.
+  const auto patient =
+    MakePatient(Source::DirectionType(basetest::Rotation(2, 0.35) * basetest::Rotation(0, 0.5 * shapeton::Pi)));
   const shapeton::ColonModel model = shapeton::BuildColonModel(CtOf(patient).GetPointer(), Options());
   ASSERT_EQ(model.failure, "");
   EXPECT_LT(MeanDistance(model.centerline.curve, patient->GetAnatomy().Centerline()), 3.0);
@@ -195,7 +176,7 @@ ExpectModelOfMask(Source * patient)
   EXPECT_LT(MeanDistance(model.centerline.curve, patient->GetAnatomy().Centerline()), 3.0);
 }
 
-/** Without a position, gravity points from gas to fluid. */
+/** If no position is given, gravity points from gas to fluid. */
 void
 ExpectGasAndFluidOfMask(Source * patient)
 {
@@ -263,26 +244,18 @@ TEST(ColonModel, WithoutAColonSaysSo)
   EXPECT_EQ(quality.at("failure").get<std::string>(), model.failure);
 }
 
-/** Soft tissue around gas of 100 mm length and 50 mm width, like a stomach, and a mask of the gas. */
+/** Soft tissue around gas 100 mm long and 50 mm wide, like a stomach, and a mask of the gas. */
 std::pair<CtImage::Pointer, shapeton::LumenMask::Pointer>
 BagOfGas()
 {
-  const auto ct = CtImage::New();
-  const auto mask = shapeton::LumenMask::New();
-  ct->SetRegions(CtImage::SizeType{ { 48, 48, 64 } });
-  ct->SetSpacing(2.5);
-  ct->Allocate();
-  mask->CopyInformation(ct);
-  mask->SetRegions(ct->GetLargestPossibleRegion());
-  mask->Allocate();
-  for (itk::ImageRegionIteratorWithIndex<CtImage> it(ct, ct->GetLargestPossibleRegion()); !it.IsAtEnd(); ++it)
-  {
-    const auto   v = it.GetIndex();
-    const double along = std::max(0.0, std::abs(2.5 * v[2] - 80.0) - 25.0);
-    const bool   isGas = std::hypot(2.5 * v[0] - 60.0, 2.5 * v[1] - 60.0, along) < 25.0;
-    it.Set(isGas ? -1000.0F : 40.0F);
-    mask->SetPixel(v, isGas);
-  }
+  const auto ct = basetest::NewImage<CtImage>({ { 48, 48, 64 } }, { 2.5, 2.5, 2.5 });
+  const auto mask = basetest::NewImageLike<shapeton::LumenMask>(ct);
+  basetest::ForVoxels(ct, [&](const auto & index, const auto & p) {
+    const double along = std::max(0.0, std::abs(p[2] - 80.0) - 25.0);
+    const bool   isGas = std::hypot(p[0] - 60.0, p[1] - 60.0, along) < 25.0;
+    ct->SetPixel(index, isGas ? -1000.0F : 40.0F);
+    mask->SetPixel(index, isGas);
+  });
   return { ct, mask };
 }
 
@@ -317,9 +290,7 @@ TEST(ColonModel, AMaskWithoutGasIsRefused)
 {
   const auto ct = basetest::NewImage<CtImage>({ { 32, 32, 32 } });
   ct->FillBuffer(40.0F);
-  const auto mask = shapeton::LumenMask::New();
-  mask->SetRegions(ct->GetLargestPossibleRegion());
-  mask->Allocate(true);
+  const auto mask = basetest::NewImageLike<shapeton::LumenMask>(ct);
   EXPECT_THROW(shapeton::BuildColonModel(ct.GetPointer(), mask.GetPointer(), Options()), shapeton::InputError);
   for (int i = 0; i < 12 * 12 * 12; ++i)
   {
@@ -328,15 +299,15 @@ TEST(ColonModel, AMaskWithoutGasIsRefused)
   EXPECT_THROW(shapeton::BuildColonModel(ct.GetPointer(), mask.GetPointer(), Options()), shapeton::InputError);
 }
 
-/** Region around a section of a line along z. */
+/** Whether a point is in the region around a section of a line along z. */
 bool
 IsInCapsule(const itk::Point<double, 3> & p, double x, double begin, double end, double radius)
 {
   return std::hypot(p[0] - x, p[1], p[2] - std::clamp(p[2], begin, end)) < radius;
 }
 
-/** A straight colon of 36 mm diameter in soft tissue with a gap of 118 mm, and 110 mm of gas as narrow as small bowel
- * at the given distance from the gap. LPS, mm; voxels of 2 mm. */
+/** A straight colon with a diameter of 36 mm in soft tissue. At the given distance from its 118 mm gap, there is gas
+ * 110 mm long and as narrow as small bowel. LPS, mm; 2 mm voxels. */
 CtImage::Pointer
 ColonInTwoParts(double aside)
 {
@@ -365,12 +336,19 @@ TellsOfAFilledGap(const shapeton::ColonModel & model)
   });
 }
 
+/** The model of a colon in two parts; `cleansed` receives each cleansed image reported along the way. */
+shapeton::ColonModel
+ModelOfTwoParts(double aside, std::vector<const CtImage *> & cleansed)
+{
+  auto options = Options();
+  options.onCleansed = [&cleansed](const CtImage * ct) { cleansed.push_back(ct); };
+  return shapeton::BuildColonModel(ColonInTwoParts(aside), options);
+}
+
 TEST(ColonModel, ThinGasThatFillsAGapIsColon)
 {
-  std::vector<const itk::Image<float, 3> *> cleansed;
-  auto                                      options = Options();
-  options.onCleansed = [&cleansed](const itk::Image<float, 3> * ct) { cleansed.push_back(ct); };
-  const shapeton::ColonModel model = shapeton::BuildColonModel(ColonInTwoParts(0.0), options);
+  std::vector<const CtImage *> cleansed;
+  const shapeton::ColonModel   model = ModelOfTwoParts(0.0, cleansed);
   EXPECT_EQ(model.failure, "");
   EXPECT_TRUE(TellsOfAFilledGap(model));
   ASSERT_EQ(cleansed.size(), 2U); // the first result is without the gas
@@ -384,10 +362,8 @@ TEST(ColonModel, ThinGasThatFillsAGapIsColon)
 
 TEST(ColonModel, ThinGasBesideAGapIsLeftOut)
 {
-  std::vector<const itk::Image<float, 3> *> cleansed;
-  auto                                      options = Options();
-  options.onCleansed = [&cleansed](const itk::Image<float, 3> * ct) { cleansed.push_back(ct); };
-  const shapeton::ColonModel model = shapeton::BuildColonModel(ColonInTwoParts(40.0), options);
+  std::vector<const CtImage *> cleansed;
+  const shapeton::ColonModel   model = ModelOfTwoParts(40.0, cleansed);
   ASSERT_EQ(cleansed.size(), 1U);
   EXPECT_EQ(cleansed.front(), model.cleansed.GetPointer());
   EXPECT_EQ(model.failure, "");

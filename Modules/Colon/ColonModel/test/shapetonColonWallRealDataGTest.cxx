@@ -1,14 +1,19 @@
 #include "shapetonColonWall.h"
+#include "shapetonLumenDistance.h"
 #include "shapetonSurfaceConnectivity.h"
+#include "shapetonTestImages.h"
 #include "shapetonVolumeReader.h"
+
+#include "itkRegionOfInterestImageFilter.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace
 {
-/** The mask of a real colon, cropped to its bounding box with a margin of one voxel; null without test data. */
+/** The mask of a real colon, cropped to its bounding box with a margin of one voxel; null if there are no test data. */
 shapeton::LumenMaskImage::Pointer
 RealMask()
 {
@@ -17,45 +22,17 @@ RealMask()
   {
     return nullptr;
   }
-  const auto   image = shapeton::ReadVolume(std::string(folder) + "/ctc/colon-lumen-mask.nii.gz").image;
-  const auto   size = image->GetBufferedRegion().GetSize();
-  std::int64_t low[3] = { 1 << 20, 1 << 20, 1 << 20 };
-  std::int64_t high[3] = { 0, 0, 0 };
-  const auto   forEachVoxel = [&](const auto & body) {
-    std::size_t i = 0;
-    for (std::int64_t z = 0; z < static_cast<std::int64_t>(size[2]); ++z)
-    {
-      for (std::int64_t y = 0; y < static_cast<std::int64_t>(size[1]); ++y)
-      {
-        for (std::int64_t x = 0; x < static_cast<std::int64_t>(size[0]); ++x, ++i)
-        {
-          if (image->GetBufferPointer()[i] > 0.0F)
-          {
-            body({ { x, y, z } });
-          }
-        }
-      }
-    }
-  };
-  forEachVoxel([&](const itk::Index<3> & index) {
-    for (int k = 0; k < 3; ++k)
-    {
-      low[k] = std::min(low[k], index[k] - 1);
-      high[k] = std::max(high[k], index[k] + 1);
-    }
-  });
-  auto          mask = shapeton::LumenMaskImage::New();
-  itk::Index<3> first{ { low[0], low[1], low[2] } };
-  itk::Size<3>  extent;
-  for (int k = 0; k < 3; ++k)
-  {
-    extent[k] = static_cast<itk::SizeValueType>(high[k] - low[k] + 1);
-  }
-  mask->CopyInformation(image);
-  mask->SetRegions({ first, extent });
-  mask->Allocate(true);
-  forEachVoxel([&](const itk::Index<3> & index) { mask->SetPixel(index, 1); });
-  return mask;
+  const auto image = shapeton::ReadVolume(std::string(folder) + "/ctc/colon-lumen-mask.nii.gz").image;
+  const auto whole = basetest::NewImageLike<shapeton::LumenMaskImage>(image);
+  std::transform(image->GetBufferPointer(),
+                 image->GetBufferPointer() + image->GetBufferedRegion().GetNumberOfPixels(),
+                 whole->GetBufferPointer(),
+                 [](float value) -> unsigned char { return value > 0.0F; });
+  const auto crop = itk::RegionOfInterestImageFilter<shapeton::LumenMaskImage, shapeton::LumenMaskImage>::New();
+  crop->SetInput(whole);
+  crop->SetRegionOfInterest(shapeton::LumenRegion(whole, 1));
+  crop->Update();
+  return crop->GetOutput();
 }
 } // namespace
 

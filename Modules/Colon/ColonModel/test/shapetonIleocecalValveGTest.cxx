@@ -9,7 +9,7 @@ using shapeton::ValveSearch;
 
 namespace
 {
-/** The center of the valve surface is between its base and its top, 11 mm above. */
+/** The center of the valve surface is between its base and its top, which is 11 mm above the base. */
 void
 ExpectValve(const ValveSearch & search, const Eigen::Matrix3d & turn)
 {

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <functional>
 
-/** Lumens defined by signed distance to the wall, mm, positive inside. */
+/** Lumens defined by the signed distance to the wall, mm, positive inside. */
 namespace lumenshapes
 {
 constexpr double Pi = 3.14159265358979323846;
@@ -105,28 +105,6 @@ Without(const Depth & a, const Depth & b)
   return [=](const Eigen::Vector3d & p) { return std::min(a(p), -b(p)); };
 }
 
-/** Two parallel legs at x = 0 and x = distance from z = 0 to `length`, joined there by a semicircle. */
-inline Points
-UTurn(double length, double distance)
-{
-  Points points;
-  for (double z = 0.0; z < length; z += 2.0)
-  {
-    points.emplace_back(0.0, 0.0, z);
-  }
-  const int steps = 24;
-  for (int i = 0; i <= steps; ++i)
-  {
-    const double angle = Pi * i / steps;
-    points.emplace_back(0.5 * distance * (1.0 - std::cos(angle)), 0.0, length + 0.5 * distance * std::sin(angle));
-  }
-  for (double z = length - 2.0; z >= 0.0; z -= 2.0)
-  {
-    points.emplace_back(distance, 0.0, z);
-  }
-  return points;
-}
-
 inline Points
 Line(const Eigen::Vector3d & a, const Eigen::Vector3d & b, double step = 1.0)
 {
@@ -136,6 +114,22 @@ Line(const Eigen::Vector3d & a, const Eigen::Vector3d & b, double step = 1.0)
   {
     points.emplace_back(a + (b - a) * i / steps);
   }
+  return points;
+}
+
+/** Two parallel legs at x = 0 and x = distance from z = 0 to `length`, joined there by a semicircle. */
+inline Points
+UTurn(double length, double distance)
+{
+  Points    points = Line({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, length - 2.0 }, 2.0);
+  const int steps = 24;
+  for (int i = 0; i <= steps; ++i)
+  {
+    const double angle = Pi * i / steps;
+    points.emplace_back(0.5 * distance * (1.0 - std::cos(angle)), 0.0, length + 0.5 * distance * std::sin(angle));
+  }
+  const Points back = Line({ distance, 0.0, length - 2.0 }, { distance, 0.0, 0.0 }, 2.0);
+  points.insert(points.end(), back.begin(), back.end());
   return points;
 }
 

@@ -1,4 +1,3 @@
-#include "itkImageRegionConstIteratorWithIndex.h"
 #include "shapetonLumenShapes.h"
 #include "shapetonExceptions.h"
 #include "shapetonTestImages.h"
@@ -24,7 +23,7 @@ Repaired(const shapeton::OccupancyImage * occupancy, const shapeton::CurveSet & 
   return topology;
 }
 
-/** Two legs 1 mm apart with a hole of 1.5 mm radius in the septum. */
+/** Two legs 1 mm apart, with a hole of radius 1.5 mm in the septum. */
 Depth
 LeakingUTurn()
 {
@@ -87,7 +86,7 @@ TEST(LumenTopology, CutsALeakBetweenLoopsAndNotTheTube)
 
 TEST(LumenTopology, CenterlineKeepsANarrowStretchOpen)
 {
-  // The tube is narrower at its bend than the leak; only the centerline distinguishes them.
+  // The tube is narrower at its bend than the leak is; only the centerline distinguishes them.
   Points legs = UTurn(40, 21);
   Depth  lumen = Union(Tube({ { 0, 0, 0 }, { 0, 0, 38 } }, 8), Tube({ { 21, 0, 0 }, { 21, 0, 38 } }, 8));
   lumen = Union(Union(lumen, Tube(legs, 2)), Tube({ { 5, 0, 20 }, { 16, 0, 20 } }, 3));
@@ -124,7 +123,7 @@ TEST(LumenTopology, FillsACavityAndDropsAPiece)
 
 TEST(LumenTopology, ClosesAHoleInAFold)
 {
-  // A half-moon fold across a tube, with a hole of 1.2 mm radius.
+  // A half-moon fold across a tube, with a hole of radius 1.2 mm.
   const Depth fold = [](const Eigen::Vector3d & p) { return std::min(1.5 - std::abs(p[2] - 30), 2.0 - p[0]); };
   const Depth hole = Tube({ { -4, 0, 25 }, { -4, 0, 35 } }, 1.2);
   const Depth tube = Tube({ { 0, 0, 0 }, { 0, 0, 60 } }, 10);

@@ -1,10 +1,9 @@
 #include "shapetonScanResolution.h"
 
-#include "itkImage.h"
+#include "shapetonTestImages.h"
 
 #include "gtest/gtest.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace
@@ -53,12 +52,8 @@ TEST(ScanResolution, SmoothingAgainstNoiseBlurs)
 
 TEST(ScanResolution, DoesNotDependOnTheDirectionOfTheAxes)
 {
-  const auto          oblique = GridOf(1.25, 1.25, 3.0);
-  Grid::DirectionType axes;
-  constexpr double    cosine = 0.8, sine = 0.6;
-  const double        values[3][3] = { { 1.0, 0.0, 0.0 }, { 0.0, cosine, -sine }, { 0.0, sine, cosine } };
-  std::copy_n(&values[0][0], 9, axes.GetVnlMatrix().data_block());
-  oblique->SetDirection(axes);
+  const auto oblique = GridOf(1.25, 1.25, 3.0);
+  oblique->SetDirection(basetest::Rotation(0, std::asin(0.6)));
   EXPECT_DOUBLE_EQ(shapeton::MeasureScanResolution(oblique, 3.0, 0.0).smallestPolyp, 9.0);
 }
 

@@ -51,36 +51,28 @@ TEST(TerminalIleum, IsNoHaustrumAndNoColon)
   EXPECT_FALSE(Find(scene, cecalscene::Draw(scene)));
 }
 
-/** A line through the colon to the height of the ileum, and through the ileum to its end, or to the pole if there is no
- * ileum; radii as of inscribed balls. */
+/** A line through the colon to the height of the ileum and then through the ileum to its end, or to the pole if there
+ * is no ileum; the radii are those of inscribed balls. */
 shapeton::CurveSet
 LineThroughIleum(const cecalscene::Scene & scene)
 {
-  std::vector<Eigen::Vector3d> points;
-  std::vector<double>          radii;
-  const double                 turn = scene.ileumLength > 0.0 ? 145.0 : cecalscene::end - 5.0;
+  lumenshapes::Points points;
+  std::vector<double> radii;
+  const double        turn = scene.ileumLength > 0.0 ? 145.0 : cecalscene::end - 5.0;
   for (double z = 5.0; z < turn; z += 1.0)
   {
-    points.emplace_back(0.0, 0.0, z);
+    points.emplace_back(scene.turn * Eigen::Vector3d(0.0, 0.0, z));
     radii.push_back(std::min(cecalscene::radius, cecalscene::end - z));
   }
   for (double x = 0.0; x < cecalscene::radius + scene.ileumLength - 2.0; x += 1.0)
   {
-    points.emplace_back(x, 0.0, turn);
+    points.emplace_back(scene.turn * Eigen::Vector3d(x, 0.0, turn));
     radii.push_back(std::min(cecalscene::radius, std::hypot(std::max(0.0, cecalscene::radius - x), scene.ileumRadius)));
   }
-  shapeton::CurveSet line;
+  shapeton::CurveSet line = lumenshapes::Centerline(points);
   const auto         number = static_cast<Eigen::Index>(points.size());
-  line.V.resize(number, 3);
-  line.curves.emplace_back();
-  for (Eigen::Index i = 0; i < number; ++i)
-  {
-    line.V.row(i) = (scene.turn * points[i]).transpose();
-    line.curves.back().push_back(static_cast<int>(i));
-  }
-  line.pointArrays = { { "arcLength", Eigen::VectorXd::LinSpaced(number, 0.0, static_cast<double>(number - 1)) },
-                       { "radius", Eigen::Map<Eigen::VectorXd>(radii.data(), number) },
-                       { "gap", Eigen::VectorXd::Zero(number) } };
+  line.pointArrays[0].values = Eigen::VectorXd::LinSpaced(number, 0.0, static_cast<double>(number - 1)); // exactly
+  line.pointArrays[1].values = Eigen::Map<Eigen::VectorXd>(radii.data(), number);
   return line;
 }
 

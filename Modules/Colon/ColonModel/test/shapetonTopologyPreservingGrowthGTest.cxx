@@ -1,26 +1,20 @@
 #include "shapetonTopologyPreservingGrowth.h"
 
-#include "shapetonDisjointSets.h"
+#include "shapetonLevelSurface.h"
+#include "shapetonSurfaceConnectivity.h"
 #include "shapetonTestImages.h"
 
 #include <gtest/gtest.h>
 
-#include <vtkCellArray.h>
-#include <vtkFlyingEdges3D.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-
+#include <array>
 #include <random>
-#include <set>
 
 namespace
 {
 shapeton::LumenMaskImage::Pointer
 NewMask(unsigned int nx, unsigned int ny, unsigned int nz)
 {
-  auto mask = basetest::NewImage<shapeton::LumenMaskImage>({ { nx, ny, nz } });
-  return mask;
+  return basetest::NewImage<shapeton::LumenMaskImage>({ { nx, ny, nz } });
 }
 
 struct SurfaceNumbers
@@ -29,53 +23,23 @@ struct SurfaceNumbers
   long components{ 0 };
 };
 
-/** VTK surface of a mask padded with background. */
+/** The surface of a mask padded with background, found by VTK. */
 SurfaceNumbers
 SurfaceOfMask(const shapeton::LumenMaskImage * mask)
 {
-  const auto           size = mask->GetBufferedRegion().GetSize();
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(size[0] + 2, size[1] + 2, size[2] + 2);
-  image->AllocateScalars(VTK_FLOAT, 1);
-  auto * values = static_cast<float *>(image->GetScalarPointer());
-  std::fill(values, values + image->GetNumberOfPoints(), 0.0F);
-  for (unsigned int z = 0, i = 0; z < size[2]; ++z)
+  std::array<int, 3> size;
+  for (unsigned int a = 0; a < 3; ++a)
   {
-    for (unsigned int y = 0; y < size[1]; ++y)
-    {
-      for (unsigned int x = 0; x < size[0]; ++x, ++i)
-      {
-        values[((z + 1) * (size[1] + 2) + y + 1) * (size[0] + 2) + x + 1] =
-          mask->GetBufferPointer()[i] != 0 ? 1.0F : 0.0F;
-      }
-    }
+    size[a] = static_cast<int>(mask->GetBufferedRegion().GetSize(a)) + 2;
   }
-  vtkNew<vtkFlyingEdges3D> contour;
-  contour->SetInputData(image);
-  contour->SetValue(0, 0.5);
-  contour->Update();
-  std::set<std::pair<vtkIdType, vtkIdType>> edges;
-  const vtkIdType                           points = contour->GetOutput()->GetNumberOfPoints();
-  shapeton::DisjointSets                    sets(points);
-  const vtkIdType                           faces = contour->GetOutput()->GetNumberOfPolys();
-  for (vtkIdType f = 0; f < faces; ++f)
-  {
-    vtkIdType         n = 0;
-    const vtkIdType * ids = nullptr;
-    contour->GetOutput()->GetPolys()->GetCellAtId(f, n, ids);
-    for (int k = 0; k < 3; ++k)
-    {
-      edges.insert(std::minmax(ids[k], ids[(k + 1) % 3]));
-      sets.Join(static_cast<int>(ids[k]), static_cast<int>(ids[(k + 1) % 3]));
-    }
-  }
-  SurfaceNumbers numbers;
-  numbers.eulerNumber = static_cast<long>(points) - static_cast<long>(edges.size()) + static_cast<long>(faces);
-  for (int i = 0; i < points; ++i)
-  {
-    numbers.components += sets.Find(i) == i ? 1 : 0;
-  }
-  return numbers;
+  std::vector<float> values(size[0] * size[1] * size[2], 0.0F);
+  basetest::ForVoxels(mask, [&](const itk::Index<3> & i, const auto &) {
+    values[((i[2] + 1) * size[1] + i[1] + 1) * size[0] + i[0] + 1] = mask->GetPixel(i) != 0 ? 1.0F : 0.0F;
+  });
+  const shapeton::SurfaceMesh         surface = shapeton::LevelSurface(values, size, 0.5);
+  const shapeton::SurfaceConnectivity connectivity(surface);
+  return { surface.NumberOfVertices() - connectivity.NumberOfEdges() + surface.NumberOfFaces(),
+           static_cast<long>(connectivity.Components().size()) };
 }
 
 void
@@ -174,9 +138,7 @@ TEST(TopologyPreservingGrowth, GrowthKeepsTheTopologyOfItsSeed)
     FillAtRandom(limit, generator, 0.75);
     const auto seed = NewMask(12, 14, 13);
     seed->GetBufferPointer()[700 + i] = 1;
-    auto ranks = shapeton::GrowthRankImage::New();
-    ranks->SetRegions(limit->GetBufferedRegion());
-    ranks->Allocate();
+    const auto ranks = basetest::NewImageLike<shapeton::GrowthRankImage>(limit);
     for (std::size_t k = 0; k < limit->GetBufferedRegion().GetNumberOfPixels(); ++k)
     {
       ranks->GetBufferPointer()[k] = static_cast<std::uint16_t>(generator() % 5);
@@ -196,9 +158,7 @@ TEST(TopologyPreservingGrowth, FillsAConvexLimitAndCutsARingWhereTheRankIsLowest
 {
   const auto limit = NewMask(9, 9, 3);
   const auto seed = NewMask(9, 9, 3);
-  auto       ranks = shapeton::GrowthRankImage::New();
-  ranks->SetRegions(limit->GetBufferedRegion());
-  ranks->Allocate();
+  const auto ranks = basetest::NewImageLike<shapeton::GrowthRankImage>(limit);
   ranks->FillBuffer(10);
   limit->FillBuffer(1);
   seed->SetPixel({ { 4, 1, 1 } }, 1);

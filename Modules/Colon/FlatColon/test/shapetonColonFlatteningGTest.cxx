@@ -1,7 +1,6 @@
 #include "shapetonColonFlattening.h"
 
 #include "shapetonColonTube.h"
-#include "shapetonHeatDiffusionMetric.h"
 #include "shapetonJson.h"
 #include "shapetonProgressTests.h"
 #include "shapetonTestSurfaces.h"
@@ -19,11 +18,7 @@ using namespace testsurfaces;
 shapeton::SurfaceMesh
 Tube(int handles = 0)
 {
-  ColonTubeOptions options;
-  options.faces = 6000;
-  options.length = 750.0;
-  options.handles = handles;
-  return MakeColonTube(options).mesh;
+  return MakeColonTube({ 6000, handles, 1, 750.0 }).mesh;
 }
 
 /** A straight line of `number` points with 10 mm spacing. */
@@ -154,7 +149,7 @@ TEST(ColonFlattening, BridgedFacesAreNotTheNarrowestPlace)
 TEST(ColonFlattening, FacesWithoutAreaAreTakenForThinOnes)
 {
   shapeton::SurfaceMesh mesh = Cylinder(30, 30, 20.0, 80.0);
-  // A vertex at the midpoint of an edge: one of its faces has zero area.
+  // A vertex is at the midpoint of an edge, so one of its faces has zero area.
   mesh.V.row(mesh.F(400, 1)) = 0.5 * (mesh.V.row(mesh.F(400, 0)) + mesh.V.row(mesh.F(400, 2)));
   const shapeton::ColonFlattening result = shapeton::FlattenColon(mesh, "it", {});
   EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string & warning) {

@@ -52,7 +52,7 @@ TEST(FlatColonAxis, FollowsABentTube)
   {
     const double          turn = (column + 0.5) / bendRadius;
     const Eigen::Vector3d tangent(-std::sin(turn), 0.0, std::cos(turn));
-    // The longer outside of the bend has more weight, which shifts the center by r^2 / 4R = 0.9 mm.
+    // The outer side of the bend is longer and therefore has more weight, which shifts the center by r^2 / 4R = 0.9 mm.
     ASSERT_LT((axis.centers.row(column).transpose() - OnArc(column + 0.5)).norm(), 1.0);
     ASSERT_NEAR(axis.radii[column], 18.0, 0.3);
     if (column > 8 && column < grid.Columns() - 8)

@@ -45,21 +45,17 @@ TEST(FlatColon, HasTheGridAndTheAxisOfItsSurface)
   const FlatColonGrid         grid(mesh);
   ASSERT_EQ(flat.Grid().Columns(), grid.Columns());
   ASSERT_EQ(flat.Grid().Rows(), grid.Rows());
-  for (int column = 0; column < grid.Columns(); ++column)
-  {
-    for (int row = 0; row < grid.Rows(); ++row)
-    {
-      ASSERT_EQ(flat.Grid().FaceOfPixel(column, row), grid.FaceOfPixel(column, row));
-      ASSERT_EQ(flat.Grid().PointOfPixel(column, row), grid.PointOfPixel(column, row));
-    }
-  }
+  flattubes::ForPixels(grid, [&](int column, int row) {
+    ASSERT_EQ(flat.Grid().FaceOfPixel(column, row), grid.FaceOfPixel(column, row));
+    ASSERT_EQ(flat.Grid().PointOfPixel(column, row), grid.PointOfPixel(column, row));
+  });
   const shapeton::FlatColonAxis axis = MakeFlatColonAxis(grid);
   EXPECT_EQ(flat.Axis().centers, axis.centers);
   EXPECT_EQ(flat.Axis().radii, axis.radii);
   EXPECT_EQ(flat.Surface().V, mesh.V);
 }
 
-// The curvature of a cylinder of radius R is -1/(2R), also along the cut and for either face orientation.
+// The curvature of a cylinder of radius R is -1/(2R), including along the cut and for either face orientation.
 TEST(FlatColon, KnowsTheCurvatureOfTheTubeWithoutItsCut)
 {
   for (const bool isInsideOut : { false, true })

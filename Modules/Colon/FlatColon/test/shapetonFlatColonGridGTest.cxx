@@ -2,6 +2,7 @@
 
 #include "shapetonFlatTestTubes.h"
 #include "shapetonTestErrors.h"
+#include "shapetonTestSurfaces.h"
 #include "shapetonTestThreads.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ using namespace flattubes;
 using shapeton::FlatColonGrid;
 using shapeton::FlatSample;
 
-/** Point of a pixel on the cylinder, on the chord between two vertices. */
+/** Point of a pixel on the cylinder mesh, on the chord between two vertices. */
 Eigen::Vector3d
 PointOnPolygon(const TubeForm & form, double u, double v)
 {
@@ -30,7 +31,7 @@ Jitter(int i)
   return x - std::floor(x) - 0.5;
 }
 
-/** Moves vertices on the map; duplicates on the cut are moved together. */
+/** Moves vertices on the map; duplicates along the cut are moved together. */
 shapeton::SurfaceMesh
 MakeIrregularCylinder(const TubeForm & form, double amount)
 {
@@ -51,13 +52,7 @@ std::vector<int>
 FacesOf(const FlatColonGrid & grid)
 {
   std::vector<int> faces;
-  for (int row = 0; row < grid.Rows(); ++row)
-  {
-    for (int column = 0; column < grid.Columns(); ++column)
-    {
-      faces.push_back(grid.FaceOfPixel(column, row));
-    }
-  }
+  ForPixels(grid, [&](int column, int row) { faces.push_back(grid.FaceOfPixel(column, row)); });
   return faces;
 }
 } // namespace
@@ -72,36 +67,30 @@ TEST(FlatColonGrid, CylinderClosedForms)
   EXPECT_FALSE(grid.IsMirrored());
   const double radius = form.circumference / (2.0 * pi);
   const double scale = std::sqrt(2.0 * radius * std::sin(pi / form.around) * form.around / form.circumference);
-  for (int row = 0; row < grid.Rows(); ++row)
-  {
-    for (int column = 0; column < grid.Columns(); ++column)
+  ForPixels(grid, [&](int column, int row) {
+    const Eigen::Vector2d uv = grid.UvOfPixel(column, row);
+    ASSERT_DOUBLE_EQ(uv.x(), column + 0.5);
+    ASSERT_DOUBLE_EQ(uv.y(), row + 0.5);
+    const FlatSample      sample = grid.SampleOfPixel(column, row);
+    const Eigen::Vector3d expected = PointOnPolygon(form, uv.x(), uv.y());
+    ASSERT_LT((sample.point - expected).norm(), 1e-11);
+    ASSERT_NEAR(sample.scale, scale, 1e-12);
+    ASSERT_NEAR(sample.arcLength, 10.0 + uv.x(), 1e-10);
+    ASSERT_FALSE(sample.isBridged);
+    if (column > 2 && column < 147) // at the ends, half of the neighborhood is missing
     {
-      const Eigen::Vector2d uv = grid.UvOfPixel(column, row);
-      ASSERT_DOUBLE_EQ(uv.x(), column + 0.5);
-      ASSERT_DOUBLE_EQ(uv.y(), row + 0.5);
-      const FlatSample      sample = grid.SampleOfPixel(column, row);
-      const Eigen::Vector3d expected = PointOnPolygon(form, uv.x(), uv.y());
-      ASSERT_LT((sample.point - expected).norm(), 1e-11);
-      ASSERT_NEAR(sample.scale, scale, 1e-12);
-      ASSERT_NEAR(sample.arcLength, 10.0 + uv.x(), 1e-10);
-      ASSERT_FALSE(sample.isBridged);
-      if (column > 2 && column < 147) // at the ends, half of the neighborhood is missing
-      {
-        const Eigen::Vector3d inward = -Eigen::Vector3d(expected.x(), expected.y(), 0.0).normalized();
-        ASSERT_LT((sample.inwardNormal - inward).norm(), 1e-11);
-        ASSERT_NEAR(sample.curvature, -0.5 / radius, 1e-12);
-      }
+      const Eigen::Vector3d inward = -Eigen::Vector3d(expected.x(), expected.y(), 0.0).normalized();
+      ASSERT_LT((sample.inwardNormal - inward).norm(), 1e-11);
+      ASSERT_NEAR(sample.curvature, -0.5 / radius, 1e-12);
     }
-  }
+  });
 }
 
 TEST(FlatColonGrid, CurvatureOfARingFold)
 {
-  TubeForm form;
-  form.around = 120;
-  form.along = 300;
-  const double radius = form.circumference / (2.0 * pi);
-  const auto   mesh = MakeFlatTube(
+  const TubeForm form{ 120, 300 };
+  const double   radius = form.circumference / (2.0 * pi);
+  const auto     mesh = MakeFlatTube(
     form, [=](double u, double angle) { return OnCylinder(radius - 2.0 * std::cos(2.0 * pi * u / 30.0), u, angle); });
   const FlatColonGrid grid(mesh);
   const double        bend = 2.0 * std::pow(2.0 * pi / 30.0, 2);
@@ -113,8 +102,7 @@ TEST(FlatColonGrid, CurvatureOfARingFold)
 
 TEST(FlatColonGrid, AveragedCurvatureKeepsItsMean)
 {
-  TubeForm form;
-  form.around = 60;
+  const TubeForm                 form{ 60 };
   const auto                     mesh = MakeFlatTube(form, [](double u, double angle) {
     return OnCylinder(19.0 - std::cos(2.0 * pi * u / 6.0) * std::cos(3.0 * angle), u, angle);
   });
@@ -143,10 +131,8 @@ TEST(FlatColonGrid, AveragedCurvatureKeepsItsMean)
 
 TEST(FlatColonGrid, AveragedNormalsForgetSmallWaves)
 {
-  TubeForm form;
-  form.around = 60;
-  form.along = 150;
-  const auto mesh = MakeFlatTube(
+  const TubeForm form{ 60, 150 };
+  const auto     mesh = MakeFlatTube(
     form, [](double u, double angle) { return OnCylinder(19.0 - 0.2 * std::cos(2.0 * pi * u / 5.0), u, angle); });
   double steepest[2] = { 0.0, 0.0 };
   for (const int k : { 0, 1 })
@@ -215,59 +201,42 @@ TEST(FlatColonGrid, TheWayAroundIsPeriodicAcrossACrookedCut)
 
 TEST(FlatColonGrid, EveryPixelHasTheFaceThatItsMiddleLiesIn)
 {
-  TubeForm form;
-  form.around = 14;
-  form.along = 18;
-  form.circumference = 56.0;
-  form.length = 72.0;
-  form.cutSway = 0.6;
+  const TubeForm              form{ 14, 18, 56.0, 72.0, 0.6 };
   const shapeton::SurfaceMesh mesh = MakeIrregularCylinder(form, 0.5);
   const FlatColonGrid         grid(mesh);
   const auto &                uv = mesh.pointArrays[0].values;
   ASSERT_EQ(grid.UncoveredPixels(), 0);
-  for (int row = 0; row < grid.Rows(); ++row)
-  {
-    for (int column = 0; column < grid.Columns(); ++column)
+  ForPixels(grid, [&](int column, int row) {
+    const int face = grid.FaceOfPixel(column, row);
+    int       holders = 0;
+    for (int other = 0; other < mesh.F.rows(); ++other)
     {
-      const int face = grid.FaceOfPixel(column, row);
-      int       holders = 0;
-      for (int other = 0; other < mesh.F.rows(); ++other)
+      for (const double turn : { -1.0, 0.0, 1.0 })
       {
-        for (const double turn : { -1.0, 0.0, 1.0 })
+        const Eigen::Vector2d p(column + 0.5, row + 0.5 + turn * form.circumference);
+        double                least = 1.0;
+        for (int k = 0; k < 3; ++k)
         {
-          const Eigen::Vector2d p(column + 0.5, row + 0.5 + turn * form.circumference);
-          double                least = 1.0;
-          for (int k = 0; k < 3; ++k)
-          {
-            const Eigen::Vector2d a = uv.row(mesh.F(other, k)), b = uv.row(mesh.F(other, (k + 1) % 3));
-            least = std::min(least, (b - a).x() * (p - a).y() - (b - a).y() * (p - a).x());
-          }
-          holders += least > 1e-3;
-          ASSERT_TRUE(least <= 1e-3 || other == face) << column << " " << row;
+          const Eigen::Vector2d a = uv.row(mesh.F(other, k)), b = uv.row(mesh.F(other, (k + 1) % 3));
+          least = std::min(least, (b - a).x() * (p - a).y() - (b - a).y() * (p - a).x());
         }
+        holders += least > 1e-3;
+        ASSERT_TRUE(least <= 1e-3 || other == face) << column << " " << row;
       }
-      ASSERT_LE(holders, 1);
     }
-  }
+    ASSERT_LE(holders, 1);
+  });
 }
 
 TEST(FlatColonGrid, PixelsOnSharedEdgesBelongToOneFace)
 {
-  TubeForm form; // cells of one pixel: pixel centers are on diagonals
-  form.around = 60;
-  form.along = 75;
-  form.circumference = 60.0;
-  form.length = 75.0;
+  TubeForm            form{ 60, 75, 60.0, 75.0 }; // cells of one pixel: pixel centers are on diagonals
   const FlatColonGrid grid(MakeCylinder(form));
   EXPECT_EQ(grid.UncoveredPixels(), 0);
-  for (int row = 0; row < 60; ++row)
-  {
-    for (int column = 0; column < 75; ++column)
-    {
-      const int first = 2 * (column * form.around + row);
-      ASSERT_EQ(grid.FaceOfPixel(column, row) - first, grid.FaceOfPixel(0, 0));
-    }
-  }
+  ForPixels(grid, [&](int column, int row) {
+    const int first = 2 * (column * form.around + row);
+    ASSERT_EQ(grid.FaceOfPixel(column, row) - first, grid.FaceOfPixel(0, 0));
+  });
   form.around = 30; // cells of two pixels, shifted by half a pixel: pixel centers are on vertices
   shapeton::SurfaceMesh moved = MakeCylinder(form);
   moved.pointArrays[0].values.col(1).array() += 0.5;
@@ -317,28 +286,14 @@ TEST(FlatColonGrid, WhereTheMapIsFoldedTheSideNotTurnedOverWins)
 
 TEST(FlatColonGrid, HolesStayHoles)
 {
-  shapeton::SurfaceMesh mesh = MakeCylinder({});
-  const int             missing = 2000;
-  std::vector<int>      faces;
-  for (int face = 0; face < mesh.F.rows(); ++face)
-  {
-    if (face / 2 != missing / 2)
-    {
-      faces.push_back(face);
-    }
-  }
-  const FlatColonGrid grid(shapeton::FacesOfSurface(mesh, faces));
+  const FlatColonGrid grid(testsurfaces::FacesWhere(MakeCylinder({}), [](int face) { return face / 2 != 1000; }));
   EXPECT_GT(grid.UncoveredPixels(), 3);
   EXPECT_LT(grid.UncoveredPixels(), 12);
-  for (int row = 0; row < grid.Rows(); ++row)
-  {
-    for (int column = 0; column < grid.Columns(); ++column)
-    {
-      const bool isHole = grid.FaceOfPixel(column, row) < 0;
-      ASSERT_EQ(isHole, !grid.PointOfPixel(column, row).allFinite());
-      ASSERT_EQ(isHole, grid.SampleOfPixel(column, row).face < 0);
-    }
-  }
+  ForPixels(grid, [&](int column, int row) {
+    const bool isHole = grid.FaceOfPixel(column, row) < 0;
+    ASSERT_EQ(isHole, !grid.PointOfPixel(column, row).allFinite());
+    ASSERT_EQ(isHole, grid.SampleOfPixel(column, row).face < 0);
+  });
 }
 
 TEST(FlatColonGrid, BridgesAreTold)

@@ -66,15 +66,11 @@ TEST(FlatColonRows, LongBridgesAreCutShort)
 TEST(FlatColonRows, ScaleIsThatOfTheSurfaceWithoutBridges)
 {
   // A cone is conformal with u = log of the radius; the scale is radius / mean radius.
-  TubeForm form;
-  form.circumference = 100.0;
-  form.length = 100.0;
-  form.around = 100;
-  form.along = 100;
-  const double meanRadius = form.circumference / (2.0 * pi);
-  const auto   radius = [=](double u) { return meanRadius * std::exp(0.004 * (u - 50.0)); };
-  const double slope = 0.004 * meanRadius; // sine of half the opening angle
-  auto         mesh = MakeFlatTube(form, [=](double u, double angle) {
+  const TubeForm form{ 100, 100, 100.0, 100.0 };
+  const double   meanRadius = form.circumference / (2.0 * pi);
+  const auto     radius = [=](double u) { return meanRadius * std::exp(0.004 * (u - 50.0)); };
+  const double   slope = 0.004 * meanRadius; // sine of half the opening angle
+  auto           mesh = MakeFlatTube(form, [=](double u, double angle) {
     return OnCylinder(radius(u), radius(u) / slope * std::sqrt(1.0 - slope * slope), angle);
   });
   mesh.cellArrays[0].values.block(0, 0, 2 * 100 * 10, 1).setOnes(); // u below 10 mm

@@ -47,21 +47,17 @@ TEST_P(FlatCoordinateMapOf, BothDirectionsIsReadBackAsItWasWritten)
   const auto map = Read(path);
   ASSERT_EQ(map->GetLargestPossibleRegion().GetSize()[0], static_cast<itk::SizeValueType>(grid.Columns()));
   ASSERT_EQ(map->GetLargestPossibleRegion().GetSize()[1], static_cast<itk::SizeValueType>(grid.Rows()));
-  for (int row = 0; row < grid.Rows(); ++row)
-  {
-    for (int column = 0; column < grid.Columns(); ++column)
-    {
-      const itk::Index<2>                index{ { column, row } };
-      const FlatCoordinateMap::PixelType pixel = map->GetPixel(index);
-      FlatCoordinateMap::PointType       uv;
-      map->TransformIndexToPhysicalPoint(index, uv);
-      const Eigen::Vector2d expected = grid.UvOfPixel(column, row);
-      ASSERT_NEAR(uv[0], expected.x(), 1e-9);
-      ASSERT_NEAR(uv[1], expected.y(), 1e-9);
-      const Eigen::Vector3d point = grid.PointOfPixel(column, row);
-      ASSERT_LT((Eigen::Vector3d(pixel[0], pixel[1], pixel[2]) - point).norm(), 1e-4);
-    }
-  }
+  ForPixels(grid, [&](int column, int row) {
+    const itk::Index<2>                index{ { column, row } };
+    const FlatCoordinateMap::PixelType pixel = map->GetPixel(index);
+    FlatCoordinateMap::PointType       uv;
+    map->TransformIndexToPhysicalPoint(index, uv);
+    const Eigen::Vector2d expected = grid.UvOfPixel(column, row);
+    ASSERT_NEAR(uv[0], expected.x(), 1e-9);
+    ASSERT_NEAR(uv[1], expected.y(), 1e-9);
+    const Eigen::Vector3d point = grid.PointOfPixel(column, row);
+    ASSERT_LT((Eigen::Vector3d(pixel[0], pixel[1], pixel[2]) - point).norm(), 1e-4);
+  });
   std::string tool;
   ASSERT_TRUE(itk::ExposeMetaData(map->GetMetaDataDictionary(), "Shapeton.tool", tool));
   EXPECT_EQ(tool, "a test");

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-/** Tubes with flat maps as from FlattenTube(), with duplicate vertices along the cut. */
+/** Tubes with flat maps as returned by FlattenTube(), with duplicate vertices along the cut. */
 namespace flattubes
 {
 constexpr double pi = 3.14159265358979323846;
@@ -19,12 +19,26 @@ struct TubeForm
   int    along{ 60 };
   double circumference{ 120.0 };
   double length{ 150.0 };
-  /** Maximum deviation of the cut from v = 0, in steps between columns. */
+  /** Maximum deviation of the cut from v = 0, in steps between vertices. */
   double cutSway{ 0.0 };
   /** Whether faces are oriented into the lumen, and whether the map is reversed. */
   bool isInsideOut{ false };
   bool isMirrored{ false };
 };
+
+/** Calls `body` with column and row of each pixel of a grid. */
+template <typename TGrid, typename TBody>
+void
+ForPixels(const TGrid & grid, const TBody & body)
+{
+  for (int row = 0; row < grid.Rows(); ++row)
+  {
+    for (int column = 0; column < grid.Columns(); ++column)
+    {
+      body(column, row);
+    }
+  }
+}
 
 inline void
 AddArray(std::vector<shapeton::SurfaceArray> & arrays,
@@ -32,10 +46,7 @@ AddArray(std::vector<shapeton::SurfaceArray> & arrays,
          Eigen::Index                          rows,
          Eigen::Index                          columns)
 {
-  shapeton::SurfaceArray array;
-  array.name = name;
-  array.values.setZero(rows, columns);
-  arrays.push_back(std::move(array));
+  arrays.push_back({ name, shapeton::SurfaceArray::ValueMatrix::Zero(rows, columns) });
 }
 
 /** A tube with position(u, angle) in space and map coordinates (u, angle / (2 pi) * circumference); conformal only if

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-/** Straight tubes of radius 20 mm with folds of known shape. */
+/** Straight tubes with a radius of 20 mm and folds of known shape. */
 namespace foldtubes
 {
 constexpr double radius = 20.0;

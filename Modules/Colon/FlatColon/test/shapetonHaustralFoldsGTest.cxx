@@ -117,12 +117,7 @@ TEST(HaustralFolds, ASmoothTubeHasNoneAndSaysSo)
 
 TEST(HaustralFolds, TinyTubesAreNoError)
 {
-  flattubes::TubeForm form;
-  form.around = 8;
-  form.along = 3;
-  form.circumference = 6.0;
-  form.length = 2.0;
-  EXPECT_TRUE(FindHaustralFolds(FlatColon(flattubes::MakeCylinder(form))).folds.empty());
+  EXPECT_TRUE(FindHaustralFolds(FlatColon(flattubes::MakeCylinder({ 8, 3, 6.0, 2.0 }))).folds.empty());
 }
 
 TEST(HaustralFolds, BridgedStretchesHoldNone)
@@ -233,7 +228,7 @@ TEST(HaustralFolds, NeedlesDoNoHarm)
   EXPECT_EQ(FindHaustralFolds(FlatColon(mesh)).folds.size(), 4u);
 }
 
-// A knob mapped to one pixel has the area of many folds and a single curvature value.
+// A knob that is mapped to one pixel has the area of many folds, but a single curvature value.
 TEST(HaustralFolds, AreaInOnePixelDoesNotOutweighFolds)
 {
   constexpr double      reach = 8.0; // mm

@@ -13,12 +13,7 @@ TEST(SurfaceFolds, AreThoseThatWereMade)
   std::vector<foldtubes::Fold> folds;
   for (int i = 0; i < 5; ++i)
   {
-    foldtubes::Fold fold;
-    fold.u = 25.0 + 25.0 * i;
-    fold.angle = 1.1 * i;
-    fold.halfLength = 18.0;
-    fold.height = 6.0;
-    folds.push_back(fold);
+    folds.push_back({ 25.0 + 25.0 * i, 1.1 * i, 18.0, 6.0 });
   }
   const FlatColon               flat(foldtubes::MakeTube(folds));
   const shapeton::SurfaceMesh & surface = flat.Surface();
@@ -44,11 +39,7 @@ TEST(SurfaceFolds, AreThoseThatWereMade)
 
 TEST(SurfaceFolds, AreNotMadeUpWhereTheWallIs)
 {
-  foldtubes::Fold fold;
-  fold.u = 80.0;
-  fold.halfLength = 18.0;
-  fold.height = 6.0;
-  shapeton::SurfaceMesh bridged = foldtubes::MakeTube({ fold });
+  shapeton::SurfaceMesh bridged = foldtubes::MakeTube({ { 80.0, 0.0, 18.0, 6.0 } });
   EXPECT_EQ(FindSurfaceFolds(FlatColon(bridged)).number, 1);
   for (shapeton::SurfaceArray & array : bridged.cellArrays)
   {
@@ -60,15 +51,11 @@ TEST(SurfaceFolds, AreNotMadeUpWhereTheWallIs)
 // The fold crosses the cut.
 TEST(SurfaceFolds, AreOneOnBothSidesOfTheCut)
 {
-  foldtubes::Fold fold;
-  fold.u = 80.0;
-  fold.halfLength = 18.0;
-  fold.height = 6.0;
   for (const bool isInsideOut : { false, true })
   {
     flattubes::TubeForm form;
     form.isInsideOut = isInsideOut;
-    const FlatColon              flat(foldtubes::MakeTube({ fold }, form));
+    const FlatColon              flat(foldtubes::MakeTube({ { 80.0, 0.0, 18.0, 6.0 } }, form));
     const shapeton::SurfaceFolds found = FindSurfaceFolds(flat);
     EXPECT_EQ(found.number, 1);
     ASSERT_EQ(found.curvature.size(), flat.Surface().V.rows());

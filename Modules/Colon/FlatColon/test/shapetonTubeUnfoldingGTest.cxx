@@ -8,7 +8,6 @@
 #include "shapetonSurfaceReader.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonTestFolder.h"
-#include "shapetonExceptions.h"
 
 #include <gtest/gtest.h>
 
@@ -113,23 +112,26 @@ ExpectNoFolds(const RoughTubeOptions & rough, const shapeton::ColonFlatteningSet
   EXPECT_LE(cutOff, flat.cutOffAreaFraction * (1.0 + 1e-12));
 }
 
-/** Random tube number n, with all kinds of defects, in both metrics. */
+/** Random tubes of these numbers, with all kinds of defects, in both metrics. */
 void
-ExpectNoFoldsOfTube(int n)
+ExpectNoFoldsOfTubes(int first, int last)
 {
-  RoughTubeOptions rough;
-  rough.seed = n;
-  rough.around = 16 + n % 17;
-  rough.along = 30 + n % 23;
-  rough.noise = 0.15 * (n % 8);
-  rough.pouches = n % 5;
-  rough.pouchRings = 2 + n % 23;
-  rough.needles = 3 * (n % 4);
-  rough.ears = n % 3;
-  shapeton::ColonFlatteningSettings options;
-  options.metric = n % 2 == 0 ? shapeton::FlatMetric::Euclidean : shapeton::FlatMetric::HeatDiffusion;
-  options.time = n % 2 == 0 ? 0.0 : 20.0;
-  ExpectNoFolds(rough, options);
+  for (int n = first; n <= last; ++n)
+  {
+    RoughTubeOptions rough;
+    rough.seed = n;
+    rough.around = 16 + n % 17;
+    rough.along = 30 + n % 23;
+    rough.noise = 0.15 * (n % 8);
+    rough.pouches = n % 5;
+    rough.pouchRings = 2 + n % 23;
+    rough.needles = 3 * (n % 4);
+    rough.ears = n % 3;
+    shapeton::ColonFlatteningSettings options;
+    options.metric = n % 2 == 0 ? shapeton::FlatMetric::Euclidean : shapeton::FlatMetric::HeatDiffusion;
+    options.time = n % 2 == 0 ? 0.0 : 20.0;
+    ExpectNoFolds(rough, options);
+  }
 }
 
 void
@@ -137,16 +139,13 @@ ExpectNoFoldsWithoutHandles(int faces, int handles, const std::vector<std::uint6
 {
   for (const std::uint64_t seed : seeds)
   {
-    ColonTubeOptions tube;
-    tube.faces = faces;
-    tube.handles = handles;
-    tube.seed = seed;
     for (const auto metric : { shapeton::FlatMetric::Euclidean, shapeton::FlatMetric::HeatDiffusion })
     {
       shapeton::ColonFlatteningSettings options;
       options.metric = metric;
       options.topology = shapeton::SurfaceTopology::Denoised;
-      const shapeton::ColonFlattening flat = shapeton::FlattenColon(MakeColonTube(tube).mesh, "the tube", options);
+      const shapeton::ColonFlattening flat =
+        shapeton::FlattenColon(MakeColonTube({ faces, handles, seed }).mesh, "the tube", options);
       EXPECT_EQ(0, flat.distortion.flips) << "seed " << seed << ", left " << flat.genusAfter;
       EXPECT_EQ(0, flat.genusAfter);
       EXPECT_EQ(0.0, flat.cutOffAreaFraction);
@@ -157,10 +156,7 @@ ExpectNoFoldsWithoutHandles(int faces, int handles, const std::vector<std::uint6
 
 TEST(TubeUnfolding, MapWithoutFoldsIsThatOfOneSolve)
 {
-  ColonTubeOptions options;
-  options.faces = 6000;
-  options.length = 750.0;
-  const shapeton::SurfaceMesh         mesh = MakeColonTube(options).mesh;
+  const shapeton::SurfaceMesh         mesh = MakeColonTube({ 6000, 0, 1, 750.0 }).mesh;
   const shapeton::SurfaceConnectivity connectivity(mesh);
   const shapeton::TubeEnds            ends = shapeton::FindTubeEnds(mesh, connectivity, "the tube");
   const auto plain = shapeton::FlattenTube(mesh, connectivity, StraightLengths(mesh, connectivity, {}), ends);
@@ -277,11 +273,7 @@ TEST(TubeUnfolding, EarsAreTrimmed)
 
 TEST(TubeUnfolding, HandlesAreLetBe)
 {
-  ColonTubeOptions options;
-  options.faces = 6000;
-  options.length = 750.0;
-  options.handles = 4;
-  const shapeton::UnfoldedTube tube = Unfold(MakeColonTube(options).mesh);
+  const shapeton::UnfoldedTube tube = Unfold(MakeColonTube({ 6000, 4, 1, 750.0 }).mesh);
   EXPECT_GT(FlipsOf(tube.map.flat), 0);
   EXPECT_TRUE(tube.caps.empty());
 }
@@ -294,21 +286,9 @@ TEST(TubeUnfolding, LongTubesWithoutTheirHandlesHaveNoFolds)
   ExpectNoFoldsWithoutHandles(55000, 100, { 11, 12, 13, 14, 15, 16 });
 }
 
-TEST(TubeUnfolding, FewGeneratedTubes)
-{
-  for (int n = 1; n <= 8; ++n)
-  {
-    ExpectNoFoldsOfTube(n);
-  }
-}
+TEST(TubeUnfolding, FewGeneratedTubes) { ExpectNoFoldsOfTubes(1, 8); }
 
-TEST(TubeUnfolding, ManyGeneratedTubes)
-{
-  for (int n = 9; n <= 208; ++n)
-  {
-    ExpectNoFoldsOfTube(n);
-  }
-}
+TEST(TubeUnfolding, ManyGeneratedTubes) { ExpectNoFoldsOfTubes(9, 208); }
 
 TEST(TubeUnfolding, MeshesOfOthers)
 {

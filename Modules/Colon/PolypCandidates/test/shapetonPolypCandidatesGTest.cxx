@@ -7,8 +7,6 @@
 #include "shapetonPi.h"
 #include "shapetonTestThreads.h"
 
-#include "itkImageRegionConstIteratorWithIndex.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,6 +27,32 @@ Find(const shapeton::SurfaceMesh & wall, double sensitivity = shapeton::defaultP
   return shapeton::FindPolypCandidates(wall, options);
 }
 
+/** The only candidate on a wall. */
+PolypCandidate
+FindOne(const shapeton::SurfaceMesh & wall)
+{
+  const auto candidates = Find(wall);
+  EXPECT_EQ(candidates.size(), 1u);
+  return candidates.empty() ? PolypCandidate() : candidates.front();
+}
+
+PolypCandidate
+CandidateAt(const Vector3d & position, double score = 0.0, int number = 0)
+{
+  PolypCandidate candidate;
+  candidate.position = position;
+  candidate.score = score;
+  candidate.number = number;
+  return candidate;
+}
+
+/** A ball whose center is 0.8 radii above the lower wall. */
+Body
+Head(double radiusOfHead)
+{
+  return Ball(Base(0.0) + 0.8 * radiusOfHead * Vector3d::UnitZ(), radiusOfHead);
+}
+
 const Body polyp = Ellipsoid(Base(0.0), 5.0, 6.0);
 } // namespace
 
@@ -36,15 +60,14 @@ TEST(PolypCandidates, HalfEllipsoidIsFoundWithItsSize)
 {
   for (const double spacing : { 0.6, 0.8, 1.0 }) // results are independent of mesh density
   {
-    const auto candidates = Find(MakeWall({ polyp }, spacing));
-    ASSERT_EQ(candidates.size(), 1u) << spacing;
-    const PolypCandidate & one = candidates.front();
+    SCOPED_TRACE(spacing);
+    const PolypCandidate one = FindOne(MakeWall({ polyp }, spacing));
     EXPECT_EQ(one.number, 1);
-    EXPECT_NEAR(one.diameter, 10.0, 1.0) << spacing;
-    EXPECT_NEAR(one.leastDiameter, 10.0, 1.2) << spacing;
-    // Above a ring on the concave wall, which is higher than the base.
-    EXPECT_GT(one.height, 3.8) << spacing;
-    EXPECT_LT(one.height, 6.0) << spacing;
+    EXPECT_NEAR(one.diameter, 10.0, 1.0);
+    EXPECT_NEAR(one.leastDiameter, 10.0, 1.2);
+    // The height is measured from a ring on the concave wall, which is higher than the base.
+    EXPECT_GT(one.height, 3.8);
+    EXPECT_LT(one.height, 6.0);
     EXPECT_LT((one.position - Base(0.0)).norm(), 5.0);
     EXPECT_LT((one.apex - (Base(0.0) + 6.0 * Vector3d::UnitZ())).norm(), 0.8);
     EXPECT_GT(one.axis.z(), 0.99);
@@ -54,14 +77,12 @@ TEST(PolypCandidates, HalfEllipsoidIsFoundWithItsSize)
   }
 }
 
-// Edges of at least 2 mm, longer than the ring around the foot.
+// Edges may be longer than the width of the ring around the foot, 2 mm.
 TEST(PolypCandidates, CoarseWallsHaveFeetToo)
 {
   for (const double spacing : { 1.4, 2.0, 2.8 })
   {
-    const auto candidates = Find(MakeWall({ polyp }, spacing));
-    ASSERT_EQ(candidates.size(), 1u) << spacing;
-    EXPECT_GT(candidates.front().features.hollowness, 0.4) << spacing;
+    EXPECT_GT(FindOne(MakeWall({ polyp }, spacing)).features.hollowness, 0.4) << spacing;
   }
 }
 
@@ -69,40 +90,35 @@ TEST(PolypCandidates, BallIsMeasuredAcross)
 {
   for (const double radiusOfHead : { 3.5, 5.0, 8.0 })
   {
-    const auto candidates = Find(MakeWall({ Ball(Base(0.0) + 0.8 * radiusOfHead * Vector3d::UnitZ(), radiusOfHead) }));
-    ASSERT_EQ(candidates.size(), 1u) << radiusOfHead;
-    EXPECT_NEAR(candidates.front().diameter, 2.0 * radiusOfHead, 0.5);
-    EXPECT_GT(candidates.front().features.solidAngle, shapeton::TwoPi); // more than a hemisphere is exposed
+    const PolypCandidate one = FindOne(MakeWall({ Head(radiusOfHead) }));
+    EXPECT_NEAR(one.diameter, 2.0 * radiusOfHead, 0.5);
+    EXPECT_GT(one.features.solidAngle, shapeton::TwoPi); // more than a hemisphere is exposed
   }
 }
 
-TEST(PolypCandidates, FoldIsNoneAndPolypOnItIs)
+TEST(PolypCandidates, PolypOnAFoldIsOne)
 {
-  EXPECT_TRUE(Find(MakeWall({ Plate(0.0, 7.0) })).empty());
-  const Vector3d middle(0.0, 0.0, -radius + 8.0);
-  const auto     candidates = Find(MakeWall({ Plate(0.0, 7.0), Ball(middle, 4.0) }));
-  ASSERT_EQ(candidates.size(), 1u);
-  EXPECT_LT((candidates.front().position - middle).norm(), 3.0);
-  EXPECT_NEAR(candidates.front().diameter, 8.0, 1.0);
+  const Vector3d       middle(0.0, 0.0, -radius + 8.0);
+  const PolypCandidate one = FindOne(MakeWall({ Plate(0.0, 7.0), Ball(middle, 4.0) }));
+  EXPECT_LT((one.position - middle).norm(), 3.0);
+  EXPECT_NEAR(one.diameter, 8.0, 1.0);
 }
 
 TEST(PolypCandidates, FlatPolypIsFound)
 {
-  const auto candidates = Find(MakeWall({ Ellipsoid(Base(0.0), 6.0, 2.0) }));
-  ASSERT_EQ(candidates.size(), 1u);
-  EXPECT_NEAR(candidates.front().diameter, 12.0, 1.5);
-  EXPECT_LT(candidates.front().height, 2.0);
+  const PolypCandidate one = FindOne(MakeWall({ Ellipsoid(Base(0.0), 6.0, 2.0) }));
+  EXPECT_NEAR(one.diameter, 12.0, 1.5);
+  EXPECT_LT(one.height, 2.0);
 }
 
-// So broad and low that its solid angle is below that of any bulge.
+// The plaque is so broad and low that its solid angle is smaller than that of any bulge.
 TEST(PolypCandidates, PlaqueIsFoundAndFoldAndBareTubeHaveNone)
 {
-  const auto candidates = Find(MakeWall({ Ellipsoid(Base(0.0), 11.0, 1.9) }));
-  ASSERT_EQ(candidates.size(), 1u);
-  EXPECT_LT(candidates.front().features.solidAngle, shapeton::LeastSolidAngleOfBulge);
-  EXPECT_NEAR(candidates.front().diameter, 22.0, 1.5);
-  EXPECT_LT((candidates.front().position - Base(0.0)).norm(), 2.5);
-  EXPECT_GT(candidates.front().score, 0.4);
+  const PolypCandidate one = FindOne(MakeWall({ Ellipsoid(Base(0.0), 11.0, 1.9) }));
+  EXPECT_LT(one.features.solidAngle, shapeton::LeastSolidAngleOfBulge);
+  EXPECT_NEAR(one.diameter, 22.0, 1.5);
+  EXPECT_LT((one.position - Base(0.0)).norm(), 2.5);
+  EXPECT_GT(one.score, 0.4);
   for (const double height : { 4.0, 7.0 })
   {
     EXPECT_TRUE(Find(MakeWall({ Plate(0.0, height) })).empty()) << height;
@@ -130,9 +146,8 @@ TEST(PolypCandidates, CurvednessOfABallIsThatOfItsRadius)
 {
   for (const double ballRadius : { 4.0, 6.0 })
   {
-    const auto candidates = Find(MakeWall({ Ball(Base(0.0) + 0.9 * ballRadius * Vector3d::UnitZ(), ballRadius) }));
-    ASSERT_EQ(candidates.size(), 1u);
-    EXPECT_NEAR(candidates.front().features.curvedness * ballRadius, 1.0, 0.1) << ballRadius;
+    const auto one = FindOne(MakeWall({ Ball(Base(0.0) + 0.9 * ballRadius * Vector3d::UnitZ(), ballRadius) }));
+    EXPECT_NEAR(one.features.curvedness * ballRadius, 1.0, 0.1) << ballRadius;
   }
 }
 
@@ -174,8 +189,6 @@ TEST(PolypCandidates, ScoreGoesWithItsFeatures)
   }
 }
 
-TEST(PolypCandidates, PlainTubeHasNone) { EXPECT_TRUE(Find(MakeWall({})).empty()); }
-
 TEST(PolypCandidates, RigidMotionMovesThemAlong)
 {
   shapeton::SurfaceMesh wall = MakeWall({ polyp, Ball(Base(16.0), 4.0) });
@@ -196,7 +209,7 @@ TEST(PolypCandidates, RigidMotionMovesThemAlong)
 
 namespace
 {
-/** The mirrored wall with vertices and faces in another order. */
+/** The mirrored wall, with vertices and faces in a different order. */
 shapeton::SurfaceMesh
 MirroredAndRenumbered(const shapeton::SurfaceMesh & wall)
 {
@@ -237,16 +250,15 @@ TEST(PolypCandidates, ASmallHeadIsOneWhateverTheVoxelsAre)
   {
     for (int place = 0; place < 5; ++place)
     {
+      SCOPED_TRACE(testing::Message() << spacing << ' ' << place);
       const double   angle = 0.17 * place;
       const Vector3d inwards(0.0, std::sin(angle), std::cos(angle));
-      const auto     candidates =
-        Find(MakeWall({ Ball(Vector3d(0.23 * place, 0.0, 0.0) - (radius - 0.6) * inwards, 2.35) }, spacing));
-      ASSERT_EQ(candidates.size(), 1u) << spacing << ' ' << place;
-      const PolypCandidate & one = candidates.front();
-      EXPECT_NEAR(one.diameter, 4.7, 0.7) << spacing << ' ' << place;
-      EXPECT_GT(one.features.roundness, 0.85) << spacing << ' ' << place;
-      EXPECT_NEAR(one.features.shapeIndex, 0.89, 0.03) << spacing << ' ' << place;
-      EXPECT_NEAR(std::log(one.features.hollowness), std::log(1.0), 0.3) << spacing << ' ' << place;
+      const auto     one =
+        FindOne(MakeWall({ Ball(Vector3d(0.23 * place, 0.0, 0.0) - (radius - 0.6) * inwards, 2.35) }, spacing));
+      EXPECT_NEAR(one.diameter, 4.7, 0.7);
+      EXPECT_GT(one.features.roundness, 0.85);
+      EXPECT_NEAR(one.features.shapeIndex, 0.89, 0.03);
+      EXPECT_NEAR(std::log(one.features.hollowness), std::log(1.0), 0.3);
     }
   }
 }
@@ -274,9 +286,7 @@ TEST(PolypCandidates, BridgesAreLeftOutAndArcLengthsTaken)
   shapeton::SurfaceMesh wall = MakeWall({ polyp });
   wall.pointArrays.push_back({ "arcLength", wall.V.col(0).array() + 100.0, false });
   wall.cellArrays.push_back({ "bridged", Eigen::MatrixXd::Zero(wall.F.rows(), 1), false });
-  const auto candidates = Find(wall);
-  ASSERT_EQ(candidates.size(), 1u);
-  EXPECT_NEAR(candidates.front().arcLength, 100.0, 0.5);
+  EXPECT_NEAR(FindOne(wall).arcLength, 100.0, 0.5);
   wall.cellArrays[0].values.setOnes();
   EXPECT_TRUE(Find(wall, 1.0).empty());
 }
@@ -385,16 +395,15 @@ TEST(PolypCandidates, ATableTellsWhatWasWritten)
   EXPECT_EQ(shapeton::TableOfPolypCandidates(shapeton::ReadPolypCandidates(path)).GetRows(), table.GetRows());
 }
 
-// The heat of a closed body scales with the ratio of surface to volume.
+// The heat of a closed body scales with its ratio of surface to volume.
 TEST(PolypCandidates, SmallHeadsAreHotter)
 {
   std::vector<double> heats;
   for (const double radiusOfHead : { 3.0, 6.0 })
   {
-    const std::vector<Body>     bodies{ Ball(Base(0.0) + 0.8 * radiusOfHead * Vector3d::UnitZ(), radiusOfHead) };
+    const std::vector<Body>     bodies{ Head(radiusOfHead) };
     const shapeton::SurfaceMesh wall = MakeWall(bodies);
-    auto                        candidates = Find(wall);
-    ASSERT_EQ(candidates.size(), 1u);
+    std::vector<PolypCandidate> candidates{ FindOne(wall) };
     shapeton::MeasureShapeDiffusion(wall, MakeLumen(bodies), candidates);
     heats.push_back(candidates.front().features.heat);
     EXPECT_GT(candidates.front().features.shapetonDensity, 0.0);
@@ -407,8 +416,7 @@ TEST(PolypCandidates, ContentIsMeasuredInsideAndRanks)
 {
   const std::vector<Body>     bodies{ Ball(Base(0.0) + 4.0 * Vector3d::UnitZ(), 5.0) };
   const shapeton::SurfaceMesh wall = MakeWall(bodies);
-  const auto                  found = Find(wall);
-  ASSERT_EQ(found.size(), 1u);
+  const PolypCandidate        found = FindOne(wall);
   for (const auto & [hounsfield, tissue] : { std::pair(45.0, shapeton::PolypTissue::Soft),
                                              { -90.0, shapeton::PolypTissue::Fat },
                                              { -860.0, shapeton::PolypTissue::Gas },
@@ -418,22 +426,17 @@ TEST(PolypCandidates, ContentIsMeasuredInsideAndRanks)
     // Partial volume over 2 mm must not affect the value.
     const auto ct = MakeImage<itk::Image<float, 3>>(
       0.8, [=](double d) { return inside + (-900.0 - inside) * std::clamp(0.5 * d + 0.5, 0.0, 1.0); }, bodies);
-    const auto gas = MakeImage<shapeton::PolypLumenImage>(
-      0.8, [](double d) { return static_cast<unsigned char>(d > 0.0); }, bodies);
-    auto candidates = found;
-    shapeton::MeasureContent(wall, ct, gas, candidates);
+    std::vector<PolypCandidate> candidates{ found };
+    shapeton::MeasureContent(wall, ct, MakeLumen(bodies), candidates);
     EXPECT_NEAR(candidates.front().attenuation, hounsfield, 1.0);
     EXPECT_EQ(candidates.front().tissue, tissue);
     EXPECT_EQ(candidates.front().submergedShare, 0.0);
-    EXPECT_NEAR(candidates.front().score,
-                found.front().score * shapeton::TissueLikelihood(candidates.front().attenuation),
-                1e-12);
-    EXPECT_EQ(candidates.front().shapeScore, found.front().score);
+    EXPECT_NEAR(
+      candidates.front().score, found.score * shapeton::TissueLikelihood(candidates.front().attenuation), 1e-12);
+    EXPECT_EQ(candidates.front().shapeScore, found.score);
     EXPECT_EQ(candidates.front().remark.empty(), hounsfield > -150.0 && hounsfield < 150.0);
-    const auto fluid = MakeImage<shapeton::PolypLumenImage>(
-      0.8, [](double d) { return static_cast<unsigned char>(d > 0.0 ? 2 : 0); }, bodies);
-    candidates = found;
-    shapeton::MeasureContent(wall, ct, fluid, candidates);
+    candidates = { found };
+    shapeton::MeasureContent(wall, ct, MakeLumen(bodies, 2.0), candidates);
     EXPECT_GT(candidates.front().submergedShare, 0.95);
   }
   EXPECT_EQ(shapeton::TissueOf(-600.0), shapeton::PolypTissue::Gas);
@@ -445,12 +448,10 @@ TEST(PolypCandidates, AFilmOfContrastIsNoStool)
   constexpr double gasIntensity = -900.0, contrast = 600.0, tissue = 45.0, wholeHead = 20.0;
   for (const double radius : { 3.0, 5.0 })
   {
-    const std::vector<Body>     bodies{ Ball(Base(0.0) + 0.8 * radius * Vector3d::UnitZ(), radius) };
+    const std::vector<Body>     bodies{ Head(radius) };
     const shapeton::SurfaceMesh wall = MakeWall(bodies);
-    const auto                  found = Find(wall);
-    ASSERT_EQ(found.size(), 1u);
-    const auto lumen = MakeImage<shapeton::PolypLumenImage>(
-      0.8, [](double d) { return static_cast<unsigned char>(d > 0.0); }, bodies);
+    const PolypCandidate        found = FindOne(wall);
+    const auto                  lumen = MakeLumen(bodies);
     for (const double film : { 0.0, 1.0, 0.3 * radius, wholeHead })
     {
       // Partial volume over 1.2 mm at both surfaces of the film.
@@ -458,7 +459,7 @@ TEST(PolypCandidates, AFilmOfContrastIsNoStool)
         const auto outside = [d](double border) { return std::clamp((d - border) / 1.2 + 0.5, 0.0, 1.0); };
         return tissue + (contrast - tissue) * outside(-film) + (gasIntensity - contrast) * outside(0.0);
       };
-      auto candidates = found;
+      std::vector<PolypCandidate> candidates{ found };
       shapeton::MeasureContent(wall, MakeImage<itk::Image<float, 3>>(0.8, hounsfield, bodies), lumen, candidates);
       const PolypCandidate & one = candidates.front();
       const bool             isStool = film == wholeHead;
@@ -475,13 +476,11 @@ TEST(PolypCandidates, FluidThatCleansingLeftIsResidue)
 {
   const std::vector<Body>     bodies{ Ball(Base(0.0) + 3.0 * Vector3d::UnitZ(), 3.5) };
   const shapeton::SurfaceMesh wall = MakeWall(bodies);
-  auto                        candidates = Find(wall);
-  ASSERT_EQ(candidates.size(), 1u);
-  const auto lumen = MakeImage<shapeton::PolypLumenImage>(
-    0.8, [](double d) { return static_cast<unsigned char>(d > 0.0 ? 2 : 0); }, bodies);
+  std::vector<PolypCandidate> candidates{ FindOne(wall) };
+  const auto                  lumen = MakeLumen(bodies, 2.0);
   for (const double inside : { 45.0, 700.0 })
   {
-    // Before cleansing: fluid of 700 HU around the head, with partial volume over 2 mm.
+    // Before cleansing, there is fluid of 700 HU around the head, with partial volume over 2 mm.
     const auto original = MakeImage<itk::Image<float, 3>>(
       0.8, [=](double d) { return inside + (700.0 - inside) * std::clamp(0.5 * d + 0.5, 0.0, 1.0); }, bodies);
     shapeton::NoteResidue(wall, original, lumen, candidates);
@@ -497,28 +496,21 @@ TEST(PolypCandidates, HeadsAreVoxelsOfTheirTissue)
   const Vector3d          middle = Base(0.0) + 4.0 * Vector3d::UnitZ();
   const std::vector<Body> bodies{ Ball(middle, 5.0) };
   const auto              wall = MakeWall(bodies);
-  const auto              lumen = MakeImage<shapeton::PolypLumenImage>(
-    0.8, [](double d) { return static_cast<unsigned char>(d > 0.0); }, bodies);
-  auto candidates = Find(wall);
-  ASSERT_EQ(candidates.size(), 1u);
-  candidates.front().number = 7;
-  const auto heads = shapeton::LabelPolypHeads(wall, lumen, candidates);
+  const auto              lumen = MakeLumen(bodies);
+  PolypCandidate          candidate = FindOne(wall);
+  candidate.number = 7;
+  const auto heads = shapeton::LabelPolypHeads(wall, lumen, { candidate });
   double     volume = 0.0;
-  for (itk::ImageRegionConstIteratorWithIndex<itk::Image<unsigned short, 3>> it(heads, heads->GetBufferedRegion());
-       !it.IsAtEnd();
-       ++it)
-  {
-    if (it.Get() != 0)
+  basetest::ForVoxels(heads, [&](const auto & index, const auto & point) {
+    if (heads->GetPixel(index) != 0)
     {
-      itk::Point<double, 3> point;
-      heads->TransformIndexToPhysicalPoint(it.GetIndex(), point);
-      EXPECT_EQ(it.Get(), 7);
-      EXPECT_EQ(lumen->GetPixel(it.GetIndex()), 0);
-      EXPECT_LT((Vector3d(point.GetDataPointer()) - middle).norm(), 5.0 + 0.8 * std::sqrt(3.0));
+      EXPECT_EQ(heads->GetPixel(index), 7);
+      EXPECT_EQ(lumen->GetPixel(index), 0);
+      EXPECT_LT((basetest::ToEigen(point) - middle).norm(), 5.0 + 0.8 * std::sqrt(3.0));
       volume += 0.8 * 0.8 * 0.8;
     }
-  }
-  const double ball = 4.0 / 3.0 * 3.14159265358979 * 125.0;
+  });
+  const double ball = 4.0 / 3.0 * shapeton::Pi * 125.0;
   EXPECT_GT(volume, 0.5 * ball); // a part is below the surrounding wall
   EXPECT_LT(volume, 1.1 * ball);
 }
@@ -533,7 +525,7 @@ TEST(PolypCandidates, TissueLikelihoodKeepsTissueAndDropsGas)
   EXPECT_NEAR(shapeton::TissueLikelihood(500.0), 0.25, 1e-3);
   EXPECT_EQ(shapeton::TissueLikelihood(std::nan("")), 1.0);
   EXPECT_EQ(shapeton::TissueLikelihood(40.0, std::nan("")), shapeton::TissueLikelihood(40.0, 0.0));
-  // Heads under fluid are not darkened by gas: values below fat are bubbles, with -150 to -270 HU on CT for 3 mm.
+  // Heads under fluid are not darkened by gas: values below fat are bubbles; 3 mm bubbles have -150 to -270 HU on CT.
   EXPECT_GT(shapeton::TissueLikelihood(40.0, 1.0), 0.99);
   EXPECT_GT(shapeton::TissueLikelihood(-90.0, 1.0), 0.85);
   EXPECT_LT(shapeton::TissueLikelihood(-160.0, 1.0), 0.25);
@@ -543,9 +535,8 @@ TEST(PolypCandidates, TissueLikelihoodKeepsTissueAndDropsGas)
 TEST(PolypCandidates, OtherPositionIsFoundThroughTheMap)
 {
   const shapeton::SurfaceMesh wall = MakeWall({ polyp });
-  auto                        candidates = Find(wall);
-  ASSERT_EQ(candidates.size(), 1u);
-  shapeton::SurfaceMesh map;
+  std::vector<PolypCandidate> candidates{ FindOne(wall) };
+  shapeton::SurfaceMesh       map;
   map.V = wall.V;
   map.F = wall.F;
   EXPECT_THROW(shapeton::FindInOtherPosition(map, "map", {}, candidates), shapeton::InputError); // no arrays
@@ -589,10 +580,9 @@ TEST(PolypCandidates, AllOfThemTellOnWhichWallTheyAre)
     wall.F << 0, 1, 2, 0, 2, 3;
     return wall;
   };
-  std::vector<PolypCandidate> candidates(3);
-  candidates[0].position = { 0.0, 50.0, 1.0 }; // equidistant from both walls
-  candidates[1].position = { 80.0, 50.0, 2.0 };
-  candidates[2].position = { -80.0, 50.0, 3.0 };
+  const std::vector<PolypCandidate> candidates{ CandidateAt({ 0.0, 50.0, 1.0 }), // equidistant from both walls
+                                                CandidateAt({ 80.0, 50.0, 2.0 }),
+                                                CandidateAt({ -80.0, 50.0, 3.0 }) };
   EXPECT_NEAR(shapeton::MeanDistanceToWall(square(0.0), candidates), 2.0, 1e-12);
   const double cosine = std::sqrt(0.5);
   EXPECT_NEAR(shapeton::MeanDistanceToWall(square(100.0), candidates), cosine * (1.0 + 78.0 + 83.0) / 3.0, 1e-9);
@@ -658,8 +648,7 @@ TEST(PolypCandidates, FormIsThatOfTheBody)
   };
   const auto formOf = [](const std::vector<Body> & bodies) {
     const shapeton::SurfaceMesh wall = MakeWall(bodies);
-    auto                        candidates = Find(wall);
-    EXPECT_EQ(candidates.size(), 1u);
+    std::vector<PolypCandidate> candidates{ FindOne(wall) };
     shapeton::MeasureMorphology(
       wall, [](const Vector3d & p) { return p.x() > 0.0; }, candidates);
     return candidates.front();
@@ -727,14 +716,10 @@ TEST(PolypCandidates, KnownValveIsNamedAndRanksBehindSoftTissue)
   shapeton::IleocecalValve valve;
   valve.length = 26.0;
   valve.confidence = 0.6;
-  PolypCandidate lip, beside, bubble;
-  lip.score = 0.9;
-  lip.position = { 15.9, 0.0, 0.0 }; // half the length plus 3 mm
-  beside.score = 0.3;
-  beside.position = { 16.1, 0.0, 0.0 };
-  bubble.score = 0.01;
+  const PolypCandidate lip = CandidateAt({ 15.9, 0.0, 0.0 }, 0.9); // half the length plus 3 mm
+  const PolypCandidate beside = CandidateAt({ 16.1, 0.0, 0.0 }, 0.3);
+  PolypCandidate       bubble = CandidateAt({ 100.0, 0.0, 0.0 }, 0.01);
   bubble.tissue = shapeton::PolypTissue::Gas;
-  bubble.position = { 100.0, 0.0, 0.0 };
   std::vector<PolypCandidate> candidates{ lip, beside, bubble };
   shapeton::RankValveLast(valve, candidates);
   EXPECT_EQ(candidates[0].position, beside.position);
@@ -753,13 +738,8 @@ TEST(PolypCandidates, WhatIsLeftOfACatheterRanksLast)
   catheter.curves = { { 0, 1 } };
   catheter.pointArrays.push_back({ "radius", Eigen::Vector2d(5.0, 5.0) });
   catheter.pointArrays.push_back({ "balloonRadius", Eigen::Vector2d(0.0, 0.0) });
-  PolypCandidate onTube, beside;
-  onTube.number = 1;
-  onTube.score = 0.9;
-  onTube.position = { 7.9, 0.0, 1.0 };
-  beside.number = 2;
-  beside.score = 0.5;
-  beside.position = { 8.1, 0.0, 1.0 };
+  const PolypCandidate        onTube = CandidateAt({ 7.9, 0.0, 1.0 }, 0.9, 1);
+  const PolypCandidate        beside = CandidateAt({ 8.1, 0.0, 1.0 }, 0.5, 2);
   std::vector<PolypCandidate> candidates{ onTube, beside };
   std::vector<PolypCandidate> withBalloon = candidates;
   shapeton::RankCatheterLast(catheter, candidates);
@@ -781,10 +761,9 @@ TEST(PolypCandidates, WhatIsLeftOfACatheterRanksLast)
 
 TEST(PolypCandidates, CatheterIsNotedByItsPlace)
 {
-  PolypCandidate atVerge, above, unknown;
-  atVerge.arcLength = 33.0;
-  above.arcLength = 128.0;
-  std::vector<PolypCandidate> candidates{ atVerge, above, unknown };
+  std::vector<PolypCandidate> candidates(3); // the place of the last one is unknown
+  candidates[0].arcLength = 33.0;
+  candidates[1].arcLength = 128.0;
   shapeton::NoteRectalCatheter(candidates);
   EXPECT_NE(candidates[0].remark.find("catheter"), std::string::npos);
   EXPECT_EQ(candidates[1].remark, "");
@@ -793,11 +772,10 @@ TEST(PolypCandidates, CatheterIsNotedByItsPlace)
 
 TEST(PolypCandidates, TooSmallForTheResolutionIsNoted)
 {
-  PolypCandidate small, large;
-  small.diameter = 8.9;
-  small.remark = "tagged";
-  large.diameter = 9.0;
-  std::vector<PolypCandidate> candidates{ small, large };
+  std::vector<PolypCandidate> candidates(2);
+  candidates[0].diameter = 8.9;
+  candidates[0].remark = "tagged";
+  candidates[1].diameter = 9.0;
   shapeton::NoteSmallerThan(9.0, candidates);
   EXPECT_EQ(candidates[0].remark, "tagged; not evaluable for polyps below 9 mm");
   EXPECT_EQ(candidates[1].remark, "");
@@ -827,7 +805,7 @@ TEST(PolypCandidates, TheOtherPositionWeighsWhatItShows)
   EXPECT_NE(weighed(1.0, 0.9, 0.0).remark, "");
   EXPECT_EQ(weighed(1.0, 0.9, 0.9).remark, "");
   EXPECT_EQ(weighed(1.0, 0.9, 0.3).other->ownScore, 0.9);
-  // Probabilities of a correct and of a wrong map.
+  // The weights are the probabilities of a correct and of a wrong map.
   EXPECT_NEAR(weighed(0.75, 0.9, 0.0).score, 0.75 * weighed(1.0, 0.9, 0.0).score + 0.25 * 0.9, 1e-12);
   // The tissue factor (one half) is unchanged; a catheter remains a catheter.
   EXPECT_NEAR(weighed(1.0, 0.45, 0.5).score, 0.5 * weighed(1.0, 0.9, 0.5).score, 1e-12);
@@ -864,55 +842,43 @@ TEST(PolypCandidates, WeighedCandidatesKeepTheirNumbers)
 
 namespace
 {
-
-/** A candidate at the origin, ranked by a valve there (confidence .95) and weighed by another position without a match,
- * and the same candidate 100 mm away. */
+/** A head of this shape index at the origin, ranked by a valve there (confidence .95) and weighed by the other
+ * position, where it has no match, and the same head 100 mm away. */
 std::vector<PolypCandidate>
-RankedByValve(std::vector<PolypCandidate> candidates)
+RankedByValve(double shapeIndex)
 {
-  for (PolypCandidate & one : candidates)
+  std::vector<PolypCandidate> candidates(2);
+  for (int i = 0; i < 2; ++i)
   {
-    one.score = one.shapeScore;
-    one.other = shapeton::PolypInOtherPosition();
-    one.other->likeness = one.position.norm() > 50.0 ? 1.0 : 0.0;
+    candidates[i].diameter = 22.0;
+    candidates[i].height = 7.0;
+    candidates[i].features.shapeIndex = shapeIndex;
+    candidates[i].score = candidates[i].shapeScore = i == 0 ? 1.0 : 0.9;
+    candidates[i].position = { 100.0 * i, 0.0, 0.0 };
+    candidates[i].other = shapeton::PolypInOtherPosition();
+    candidates[i].other->likeness = i;
   }
   shapeton::IleocecalValve valve;
   valve.length = 22.0;
   valve.confidence = 0.95;
   shapeton::RankValveLast(valve, candidates);
   shapeton::WeighByOtherPosition(1.0, candidates);
+  EXPECT_EQ(candidates[1].remark, "the ileocecal valve");
   return candidates;
 }
-
-PolypCandidate
-HeadOf(double shapeIndex, double shapeScore, const Eigen::Vector3d & position)
-{
-  PolypCandidate head;
-  head.diameter = 22.0;
-  head.height = 7.0;
-  head.features.shapeIndex = shapeIndex;
-  head.shapeScore = shapeScore;
-  head.position = position;
-  return head;
-}
-
 } // namespace
 
-/** It is listed last for any valve confidence and other position. */
+/** It is listed last for any valve confidence and any evidence from the other position. */
 TEST(PolypCandidates, LargePolypThatIsTakenForTheValveStaysInTheList)
 {
-  const auto candidates =
-    RankedByValve({ HeadOf(0.95, 1.0, { 0.0, 0.0, 0.0 }), HeadOf(0.95, 0.9, { 100.0, 0.0, 0.0 }) });
-  EXPECT_EQ(candidates[1].remark, "the ileocecal valve");
+  const auto candidates = RankedByValve(0.95);
   EXPECT_EQ(candidates[1].score, 1.0 - shapeton::defaultPolypSensitivity);
   EXPECT_GT(candidates[0].score, candidates[1].score);
 }
 
 TEST(PolypCandidates, LipsOfTheValveAreWeighedByItsProbability)
 {
-  const auto candidates =
-    RankedByValve({ HeadOf(0.75, 1.0, { 0.0, 0.0, 0.0 }), HeadOf(0.75, 0.9, { 100.0, 0.0, 0.0 }) });
-  EXPECT_EQ(candidates[1].remark, "the ileocecal valve");
+  const auto candidates = RankedByValve(0.75);
   EXPECT_NEAR(candidates[1].score, 0.05 * (1.0 - shapeton::defaultPolypSensitivity), 1e-12);
   EXPECT_GT(candidates[0].score, 0.5);
 }

@@ -10,11 +10,11 @@
 #include <functional>
 #include <vector>
 
-/** Closed straight lumens of radius 20 mm along x with bodies of known shape. */
+/** Closed straight lumens along x with a radius of 20 mm and bodies of known shape. */
 namespace polyptubes
 {
 using Eigen::Vector3d;
-/** Signed distance (mm) to a body of tissue, negative inside; first order. */
+/** Signed distance (mm) to a body of tissue, to first order; negative inside. */
 using Body = std::function<double(const Vector3d &)>;
 
 constexpr double radius = 20.0;
@@ -92,11 +92,12 @@ MakeWall(const std::vector<Body> & bodies, double spacing = 0.8)
   return shapeton::ExtractWall(occupancy);
 }
 
+/** The lumen as gas (1) or fluid (2). */
 inline itk::Image<unsigned char, 3>::Pointer
-MakeLumen(const std::vector<Body> & bodies)
+MakeLumen(const std::vector<Body> & bodies, double label = 1.0)
 {
   return MakeImage<itk::Image<unsigned char, 3>>(
-    0.8, [](double d) { return d > 0.0 ? 1.0 : 0.0; }, bodies);
+    0.8, [label](double d) { return d > 0.0 ? label : 0.0; }, bodies);
 }
 } // namespace polyptubes
 

@@ -105,7 +105,7 @@ TEST(FoldMatching, DualDecompositionWithoutPairTermsIsHungarian)
 
 TEST(FoldMatching, TheBoundLiesBelowAndNeighborsMoveAlike)
 {
-  // All folds move by 13 mm; a spurious fold is nearer to the original position of one of them.
+  // All folds move by 13 mm; a spurious fold is nearer than the true one to the original position of one of them.
   auto a = SomeFolds(30, 3, 500.0);
   auto b = a;
   for (shapeton::FoldFeature & fold : b)

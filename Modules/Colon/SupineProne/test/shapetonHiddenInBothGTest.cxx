@@ -12,7 +12,7 @@ namespace
 {
 constexpr double shift = 50.0; // mm from the first position to the second, along the map
 
-/** A tube without folds whose lumen is collapsed between two distances, mm. */
+/** A tube that has no folds and whose lumen is collapsed between two distances, mm. */
 ColonPosition
 CollapsedBetween(double begin, double end)
 {

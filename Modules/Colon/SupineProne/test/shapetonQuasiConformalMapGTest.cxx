@@ -33,7 +33,7 @@ struct Known
   }
 };
 
-/** A bent map from ends to ends. */
+/** A bent map that maps ends to ends. */
 Known
 BentMap(double x, double y)
 {
@@ -124,7 +124,7 @@ EndsOf(const BeltramiEquations & equations, const CylinderValues & values, int k
   return conditions;
 }
 
-/** Moves a position (in rows and angles of the nodes) by the given mm. */
+/** Constrains the map to move a position (in rows and angles of the nodes) by a displacement in mm. */
 void
 AddLandmark(const BeltramiEquations & equations,
             const CylinderValues &    values,
@@ -159,7 +159,7 @@ MissOf(const MapCondition & condition, const Eigen::VectorXd & values)
          values[condition.node[2]] * condition.share[2] - condition.value;
 }
 
-/** Error of the map found for the coefficient of BentMap, mm. */
+/** Error of the map found for the Beltrami coefficient of BentMap, mm. */
 double
 ErrorOfBentMap(int rows, int angles)
 {
@@ -175,7 +175,7 @@ Find(const BeltramiEquations & equations, const CylinderValues & start, const Ma
   return shapeton::FindQuasiConformalMap(equations, start, [&](const CylinderValues &) { return conditions; }, {});
 }
 
-/** Three distant landmarks that move by a few mm, shifted by `turned` angles. */
+/** Three landmarks, far apart, that move by a few mm; all are shifted by `turned` angles. */
 MapConditions
 SomeLandmarks(const BeltramiEquations & equations, const CylinderValues & values, int turned = 0, double scale = 1.0)
 {
@@ -223,7 +223,7 @@ TEST(QuasiConformalMap, CoefficientsOfAKnownMap)
   }
 }
 
-/** The ends alone give the conformal map if the target has the matching length. */
+/** The ends alone determine the conformal map if the target has the matching length. */
 TEST(QuasiConformalMap, LandmarksThatAgreeGiveTheConformalMap)
 {
   const BeltramiEquations equations = Equations(40, 36);
@@ -243,13 +243,13 @@ TEST(QuasiConformalMap, LandmarksHold)
   const MapConditions     conditions = SomeLandmarks(equations, start);
   const auto              map = Find(equations, start, conditions);
   EXPECT_LT(map.greatestMiss, 1e-6);
-  for (std::size_t i = 0; i < conditions.along.size(); ++i)
+  for (const MapCondition & condition : conditions.along)
   {
-    EXPECT_NEAR(MissOf(conditions.along[i], map.values.along), 0.0, 1e-6);
+    EXPECT_NEAR(MissOf(condition, map.values.along), 0.0, 1e-6);
   }
-  for (std::size_t i = 0; i < conditions.around.size(); ++i)
+  for (const MapCondition & condition : conditions.around)
   {
-    EXPECT_NEAR(MissOf(conditions.around[i], map.values.around), 0.0, 1e-6);
+    EXPECT_NEAR(MissOf(condition, map.values.around), 0.0, 1e-6);
   }
 }
 
@@ -290,7 +290,7 @@ TEST(QuasiConformalMap, ScaledCylindersAreConformal)
   const BeltramiEquations equations = Equations(40, 36);
   const CylinderValues    start = ValuesOf(equations, StretchedMap);
   const auto              map = Find(equations, start, SomeLandmarks(equations, start));
-  // Constraints are in mm of the target; smoothing is in mm of the source and thus unchanged.
+  // Constraints are in mm of the target; smoothing is in mm of the source and is therefore unchanged.
   constexpr double        scale = 2.5;
   const BeltramiEquations large = Equations(40, 36, 1.0, scale);
   const CylinderValues    largeStart{ scale * start.along, scale * start.around };

@@ -23,7 +23,7 @@ SomeMovement()
   return { 0.37, 8.0 };
 }
 
-/** The position with an invisible collapsed stretch, in the middle of the tube by default. */
+/** The position with a collapsed stretch where the wall is not visible, by default in the middle of the tube. */
 shapeton::ColonPosition
 WithCollapse(shapeton::ColonPosition position, double middle = 0.5 * length)
 {
@@ -40,7 +40,7 @@ WithCollapse(shapeton::ColonPosition position, double middle = 0.5 * length)
   return position;
 }
 
-/** Errors of a map (mm of the flat map) over the tube, except for the given distance from its middle. */
+/** Largest error of a map (mm of the flat map) over the tube, except within the given distance from its middle. */
 double
 GreatestError(const shapeton::SupineProneRegistration & registration,
               const shapeton::CylinderMap &             map,
@@ -79,8 +79,8 @@ constexpr double period = 24.0; // mm
 constexpr double periodicBegin = 0.25 * length - halfCollapse;
 constexpr double periodicEnd = 0.75 * length + halfCollapse;
 
-/** A colon whose folds are rings at equal distances in the middle, the first `phase` mm after its begin, and uneven
- * outside. */
+/** A colon whose folds are evenly spaced rings in its middle part, the first of them `phase` mm after the beginning of
+ * that part, and unevenly spaced elsewhere. */
 shapeton::ColonPosition
 MakePeriodicPosition(const std::string & name, double phase)
 {
@@ -124,7 +124,7 @@ Mean(const std::vector<double> & values)
 }
 } // namespace
 
-TEST(SupineProneRegistration, FindsAKnownMovement)
+TEST(SupineProneRegistration, FindsAKnownMovementWithConfidence)
 {
   const auto registration =
     shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, SomeMovement()));
@@ -136,10 +136,19 @@ TEST(SupineProneRegistration, FindsAKnownMovement)
     EXPECT_EQ(match.source, match.target);
   }
   EXPECT_GT(registration.matches.size(), 0.9 * FoldsOfPatient(1).size());
+  // The margin tells the right third, and the local confidence of uneven folds is high.
+  const std::vector<double> & energies = registration.confidence.energies;
+  ASSERT_EQ(energies.size(), 3U);
+  EXPECT_LT(energies[0], std::min(energies[1], energies[2]));
+  EXPECT_DOUBLE_EQ(registration.confidence.margin, std::min(energies[1], energies[2]) - energies[0]);
+  const std::vector<double> confidences = ConfidencesBetween(registration, 50.0, length - 50.0);
+  EXPECT_GT(*std::min_element(confidences.begin(), confidences.end()), 0.8);
+  const Eigen::Vector2d uv(200.0, 33.0);
+  EXPECT_LT((shapeton::InverseMapUv(registration, shapeton::MapUv(registration, uv)) - uv).norm(), 1e-6);
 }
 
-/** Taeniae alone cannot detect a rotation by a third where the wall is not visible, since their angles at the ends are
- * equal. */
+/** Taeniae alone cannot reveal a rotation by a third of a turn where the wall is not visible, since their angles at
+ * both ends are the same. */
 TEST(SupineProneRegistration, TheRotationMayChangeInACollapse)
 {
   Movement movement = SomeMovement();
@@ -151,26 +160,8 @@ TEST(SupineProneRegistration, TheRotationMayChangeInACollapse)
   EXPECT_FALSE(registration.confidence.isFlagged);
 }
 
-TEST(SupineProneRegistration, TheMarginTellsTheRightThird)
-{
-  const auto registration =
-    shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, SomeMovement()));
-  const std::vector<double> & energies = registration.confidence.energies;
-  ASSERT_EQ(energies.size(), 3U);
-  EXPECT_LT(energies[0], std::min(energies[1], energies[2]));
-  EXPECT_DOUBLE_EQ(registration.confidence.margin, std::min(energies[1], energies[2]) - energies[0]);
-}
-
-TEST(SupineProneRegistration, TheLocalConfidenceOfUnevenFoldsIsHigh)
-{
-  const auto registration =
-    shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, SomeMovement()));
-  const std::vector<double> confidences = ConfidencesBetween(registration, 50.0, length - 50.0);
-  EXPECT_GT(*std::min_element(confidences.begin(), confidences.end()), 0.8);
-}
-
 /** Periodic folds between two collapsed stretches of the source fit equally well if they moved by half a period to
- * either side, so that the map is right for one of two movements. */
+ * either side, so the map is right for one of two movements. */
 TEST(SupineProneRegistration, TheLocalConfidenceOfPeriodicFoldsIsAboutTheShareOfRightChoices)
 {
   const shapeton::ColonPosition supine =
@@ -189,7 +180,7 @@ TEST(SupineProneRegistration, TheLocalConfidenceOfPeriodicFoldsIsAboutTheShareOf
   }
   const double share = static_cast<double>(right) / choices;
   EXPECT_EQ(share, 0.5);
-  // The model holds the movement of the map for slightly more likely than the other one.
+  // According to the model, the movement in the map is slightly more likely than the other one.
   constexpr double tolerance = 0.1;
   EXPECT_LE(Mean(ConfidencesBetween(registration, 0.4 * length, 0.6 * length)), share + tolerance);
   EXPECT_GT(Mean(ConfidencesBetween(registration, 40.0, periodicBegin - 20.0)), 0.7);
@@ -204,14 +195,6 @@ TEST(SupineProneRegistration, TheLocalConfidenceDoesNotDependOnThreads)
         .confidence.ofNodes;
     },
     { 3 });
-}
-
-TEST(SupineProneRegistration, ForwardAndInverseAgree)
-{
-  const auto registration =
-    shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, SomeMovement()));
-  const Eigen::Vector2d uv(200.0, 33.0);
-  EXPECT_LT((shapeton::InverseMapUv(registration, shapeton::MapUv(registration, uv)) - uv).norm(), 1e-6);
 }
 
 TEST(SupineProneRegistration, TwoPatientsAreFlagged)
@@ -232,12 +215,12 @@ TEST(SupineProneRegistration, EvidenceOfOnePatientAddsUp)
     confidence.senseMargin = senseMargin;
     return confidence.ProbabilityOfOnePatient();
   };
-  // Best values for two patients in 14 pairs, and worst values for one patient in 20 pairs.
+  // Best values in 14 pairs of two patients, and worst values in 20 pairs of one patient.
   EXPECT_LT(probability(0.75, 0.13, 0.15, 0.042), 0.5);
   EXPECT_GT(probability(0.80, 0.13, 0.14, 0.052), 0.5);
-  // Many folds visible in only one position; the picture fits in only one orientation.
+  // Many folds are visible in only one position, but the picture fits in only one orientation.
   EXPECT_GT(probability(0.61, 0.14, 0.23, 0.096), 0.9);
-  // A few similar folds of two patients that fit equally well in another orientation.
+  // A few folds of two patients are similar, but they fit equally well in another orientation.
   EXPECT_LT(probability(0.94, 0.106, 0.33, 0.037), 0.5);
   EXPECT_LT(probability(1.0, 0.2, 0.05, 0.0), 0.5);
   EXPECT_LT(probability(0.6, 0.2, 0.05, 0.2), 0.5);

@@ -69,15 +69,10 @@ struct Movement
 inline flattubes::TubeForm
 Form()
 {
-  flattubes::TubeForm form;
-  form.around = 60;
-  form.along = 300;
-  form.circumference = 2.0 * pi * radius;
-  form.length = length;
-  return form;
+  return { 60, 300, 2.0 * pi * radius, length };
 }
 
-/** The tube with folds of 5 mm height. */
+/** The tube with folds 5 mm high. */
 inline shapeton::SurfaceMesh
 MakeWall(const std::vector<shapeton::CylinderPlace> & folds)
 {
@@ -117,7 +112,7 @@ MakeFold(int label, const shapeton::CylinderPlace & place)
   return fold;
 }
 
-/** Three bands; the first is at this turn. */
+/** Three bands; the first is at `firstTurn`. */
 inline shapeton::CurveSet
 MakeTaeniae(double firstTurn, bool isReversed)
 {
@@ -207,7 +202,7 @@ MakePosition(const std::string & name, int patient, const Movement & movement, b
   return MakeExamination(name, patient, movement, isReversed).position;
 }
 
-/** The parts of landmarks.json required by registration. */
+/** The parts of landmarks.json that registration requires. */
 inline shapeton::Json
 LandmarksOf(const shapeton::ColonPositionFiles & files)
 {
