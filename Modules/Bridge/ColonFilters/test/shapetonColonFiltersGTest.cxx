@@ -90,6 +90,15 @@ NewModelFilter()
   return filter;
 }
 
+ColonLumenImageFilter<CtImage>::Pointer
+NewLumenFilter(const CtImage * ct = Ct(), const char * position = "HFS")
+{
+  auto filter = ColonLumenImageFilter<CtImage>::New();
+  filter->SetInput(ct);
+  filter->SetPosition(position);
+  return filter;
+}
+
 /** The complete pipeline up to candidates, connected but not run. */
 struct Pipeline
 {
@@ -100,22 +109,26 @@ struct Pipeline
   ColonPositionFilter::Pointer     position = ColonPositionFilter::New();
   PolypCandidatesFilter<>::Pointer candidates = PolypCandidatesFilter<>::New();
 
-  Pipeline()
+  Pipeline() { this->Connect(*this); }
+
+  /** Sets the inputs of all filters to results of a pipeline, which may be another one. */
+  void
+  Connect(Pipeline & results)
   {
-    flattening->SetInput(model->GetOutput());
-    flattening->SetCenterline(model->GetCenterlineOutput());
-    landmarks->SetFlatColon(flattening->GetFlatColonOutput());
-    landmarks->SetCenterline(model->GetCenterlineOutput());
-    folds->SetFlatColon(flattening->GetFlatColonOutput());
-    folds->SetTaeniae(landmarks->GetTaeniaeOutput());
-    position->SetFlatColon(flattening->GetFlatColonOutput());
-    position->SetCenterline(model->GetCenterlineOutput());
-    position->SetLandmarks(landmarks->GetOutput());
-    position->SetFolds(folds->GetFoldsOutput());
-    candidates->SetInput(model->GetOutput(1));
-    candidates->SetModel(model->GetModelOutput());
-    candidates->SetFlatColon(flattening->GetFlatColonOutput());
-    candidates->SetLandmarks(landmarks->GetOutput());
+    flattening->SetInput(results.model->GetOutput());
+    flattening->SetCenterline(results.model->GetCenterlineOutput());
+    landmarks->SetFlatColon(results.flattening->GetFlatColonOutput());
+    landmarks->SetCenterline(results.model->GetCenterlineOutput());
+    folds->SetFlatColon(results.flattening->GetFlatColonOutput());
+    folds->SetTaeniae(results.landmarks->GetTaeniaeOutput());
+    position->SetFlatColon(results.flattening->GetFlatColonOutput());
+    position->SetCenterline(results.model->GetCenterlineOutput());
+    position->SetLandmarks(results.landmarks->GetOutput());
+    position->SetFolds(results.folds->GetFoldsOutput());
+    candidates->SetInput(results.model->GetOutput(1));
+    candidates->SetModel(results.model->GetModelOutput());
+    candidates->SetFlatColon(results.flattening->GetFlatColonOutput());
+    candidates->SetLandmarks(results.landmarks->GetOutput());
   }
 };
 
@@ -172,9 +185,7 @@ public:
 TEST(ColonFilters, SingleStagesDoWhatTheFunctionsDo)
 {
   const auto floats = FloatsFromIndexZero(Ct());
-  const auto lumen = ColonLumenImageFilter<CtImage>::New();
-  lumen->SetInput(Ct());
-  lumen->SetPosition("HFS");
+  const auto lumen = NewLumenFilter();
   const auto cleansing = ElectronicCleansingImageFilter<CtImage>::New();
   cleansing->SetInput(Ct());
   cleansing->SetLumen(lumen->GetLumenOutput());
@@ -304,16 +315,7 @@ TEST(ColonFilters, EachStageOnTheWallReportsAndCanBeAborted)
 {
   Pipeline & finished = FinishedPipeline();
   Pipeline   stages; // new filters on existing results
-  stages.flattening->SetInput(finished.model->GetOutput());
-  stages.flattening->SetCenterline(finished.model->GetCenterlineOutput());
-  stages.landmarks->SetFlatColon(finished.flattening->GetFlatColonOutput());
-  stages.landmarks->SetCenterline(finished.model->GetCenterlineOutput());
-  stages.folds->SetFlatColon(finished.flattening->GetFlatColonOutput());
-  stages.folds->SetTaeniae(finished.landmarks->GetTaeniaeOutput());
-  stages.candidates->SetInput(finished.model->GetOutput(1));
-  stages.candidates->SetModel(finished.model->GetModelOutput());
-  stages.candidates->SetFlatColon(finished.flattening->GetFlatColonOutput());
-  stages.candidates->SetLandmarks(finished.landmarks->GetOutput());
+  stages.Connect(finished);
   const auto metric = HeatDiffusionMetricFilter<>::New();
   metric->SetInput(finished.model->GetOutput());
   metric->SetTime(40.0);
@@ -370,13 +372,9 @@ TEST(ColonFilters, AnImageMayBeginAtAnyIndex)
   }
   shift->SetOutputOrigin(origin);
   shift->ChangeOriginOn();
-  const auto lumen = ColonLumenImageFilter<CtImage>::New();
-  lumen->SetInput(shift->GetOutput());
-  lumen->SetPosition("HFS");
+  const auto lumen = NewLumenFilter(shift->GetOutput());
   lumen->Update();
-  const auto reference = ColonLumenImageFilter<CtImage>::New();
-  reference->SetInput(Ct());
-  reference->SetPosition("HFS");
+  const auto reference = NewLumenFilter();
   reference->Update();
   EXPECT_TRUE(HaveEqualVoxels(lumen->GetOutput(), reference->GetOutput()));
   EXPECT_EQ(lumen->GetOutput()->GetLargestPossibleRegion().GetIndex(), (itk::Index<3>{ { 7, -3, 12 } }));
@@ -385,9 +383,7 @@ TEST(ColonFilters, AnImageMayBeginAtAnyIndex)
 
 TEST(ColonFilters, WhatIsDoneToAnOutputChangesNoResultBesideIt)
 {
-  const auto lumen = ColonLumenImageFilter<CtImage>::New();
-  lumen->SetInput(Ct());
-  lumen->SetPosition("HFS");
+  const auto lumen = NewLumenFilter();
   lumen->Update();
   const auto         result = lumen->GetLumenOutput()->Share();
   const auto * const begin = result->labels->GetBufferPointer();
@@ -404,9 +400,7 @@ TEST(ColonFilters, GridsThatDifferAreRefused)
   auto origin = Ct()->GetOrigin();
   origin[0] += 100.0;
   moved->SetOrigin(origin);
-  const auto lumen = ColonLumenImageFilter<CtImage>::New();
-  lumen->SetInput(Ct());
-  lumen->SetPosition("HFS");
+  const auto lumen = NewLumenFilter();
   const auto cleansing = ElectronicCleansingImageFilter<CtImage>::New();
   cleansing->SetInput(moved);
   cleansing->SetLumen(lumen->GetLumenOutput());
@@ -443,10 +437,7 @@ TEST(ColonFilters, ErrorsAreExceptionsOfItk)
 {
   const auto unconnected = ColonLandmarksFilter::New();
   EXPECT_THROW(unconnected->Update(), itk::ExceptionObject);
-  const auto lumen = ColonLumenImageFilter<CtImage>::New();
-  lumen->SetInput(Ct());
-  lumen->SetPosition("sitting");
-  EXPECT_THROW(lumen->Update(), ParameterError);
+  EXPECT_THROW(NewLumenFilter(Ct(), "sitting")->Update(), ParameterError);
   const auto wall = ColonWallFilter<>::New();
   wall->SetCenterline(FinishedPipeline().model->GetCenterlineOutput());
   EXPECT_THROW(wall->Update(), itk::ExceptionObject); // neither Cleansed nor Mask
