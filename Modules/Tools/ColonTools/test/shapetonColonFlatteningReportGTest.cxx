@@ -4,9 +4,7 @@
 #include "shapetonFlatTestColon.h"
 #include "shapetonPictureTestUtilities.h"
 #include "shapetonTestFolder.h"
-
-#include <filesystem>
-#include <set>
+#include "shapetonTestReports.h"
 
 namespace
 {
@@ -21,17 +19,6 @@ Flattened()
   options.length = 750.0;
   options.handles = 2;
   return shapeton::FlattenColon(testsurfaces::MakeColonTube(options).mesh, "tube");
-}
-
-std::size_t
-CountOf(const std::string & text, const std::string & what)
-{
-  std::size_t count = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
-  {
-    ++count;
-  }
-  return count;
 }
 } // namespace
 
@@ -51,15 +38,10 @@ TEST(ColonFlatteningReport, HoldsPicturesTablesAndWarnings)
 
   const basetest::Folder folder;
   WriteColonFlatteningReport(content, folder / ".", inPlace);
-  std::set<std::string> files;
-  for (const auto & entry : std::filesystem::directory_iterator(folder / "."))
-  {
-    files.insert(entry.path().filename().string());
-  }
-  EXPECT_EQ(files,
+  EXPECT_EQ(basetest::FilesIn(folder / "."),
             (std::set<std::string>{ "index.html", "flat-relief.png", "flat-curvature.png", "triangle-quality.png" }));
   const std::string html = shapeton::ReadFileBytes(folder / "index.html");
-  EXPECT_EQ(CountOf(html, "data:image/png;base64,"), 3U);
+  EXPECT_EQ(basetest::CountOf(html, "data:image/png;base64,"), 3U);
   for (const char * text : { "For research use. This is not a diagnosis",
                              "a &lt;warning&gt;",
                              "a &amp; b",

@@ -2,11 +2,15 @@
 
 #include "shapetonPictureTestUtilities.h"
 #include "shapetonTestFolder.h"
+#include "shapetonTestReports.h"
 #include "shapetonTestColon.h"
 
 #include <filesystem>
 #include <set>
 #include <stdexcept>
+
+using basetest::CountOf;
+using basetest::FilesIn;
 
 namespace
 {
@@ -23,28 +27,6 @@ ContentOf(const shapeton::TestColon & colon)
   content.warnings = { "no lumen over 11 mm at <56 mm>" };
   content.provenance = { { "Version", "1 & 2" } };
   return content;
-}
-
-std::size_t
-CountOf(const std::string & text, const std::string & what)
-{
-  std::size_t count = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
-  {
-    ++count;
-  }
-  return count;
-}
-
-std::set<std::string>
-FilesIn(const std::string & folder)
-{
-  std::set<std::string> names;
-  for (const auto & entry : std::filesystem::directory_iterator(folder))
-  {
-    names.insert(entry.path().filename().string());
-  }
-  return names;
 }
 } // namespace
 

@@ -1,8 +1,8 @@
 #include "shapetonColonPointMapper.h"
 #include "shapetonJson.h"
+#include "shapetonRegisteredTestPair.h"
 #include "shapetonRegistrationFiles.h"
 #include "shapetonRegistrationFolder.h"
-#include "shapetonTestColons.h"
 #include "shapetonFileBytes.h"
 #include "shapetonTestErrors.h"
 
@@ -12,8 +12,6 @@ namespace
 {
 namespace fs = std::filesystem;
 using namespace tubecolons;
-
-const Movement movement{ 0.37, 8.0 };
 
 std::string
 FreshFolder(const std::string & name)
@@ -29,29 +27,6 @@ std::string
 FaultOf(const TAction & action)
 {
   return basetest::ErrorOf([&] { action(); });
-}
-
-/** Registered once for all tests. */
-struct Pair
-{
-  Pair()
-    : supine(MakeExamination("supine", 1, {}))
-    , prone(MakeExamination("prone", 1, movement))
-    , registration(shapeton::RegisterColonPositions(supine.position, prone.position))
-    , results(shapeton::MakeRegistrationResults(supine, prone, registration, KnownPoints(movement)))
-  {}
-
-  shapeton::ColonPositionFiles      supine;
-  shapeton::ColonPositionFiles      prone;
-  shapeton::SupineProneRegistration registration;
-  shapeton::RegistrationResults     results;
-};
-
-const Pair &
-TestPair()
-{
-  static const Pair pair;
-  return pair;
 }
 } // namespace
 

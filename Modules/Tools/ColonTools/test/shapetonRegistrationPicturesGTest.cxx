@@ -1,48 +1,15 @@
-#include "shapetonRegistrationReport.h"
-#include "shapetonTestColons.h"
+#include "shapetonRegisteredTestPair.h"
 #include "shapetonExceptions.h"
 #include "shapetonHtmlReport.h"
 
-#include "itkImageRegionConstIterator.h"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace
 {
 using namespace tubecolons;
-
-const Movement movement{ 0.37, 8.0 };
-
-/** Two positions, registered once for all tests. */
-struct Pair
-{
-  Pair()
-    : supine(MakeExamination("supine", 1, {}))
-    , prone(MakeExamination("prone", 1, movement))
-    , results(shapeton::MakeRegistrationResults(supine,
-                                                prone,
-                                                shapeton::RegisterColonPositions(supine.position, prone.position),
-                                                KnownPoints(movement)))
-  {}
-  shapeton::RegistrationParts
-  Parts() const
-  {
-    return { &supine, &prone, &results };
-  }
-
-  shapeton::ColonPositionFiles  supine;
-  shapeton::ColonPositionFiles  prone;
-  shapeton::RegistrationResults results;
-};
-
-const Pair &
-TestPair()
-{
-  static const Pair pair;
-  return pair;
-}
 
 shapeton::AlignedColonsOptions
 Small()
@@ -56,24 +23,17 @@ Small()
 int
 PixelsLike(const shapeton::Picture * picture, const shapeton::RGBColor & color)
 {
-  int                                              number = 0;
-  itk::ImageRegionConstIterator<shapeton::Picture> pixel(picture, picture->GetLargestPossibleRegion());
-  for (; !pixel.IsAtEnd(); ++pixel)
-  {
-    number += pixel.Get() == color;
-  }
-  return number;
+  const auto * const pixels = picture->GetBufferPointer();
+  return static_cast<int>(std::count(pixels, pixels + picture->GetBufferedRegion().GetNumberOfPixels(), color));
 }
 
 int
 DifferentPixels(const shapeton::Picture * a, const shapeton::Picture * b)
 {
-  int                                              number = 0;
-  itk::ImageRegionConstIterator<shapeton::Picture> first(a, a->GetLargestPossibleRegion());
-  itk::ImageRegionConstIterator<shapeton::Picture> second(b, b->GetLargestPossibleRegion());
-  for (; !first.IsAtEnd(); ++first, ++second)
+  int number = 0;
+  for (itk::SizeValueType i = 0; i < a->GetBufferedRegion().GetNumberOfPixels(); ++i)
   {
-    number += first.Get() != second.Get();
+    number += a->GetBufferPointer()[i] != b->GetBufferPointer()[i];
   }
   return number;
 }
