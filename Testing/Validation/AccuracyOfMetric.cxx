@@ -1,9 +1,9 @@
 // Accuracy of the heat diffusion distances of edges (eight poles), compared with 500 eigenpairs and with columns of
 // exp(-2t M^-1 L) by Chebyshev expansion, which needs no factorization.
+#include "FlatteningTrial.h"
 #include "Tables.h"
 #include "ValidationReport.h"
 
-#include "shapetonColonTube.h"
 #include "shapetonDiffusionTime.h"
 #include "shapetonHeatDiffusionMetric.h"
 
@@ -126,23 +126,20 @@ ErrorAgainstPairs(const SurfaceLaplacian & laplacian, const HeatDiffusionMetric 
 void
 AddRow(int faces, bool isQuick, ValidationReport & report, CsvTable & table)
 {
-  testsurfaces::ColonTubeOptions options;
-  options.faces = faces;
-  options.length = std::min(1500.0, 1500.0 * faces / 55000.0); // small tubes are short, so t matches their radius
-  const auto                      tube = testsurfaces::MakeColonTube(options);
-  const SurfaceConnectivity       connectivity(tube.mesh);
-  const SurfaceLaplacian          laplacian = MakeSurfaceLaplacian(connectivity, tube.mesh.V);
-  const Eigen::VectorXd           lengths = EdgeLengths(connectivity, tube.mesh.V);
+  const double length = std::min(1500.0, 1500.0 * faces / 55000.0); // small tubes are short, so t matches their radius
+  const TubeCase                  plain(GenerateTube(faces, 0, 1, 4, length));
+  const SurfaceMesh &             mesh = plain.tube.mesh;
+  const SurfaceLaplacian          laplacian = MakeSurfaceLaplacian(plain.connectivity, mesh.V);
   const HeatDiffusionMetricSolver solver(laplacian);
-  const double                    h = lengths.mean();
+  const double                    h = plain.lengths.mean();
   const bool                      hasPairs = faces <= mostFacesForPairs;
-  const double                    t = hasPairs ? 32.0 * h * h : DefaultDiffusionTime(h, tube.narrowestRadius);
+  const double                    t = hasPairs ? 32.0 * h * h : DefaultDiffusionTime(h, plain.tube.narrowestRadius);
   const HeatDiffusionMetric       metric = solver.Compute(t);
   const double                    poles = RelativeErrors(metric.edgeLengths, solver.Compute(t, 8).edgeLengths).largest;
   const int                       blocks = isQuick ? 1 : 13;
   const double                    columns = ErrorAgainstColumns(laplacian, metric, blocks);
   const double                    pairs = hasPairs ? ErrorAgainstPairs(laplacian, metric) : 0.0;
-  table.AddRow(Cells() << tube.mesh.NumberOfFaces() << Rounded(t) << Rounded(t / (h * h))
+  table.AddRow(Cells() << mesh.NumberOfFaces() << Rounded(t) << Rounded(t / (h * h))
                        << (hasPairs ? Rounded(pairs, 2) : "") << Rounded(poles, 2) << 8 * blocks << Rounded(columns, 2)
                        << report.Check(poles <= 1e-6 && columns <= 1e-6 && pairs <= 1e-5));
 }

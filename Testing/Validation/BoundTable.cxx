@@ -16,42 +16,25 @@ BoundTable::AddBounded(const std::string &         what,
 }
 
 void
-BoundTable::AddAtMost(const std::string &         what,
-                      double                      bound,
-                      double                      value,
-                      const std::vector<double> & exams,
-                      bool                        isWhole)
+BoundTable::AddValue(const std::string &         what,
+                     Bound                       bound,
+                     double                      value,
+                     const std::vector<double> & exams,
+                     bool                        isWhole)
 {
-  this->AddBounded(what, "<= " + Rounded(bound), Rounded(value), exams, isWhole && value <= bound);
+  this->AddBounded(what, bound.Text(), Rounded(value), exams, isWhole && bound.IsReachedBy(value));
 }
 
 void
-BoundTable::AddAtLeast(const std::string &         what,
-                       double                      bound,
-                       double                      value,
-                       const std::vector<double> & exams,
-                       bool                        isWhole)
+BoundTable::AddShare(const std::string &         what,
+                     Bound                       bound,
+                     int                         part,
+                     int                         whole,
+                     const std::vector<double> & exams,
+                     bool                        isWhole)
 {
-  this->AddBounded(what, ">= " + Rounded(bound), Rounded(value), exams, isWhole && value >= bound);
-}
-
-void
-BoundTable::AddShareAtMost(const std::string & what, double bound, int part, int whole, bool isWhole)
-{
-  const bool isReached = isWhole && whole > 0 && ShareOf(part, whole) <= bound;
-  this->AddBounded(what, "<= " + Rounded(bound), RatioOf(part, whole), {}, isReached);
-}
-
-void
-BoundTable::AddShareAtLeast(const std::string &         what,
-                            double                      bound,
-                            int                         part,
-                            int                         whole,
-                            const std::vector<double> & exams,
-                            bool                        isWhole)
-{
-  const bool isReached = isWhole && whole > 0 && ShareOf(part, whole) >= bound;
-  this->AddBounded(what, ">= " + Rounded(bound), RatioOf(part, whole), exams, isReached);
+  const bool isReached = isWhole && whole > 0 && bound.IsReachedBy(ShareOf(part, whole));
+  this->AddBounded(what, bound.Text(), RatioOf(part, whole), exams, isReached);
 }
 
 void

@@ -4,6 +4,37 @@
 #include "Tables.h"
 #include "ValidationReport.h"
 
+/** Upper or lower bound of a value. */
+struct Bound
+{
+  bool   isAtMost;
+  double limit;
+
+  bool
+  IsReachedBy(double value) const
+  {
+    return isAtMost ? value <= limit : value >= limit;
+  }
+  /** "<= 3" */
+  std::string
+  Text() const
+  {
+    return (isAtMost ? "<= " : ">= ") + Rounded(limit);
+  }
+};
+
+inline Bound
+AtMost(double limit)
+{
+  return { true, limit };
+}
+
+inline Bound
+AtLeast(double limit)
+{
+  return { false, limit };
+}
+
 /** Table of measurements, some of which have a bound. */
 class BoundTable
 {
@@ -19,21 +50,17 @@ public:
              const std::string &         all,
              const std::vector<double> & exams,
              bool                        isReached);
-  /** A value that must be at most, or at least, the bound; missed unless `isWhole`. */
+  /** Adds a value; missed unless `isWhole`. */
   void
-  AddAtMost(const std::string & what, double bound, double value, const std::vector<double> & exams, bool isWhole);
-  void
-  AddAtLeast(const std::string & what, double bound, double value, const std::vector<double> & exams, bool isWhole);
+  AddValue(const std::string & what, Bound bound, double value, const std::vector<double> & exams, bool isWhole);
   /** The same for part / whole; missed if `whole` is 0. */
   void
-  AddShareAtMost(const std::string & what, double bound, int part, int whole, bool isWhole = true);
-  void
-  AddShareAtLeast(const std::string &         what,
-                  double                      bound,
-                  int                         part,
-                  int                         whole,
-                  const std::vector<double> & exams = {},
-                  bool                        isWhole = true);
+  AddShare(const std::string &         what,
+           Bound                       bound,
+           int                         part,
+           int                         whole,
+           const std::vector<double> & exams = {},
+           bool                        isWhole = true);
   void
   AddFact(const std::string & what, const std::string & value, const std::vector<double> & exams = {});
   /** Reports the mean of the values. */

@@ -179,7 +179,7 @@ WriteSummary(const std::vector<CatheterTrial> & with,
   BoundTable table(report, true);
   const int  found = NumberFound(with);
   const auto all = static_cast<int>(with.size());
-  table.AddShareAtLeast("catheters found", leastFound, found, all);
+  table.AddShare("catheters found", AtLeast(leastFound), found, all);
   table.AddBounded("catheters found in exams without one",
                    "0",
                    RatioOf(NumberFound(without), static_cast<int>(without.size())),

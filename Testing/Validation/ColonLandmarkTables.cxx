@@ -27,7 +27,7 @@ struct Column
   bool           hasBounds{ true };
   FoldBounds     folds{ 0.95, 0.95, 2.5 };
   LandmarkBounds landmarks{ 3.5, 0.95, 1.0, 0.8, 0.95 };
-  /** Set for the preset realistic only. */
+  /** Set only for the `realistic` preset. */
   std::optional<StructureBounds> structures;
 };
 
@@ -107,9 +107,9 @@ AddBounded(const FoldBounds & bounds, const FoldScores & ours, BoundTable & tabl
 {
   const FoldErrors & all = ours.all;
   const double       ends = MeanOf(all.ends);
-  table.AddShareAtLeast("folds >= 3.5 mm high found", bounds.recall, all.found, all.present, ours.recalls);
-  table.AddShareAtLeast("correct fold labels", bounds.precision, all.right, all.labels, ours.precisions);
-  table.AddAtMost("fold end points, mean error, mm", bounds.ends, ends, ours.ends, !all.ends.empty());
+  table.AddShare("folds >= 3.5 mm high found", AtLeast(bounds.recall), all.found, all.present, ours.recalls);
+  table.AddShare("correct fold labels", AtLeast(bounds.precision), all.right, all.labels, ours.precisions);
+  table.AddValue("fold end points, mean error, mm", AtMost(bounds.ends), ends, ours.ends, !all.ends.empty());
 }
 
 void

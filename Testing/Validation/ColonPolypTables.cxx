@@ -117,10 +117,10 @@ AddBounded(const PolypBounds & bounds, const std::vector<PolypExam> & exams, Bou
                    {},
                    middle.present > 0 && ShareOf(middle.found, middle.present) >= bounds.medium);
   const std::vector<double> falses = FalsePerPatient(exams, defaultScore);
-  table.AddAtMost("false candidates per patient, both positions", bounds.falses, MeanOf(falses), falses, true);
+  table.AddValue("false candidates per patient, both positions", AtMost(bounds.falses), MeanOf(falses), falses, true);
   const std::vector<double> errors = SizeErrors(exams, { large, medium }, defaultScore);
-  table.AddAtMost(
-    "largest diameter of these polyps, mean error, mm", bounds.size, MeanOf(errors), errors, !errors.empty());
+  table.AddValue(
+    "largest diameter of these polyps, mean error, mm", AtMost(bounds.size), MeanOf(errors), errors, !errors.empty());
 }
 
 /** Explains a missed lower bound by the number of large polyps. */

@@ -1,8 +1,8 @@
 // usage: ColonRealism [--rows FOLDER] PAGE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]
 //
-// Compares colons segment by segment: length, course, caliber, folds. RUN is a finished folder of VirtualColonoscopy;
-// the runs of a NAME are merged into one column. FOLDER receives the CSV file (default: the folder of PAGE.md).
-// Used to compare phantoms with real colons; see Documentation/validation/colon-surfaces.md.
+// Compares colons segment by segment: length, course, caliber, folds. RUN is the folder of a finished run of
+// VirtualColonoscopy; the runs of a NAME are merged into one column. FOLDER receives the CSV file (default: the folder
+// of PAGE.md). Used to compare phantoms with real colons; see Documentation/validation/colon-surfaces.md.
 #include "Tables.h"
 #include "ValidationReport.h"
 #include "ColonShape.h"
@@ -25,26 +25,6 @@ struct Colons
 {
   std::string title;
   ColonShape  shape;
-};
-
-/** One value per position, fold or colon of a segment. */
-struct Measure
-{
-  std::string         title;
-  std::vector<double> SegmentShape::*samples;
-};
-
-const std::vector<Measure> measures = {
-  { "Length along the centerline, mm", &SegmentShape::lengths },
-  { "Tortuosity: length over distance of the ends", &SegmentShape::tortuosities },
-  { "Turning of the centerline smoothed by 10 mm, degrees per dm", &SegmentShape::turnings },
-  { "Inscribed radius on the centerline, mm", &SegmentShape::inscribedRadii },
-  { "Radius of the circle with the area of the cross-section, mm", &SegmentShape::radii },
-  { "Folds per dm", &SegmentShape::foldsPerDecimeter },
-  { "Fold spacing along the wall, mm", &SegmentShape::spacings },
-  { "Fold height, mm", &SegmentShape::heights },
-  { "Fold thickness at half height, mm", &SegmentShape::thicknesses },
-  { "Circumferential extent of folds, degrees", &SegmentShape::extents },
 };
 
 Colons
@@ -98,7 +78,7 @@ AddTables(const std::vector<Colons> & columns, ValidationReport & report)
   CsvTable wholes(names);
   names.insert(names.begin() + 1, "segment");
   CsvTable segments(names);
-  for (const Measure & measure : measures)
+  for (const ShapeMeasure & measure : shapeMeasures)
   {
     for (const int segment : { 1, 2, 3, 4, 5, 6, 0 })
     {

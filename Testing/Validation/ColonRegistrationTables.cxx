@@ -132,34 +132,28 @@ WorstUnflagged(const PatientScores & patients)
 void
 AddMatches(const RegistrationBounds & bounds, const PatientScores & patients, bool isWhole, BoundTable & table)
 {
-  const int right = patients.Sum([](const RegistrationScore & s) { return s.right; });
-  const int pairs = patients.Sum([](const RegistrationScore & s) { return s.pairs; });
-  const int common = patients.Sum([](const RegistrationScore & s) { return s.common; });
-  table.AddShareAtLeast("fold matches, precision",
-                        bounds.precision,
-                        right,
-                        pairs,
-                        patients.Of([](const RegistrationScore & s) { return ShareOf(s.right, s.pairs); }),
-                        isWhole);
-  table.AddShareAtLeast("fold matches, recall",
-                        bounds.recall,
-                        right,
-                        common,
-                        patients.Of([](const RegistrationScore & s) { return ShareOf(s.right, s.common); }),
-                        isWhole);
+  const int  right = patients.Sum([](const RegistrationScore & s) { return s.right; });
+  const int  pairs = patients.Sum([](const RegistrationScore & s) { return s.pairs; });
+  const int  common = patients.Sum([](const RegistrationScore & s) { return s.common; });
+  const auto add = [&](const std::string & what, double bound, int whole, int RegistrationScore::*wholeOf) {
+    const auto shares = patients.Of([=](const RegistrationScore & s) { return ShareOf(s.right, s.*wholeOf); });
+    table.AddShare("fold matches, " + what, AtLeast(bound), right, whole, shares, isWhole);
+  };
+  add("precision", bounds.precision, pairs, &RegistrationScore::pairs);
+  add("recall", bounds.recall, common, &RegistrationScore::common);
 }
 
 /** Returns the patients with a measure outside the bound of the mean. */
 template <typename TMeasure>
 std::string
-PatientsOutside(const PatientScores & patients, const TMeasure & measure, bool isAtMost, double bound)
+PatientsOutside(const PatientScores & patients, const TMeasure & measure, Bound bound)
 {
   std::string names;
   for (std::size_t i = 0; i < patients.scores.size(); ++i)
   {
     const RegistrationScore & score = patients.scores[i];
-    const double              value = score.failure.empty() ? measure(score) : bound;
-    if (isAtMost ? value > bound : value < bound)
+    const double              value = score.failure.empty() ? measure(score) : bound.limit;
+    if (!bound.IsReachedBy(value))
     {
       names += (names.empty() ? "" : ", ") + patients.names[i] + " (" + Rounded(value, 2) + ')';
     }
@@ -178,20 +172,20 @@ AddErrors(const RegistrationBounds & bounds, const PatientScores & patients, boo
   const auto               frames = patients.Of([](const RegistrationScore & s) { return s.frame.Mean(); });
   const double             meanError = MeanOf(patients.Of(mean));
   std::vector<std::string> reasons;
-  const auto add = [&](const std::string & what, bool isAtMost, double bound, double value, const auto & measure) {
-    const bool isReached = isWhole && (isAtMost ? value <= bound : value >= bound);
-    table.AddBounded(
-      what, (isAtMost ? "<= " : ">= ") + Rounded(bound), Rounded(value), patients.Of(measure), isReached);
-    const std::string outside = isReached ? "" : PatientsOutside(patients, measure, isAtMost, bound);
+  const auto               add = [&](const std::string & what, Bound bound, double value, const auto & measure) {
+    table.AddValue(what, bound, value, patients.Of(measure), isWhole);
+    const bool        isReached = isWhole && bound.IsReachedBy(value);
+    const std::string outside = isReached ? "" : PatientsOutside(patients, measure, bound);
     if (!outside.empty())
     {
       reasons.push_back("Patients outside the bound of \"" + what + "\": " + outside + '.');
     }
   };
-  add("error in space, mean, mm", true, bounds.mean, meanError, mean);
-  add("share below 10 mm", false, bounds.shareWithin10, MeanOf(patients.Of(within)), within);
-  add("error on the flat map, mean", true, bounds.onMap, MeanOf(patients.Of(onMap)), onMap);
-  add("frame error over map error", false, bounds.timesFrame, frames.empty() ? 0.0 : MeanOf(frames) / meanError, times);
+  add("error in space, mean, mm", AtMost(bounds.mean), meanError, mean);
+  add("share below 10 mm", AtLeast(bounds.shareWithin10), MeanOf(patients.Of(within)), within);
+  add("error on the flat map, mean", AtMost(bounds.onMap), MeanOf(patients.Of(onMap)), onMap);
+  add(
+    "frame error over map error", AtLeast(bounds.timesFrame), frames.empty() ? 0.0 : MeanOf(frames) / meanError, times);
   return reasons;
 }
 
@@ -202,8 +196,8 @@ AddTrust(const RegistrationBounds & bounds, const PatientScores & patients, bool
   const int    flagged = patients.Sum([](const RegistrationScore & s) { return s.isFlagged ? 1 : 0; });
   const auto   all = static_cast<int>(patients.scores.size());
   const double worst = WorstUnflagged(patients);
-  table.AddAtMost("worst unflagged patient, mean error, mm", bounds.worst, worst, {}, isWhole);
-  table.AddShareAtMost("flagged patients", bounds.shareFlagged, flagged, all, isWhole);
+  table.AddValue("worst unflagged patient, mean error, mm", AtMost(bounds.worst), worst, {}, isWhole);
+  table.AddShare("flagged patients", AtMost(bounds.shareFlagged), flagged, all, {}, isWhole);
   table.AddBounded("inverted triangles", "0", std::to_string(flips), {}, isWhole && flips == 0);
 }
 

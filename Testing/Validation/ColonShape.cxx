@@ -55,8 +55,8 @@ StretchesOf(const ColonSegments & segments, double length)
 }
 
 /** \class SectionMeter
- * \brief Radius of the circle with the area of the wall's cross section, for each mm of the line; 0 without a column
- * of the map. */
+ * \brief Radius of the circle with the area of the wall's cross section, for each mm of the line; 0 where the map has
+ * no column. */
 class SectionMeter
 {
 public:
@@ -345,23 +345,20 @@ MeasureLine(const CurveSet & centerline, const Stretch & stretch, SegmentShape &
   shape.tortuosities.push_back(stretch.Length() / chord);
   shape.turnings.push_back(turning * 180.0 / Pi * 100.0 / stretch.Length());
 }
-
 } // namespace
 
-void
-SegmentShape::Add(const SegmentShape & other)
-{
-  Append(other.lengths, lengths);
-  Append(other.tortuosities, tortuosities);
-  Append(other.turnings, turnings);
-  Append(other.foldsPerDecimeter, foldsPerDecimeter);
-  Append(other.spacings, spacings);
-  Append(other.inscribedRadii, inscribedRadii);
-  Append(other.radii, radii);
-  Append(other.heights, heights);
-  Append(other.thicknesses, thicknesses);
-  Append(other.extents, extents);
-}
+const std::vector<ShapeMeasure> shapeMeasures = {
+  { "Length along the centerline, mm", &SegmentShape::lengths },
+  { "Tortuosity: length over distance of the ends", &SegmentShape::tortuosities },
+  { "Turning of the centerline smoothed by 10 mm, degrees per dm", &SegmentShape::turnings },
+  { "Inscribed radius on the centerline, mm", &SegmentShape::inscribedRadii },
+  { "Radius of the circle with the area of the cross-section, mm", &SegmentShape::radii },
+  { "Folds per dm", &SegmentShape::foldsPerDecimeter },
+  { "Fold spacing along the wall, mm", &SegmentShape::spacings },
+  { "Fold height, mm", &SegmentShape::heights },
+  { "Fold thickness at half height, mm", &SegmentShape::thicknesses },
+  { "Circumferential extent of folds, degrees", &SegmentShape::extents },
+};
 
 ColonShape
 MeasureColonShape(const FlatColon & flat, const CurveSet & centerline)
@@ -387,6 +384,9 @@ AddShape(const ColonShape & other, ColonShape & shape)
 {
   for (std::size_t segment = 0; segment < shape.size(); ++segment)
   {
-    shape[segment].Add(other[segment]);
+    for (const ShapeMeasure & measure : shapeMeasures)
+    {
+      Append(other[segment].*measure.samples, shape[segment].*measure.samples);
+    }
   }
 }

@@ -5,6 +5,7 @@
 #include "shapetonHaustralFolds.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 /** Shape samples of a colon segment, which can be merged over several colons. Lengths in mm. */
@@ -18,8 +19,8 @@ struct SegmentShape
   /** Total turning of the line, smoothed by 10 mm (degrees per dm). */
   std::vector<double> turnings;
   std::vector<double> foldsPerDecimeter;
-  /** Distance between folds along a straight path on the wall: the length divided by the sum of the circumference
-   * shares covered by the folds. */
+  /** Distance between folds along a straight path on the wall: the length divided by the sum of the fractions of the
+   * circumference covered by the folds. */
   std::vector<double> spacings;
   ///@}
   /** \name One for each mm of the line */
@@ -32,15 +33,20 @@ struct SegmentShape
   /** \name One for each fold */
   ///@{
   std::vector<double> heights;
-  /** Distance between the flanks at half height, for folds of at least 3 mm height with both flanks visible. */
+  /** Distance between the flanks at half height, for folds at least 3 mm high with both flanks visible. */
   std::vector<double> thicknesses;
   /** Extent along the circumference (degrees). */
   std::vector<double> extents;
   ///@}
-
-  void
-  Add(const SegmentShape & other);
 };
+
+/** A measure of SegmentShape. */
+struct ShapeMeasure
+{
+  std::string         title;
+  std::vector<double> SegmentShape::*samples;
+};
+extern const std::vector<ShapeMeasure> shapeMeasures;
 
 /** Segments 1 to 6; index 0 is the whole colon. */
 using ColonShape = std::array<SegmentShape, 7>;

@@ -1,12 +1,9 @@
 #include "FigureTools.h"
+#include "FlatteningTrial.h"
 #include "Tables.h"
 #include "ValidationReport.h"
 
-#include "shapetonColonTube.h"
 #include "shapetonConformalMapPicture.h"
-#include "shapetonConformalTube.h"
-#include "shapetonFlatDistortion.h"
-#include "shapetonHeatDiffusionMetric.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,17 +21,11 @@ struct FlatColon
 };
 
 FlatColon
-Flatten(const SurfaceMesh & mesh, double t)
+Flatten(const TubeCase & tube, double t)
 {
-  const SurfaceConnectivity connectivity(mesh);
-  const Eigen::VectorXd     lengths =
-    t > 0.0 ? ComputeHeatDiffusionMetric(mesh, t).edgeLengths : EdgeLengths(connectivity, mesh.V);
-  FlatColon colon{ FlattenTube(mesh, connectivity, lengths, FindTubeEnds(mesh, connectivity, "the tube")), {}, 0 };
-  colon.u = colon.map.length * colon.map.u;
-  colon.flips =
-    MeasureFlatDistortion(colon.map.flat.F, FlatCoordinates(colon.map.flat, ""), SidesOfFaces(connectivity, lengths))
-      .flips;
-  return colon;
+  const Eigen::VectorXd lengths = t > 0.0 ? tube.Diffused(t) : tube.lengths;
+  const TubeMap         map = tube.Flatten(lengths);
+  return { map, map.length * map.u, tube.Distortion(map, lengths).flips };
 }
 
 /** Displacement of vertices along the colon (mm) relative to the map without handles, after scaling to equal length. */
@@ -59,17 +50,6 @@ DrawStrip(const FlatColon & colon, const Eigen::VectorXd & shifts, double most, 
   return DrawValues(PlaneOf(colon.map.flat, FlatCoordinates(colon.map.flat, "")), values, 0.0, most, options);
 }
 
-SurfaceMesh
-TubeWith(int handles, int faces, int seed, double length)
-{
-  testsurfaces::ColonTubeOptions options;
-  options.faces = faces;
-  options.handles = handles;
-  options.seed = seed;
-  options.length = length;
-  return testsurfaces::MakeColonTube(options).mesh;
-}
-
 /** Effect of handles in one metric. */
 struct Comparison
 {
@@ -91,7 +71,7 @@ struct Comparison
 };
 
 Comparison
-Compare(const SurfaceMesh & ideal, const SurfaceMesh & real, double t)
+Compare(const TubeCase & ideal, const TubeCase & real, double t)
 {
   const FlatColon without = Flatten(ideal, t);
   Comparison      comparison{ Flatten(real, t), {} };
@@ -139,14 +119,14 @@ ValidateFlatColonWithHandles(const ValidationSettings & settings, ValidationRepo
     "Figure 5.5: a flat colon with " + std::to_string(handles) + " handles, colored by what they shift", layout);
   for (const int seed : { 1, 2, 3 })
   {
-    const SurfaceMesh ideal = TubeWith(0, faces, seed, length);
-    const SurfaceMesh real = TubeWith(handles, faces, seed, length);
-    const double      h = EdgeLengths(SurfaceConnectivity(ideal), ideal.V).mean();
-    const double      t = 8.0 * h * h;
-    const Comparison  euclidean = Compare(ideal, real, 0.0);
-    const Comparison  diffusion = Compare(ideal, real, t);
-    const double      ratio = euclidean.Change() / diffusion.Change();
-    const bool        isBetter = ratio > 1.0 && 2.0 * diffusion.with.map.Gap() < euclidean.with.map.Gap();
+    const TubeCase   ideal(GenerateTube(faces, 0, seed, 4, length));
+    const TubeCase   real(GenerateTube(faces, handles, seed, 4, length));
+    const double     h = ideal.lengths.mean();
+    const double     t = 8.0 * h * h;
+    const Comparison euclidean = Compare(ideal, real, 0.0);
+    const Comparison diffusion = Compare(ideal, real, t);
+    const double     ratio = euclidean.Change() / diffusion.Change();
+    const bool       isBetter = ratio > 1.0 && 2.0 * diffusion.with.map.Gap() < euclidean.with.map.Gap();
     AddRow(seed, handles, 0.0, euclidean, "", "", table);
     const std::string check = report.Check(isBetter);
     AddRow(seed, handles, t, diffusion, Rounded(ratio), check, table);

@@ -120,26 +120,26 @@ void
 LandmarkScores::AddBounded(const LandmarkBounds & bounds, BoundTable & table) const
 {
   const bool   hasExams = m_Ours.exams > 0;
-  const auto   atLeast = [](double bound) { return ">= " + Rounded(bound); };
   const double mean = MeanOf(m_Ours.taeniaMeans);
   const double within = MeanOf(m_Ours.taeniaWithin10);
   const double marked = MeanOf(m_Marked.taeniaWithin10);
   const double labeled = MeanOf(m_Ours.labeled);
-  table.AddAtMost("taeniae, mean error, mm", bounds.taeniaMean, mean, m_Ours.taeniaMeans, hasExams);
-  table.AddAtLeast("taeniae, share within 10 mm", bounds.taeniaWithin10, within, m_Ours.taeniaWithin10, hasExams);
+  table.AddValue("taeniae, mean error, mm", AtMost(bounds.taeniaMean), mean, m_Ours.taeniaMeans, hasExams);
+  table.AddValue(
+    "taeniae, share within 10 mm", AtLeast(bounds.taeniaWithin10), within, m_Ours.taeniaWithin10, hasExams);
   table.AddBounded("taeniae with three markers, share within 10 mm",
-                   atLeast(bounds.markedWithin10),
+                   AtLeast(bounds.markedWithin10).Text(),
                    Rounded(marked, 4),
                    m_Marked.taeniaWithin10,
                    hasExams && marked >= bounds.markedWithin10);
-  table.AddShareAtLeast(
-    "exams with all four flexures within 30 mm", bounds.flexures, m_Ours.flexuresRight, m_Ours.exams);
+  table.AddShare(
+    "exams with all four flexures within 30 mm", AtLeast(bounds.flexures), m_Ours.flexuresRight, m_Ours.exams);
   if (bounds.calibration)
   {
     const double error = m_FlexureReliability.CalibrationError();
-    table.AddAtMost("flexure confidence, expected calibration error", *bounds.calibration, error, {}, hasExams);
+    table.AddValue("flexure confidence, expected calibration error", AtMost(*bounds.calibration), error, {}, hasExams);
   }
-  table.AddAtLeast("area with the correct segment", bounds.labeled, labeled, m_Ours.labeled, hasExams);
+  table.AddValue("area with the correct segment", AtLeast(bounds.labeled), labeled, m_Ours.labeled, hasExams);
 }
 
 void
@@ -209,7 +209,7 @@ AddShare(const std::string &           what,
   const auto all = static_cast<int>(errors.size());
   if (bound)
   {
-    table.AddShareAtLeast(what + " within 15 mm", *bound, right, all);
+    table.AddShare(what + " within 15 mm", AtLeast(*bound), right, all);
   }
   else
   {

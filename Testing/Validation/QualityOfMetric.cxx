@@ -1,10 +1,8 @@
+#include "FlatteningTrial.h"
 #include "Tables.h"
 #include "ValidationChart.h"
 #include "ValidationReport.h"
 
-#include "shapetonColonTube.h"
-#include "shapetonConformalTube.h"
-#include "shapetonFlatDistortion.h"
 #include "shapetonHeatDiffusionMetric.h"
 #include "shapetonExceptions.h"
 
@@ -14,7 +12,7 @@ using namespace shapeton;
 
 namespace
 {
-/** L2 distance of two histograms, as shares of the faces (5.2.1). */
+/** L2 distance between two histograms, as fractions of the faces (5.2.1). */
 double
 DistanceOfHistograms(const TriangleQuality & a, const TriangleQuality & b, int faces)
 {
@@ -36,12 +34,12 @@ struct Metric
 };
 
 Metric
-MetricOf(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const Eigen::VectorXd & lengths)
+MetricOf(const TubeCase & plain, const Eigen::VectorXd & lengths)
 {
-  Metric metric{ lengths, MeasureTriangleQuality(SidesOfFaces(connectivity, lengths)) };
+  Metric metric{ lengths, MeasureTriangleQuality(SidesOfFaces(plain.connectivity, lengths)) };
   try
   {
-    const TubeMap map = FlattenTube(mesh, connectivity, lengths, FindTubeEnds(mesh, connectivity, "the tube"));
+    const TubeMap map = plain.Flatten(lengths);
     metric.modulus = std::sqrt(map.modulusU * map.modulusV);
   }
   catch (const InputError &)
@@ -55,13 +53,12 @@ MetricOf(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, con
 class QualityOfTime
 {
 public:
-  QualityOfTime(const SurfaceMesh & mesh, const HeatDiffusionMetricSolver & solver, double factor, double h)
-    : m_Mesh(mesh)
-    , m_Connectivity(mesh)
+  QualityOfTime(const TubeCase & plain, const HeatDiffusionMetricSolver & solver, double factor, double h)
+    : m_Plain(plain)
     , m_Solver(solver)
     , m_Factor(factor)
     , m_Time(factor * h * h)
-    , m_Exact(MetricOf(mesh, m_Connectivity, solver.Compute(m_Time).edgeLengths))
+    , m_Exact(MetricOf(plain, solver.Compute(m_Time).edgeLengths))
   {}
 
   /** Adds the row of a number of eigenpairs; returns their difference from the exact distances. */
@@ -69,7 +66,7 @@ public:
   AddPairs(const SurfaceSpectrum & spectrum, int pairs, CsvTable & table) const
   {
     const auto   distances = TruncatedHeatDiffusionMetric(m_Solver.Laplacian(), spectrum, m_Time, pairs);
-    const Metric metric = MetricOf(m_Mesh, m_Connectivity, distances.edgeLengths);
+    const Metric metric = MetricOf(m_Plain, distances.edgeLengths);
     const double rms = std::sqrt((metric.lengths.array() / m_Exact.lengths.array() - 1.0).square().mean());
     this->AddRow(std::to_string(pairs),
                  Rounded(std::exp(-2.0 * spectrum.eigenvalues[pairs - 1] * m_Time), 2),
@@ -88,14 +85,13 @@ private:
   void
   AddRow(const std::string & pairs, const std::string & last, double rms, const Metric & metric, CsvTable & table) const
   {
-    const double histogram = DistanceOfHistograms(metric.quality, m_Exact.quality, m_Mesh.NumberOfFaces());
+    const double histogram = DistanceOfHistograms(metric.quality, m_Exact.quality, m_Plain.tube.mesh.NumberOfFaces());
     table.AddRow(Cells() << Rounded(m_Factor) << Rounded(m_Time) << pairs << last << Rounded(rms)
                          << Rounded(100.0 * metric.quality.shareBelowThreshold) << Rounded(histogram, 2)
                          << (metric.modulus > 0.0 ? Rounded(metric.modulus / m_Exact.modulus, 4) : "no map"));
   }
 
-  const SurfaceMesh &               m_Mesh;
-  SurfaceConnectivity               m_Connectivity;
+  const TubeCase &                  m_Plain;
   const HeatDiffusionMetricSolver & m_Solver;
   double                            m_Factor;
   double                            m_Time;
@@ -120,16 +116,13 @@ Explain(const SurfaceMesh & mesh, double h, ValidationReport & report)
 void
 ValidateQualityOfMetric(const ValidationSettings & settings, ValidationReport & report)
 {
-  testsurfaces::ColonTubeOptions options;
-  options.faces = settings.quick ? 3000 : 12000;
-  options.length = settings.quick ? 500.0 : 1500.0;
-  const SurfaceMesh               mesh = testsurfaces::MakeColonTube(options).mesh;
-  const SurfaceConnectivity       connectivity(mesh);
-  const HeatDiffusionMetricSolver solver(MakeSurfaceLaplacian(connectivity, mesh.V));
+  const TubeCase      plain(settings.quick ? GenerateTube(3000, 0, 1, 4, 500.0) : GenerateTube(12000, 0, 1));
+  const SurfaceMesh & mesh = plain.tube.mesh;
+  const HeatDiffusionMetricSolver solver(MakeSurfaceLaplacian(plain.connectivity, mesh.V));
   const std::vector<int>          numbers =
     settings.quick ? std::vector<int>{ 10, 50, 200 } : std::vector<int>{ 10, 20, 50, 100, 200, 500 };
   const SurfaceSpectrum spectrum = ComputeSurfaceSpectrum(solver.Laplacian(), numbers.back());
-  const double          h = EdgeLengths(connectivity, mesh.V).mean();
+  const double          h = plain.lengths.mean();
   Explain(mesh, h, report);
   CsvTable table(Columns("t / h^2 | t, mm^2 | eigenpairs | exp(-2 lambda t) of the last | rms, % | below 0.6, % | "
                          "histogram | modulus over exact"));
@@ -137,7 +130,7 @@ ValidateQualityOfMetric(const ValidationSettings & settings, ValidationReport & 
   double                   last = 0.0;
   for (const double factor : { 2.0, 4.0, 8.0, 16.0, 32.0 })
   {
-    const QualityOfTime quality(mesh, solver, factor, h);
+    const QualityOfTime quality(plain, solver, factor, h);
     chart.push_back({ "t = " + Rounded(factor, 2) + " h^2", {} });
     for (const int pairs : numbers)
     {

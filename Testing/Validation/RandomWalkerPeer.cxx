@@ -2,39 +2,18 @@
 
 #include "shapetonCsvTable.h"
 #include "shapetonSeedFiles.h"
+#include "shapetonTestFolder.h"
 #include "shapetonVolumeReader.h"
 #include "shapetonVolumeWriter.h"
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
-
-#include <unistd.h>
 
 using namespace shapeton;
 
 namespace
 {
-/** Temporary folder, removed on destruction. */
-class WorkFolder
-{
-public:
-  WorkFolder() : m_Path(std::filesystem::temp_directory_path() / ("shapeton-random-walker-" + std::to_string(getpid())))
-  {
-    std::filesystem::create_directories(m_Path);
-  }
-  ~WorkFolder() { std::filesystem::remove_all(m_Path); }
-  std::string
-  operator/(const std::string & name) const
-  {
-    return (m_Path / name).string();
-  }
-
-private:
-  std::filesystem::path m_Path;
-};
-
 /** Runs the script that calls scikit-image; returns false if it is not installed. */
 bool
 RunScript(const std::string & arguments)
@@ -57,9 +36,9 @@ RunScript(const std::string & arguments)
 std::optional<std::vector<Segmentation>>
 SegmentByRandomWalker(const LabeledVolume & volume, const std::vector<SeedImage::Pointer> & seeds)
 {
-  const WorkFolder  folder;
-  const std::string image = folder / "image.nii";
-  const std::string times = folder / "times";
+  const basetest::Folder folder;
+  const std::string      image = folder / "image.nii";
+  const std::string      times = folder / "times";
   WriteVolume(volume.image.GetPointer(), image);
   std::string arguments = "--times " + times + " " + image;
   for (std::size_t i = 0; i < seeds.size(); ++i)
@@ -89,8 +68,8 @@ SegmentByRandomWalker(const LabeledVolume & volume, const std::vector<SeedImage:
 std::optional<std::vector<LabeledVolume::ImageType::Pointer>>
 RandomWalkerProbabilities(const LabeledVolume & volume, const SeedImage * seeds, double beta, double tol)
 {
-  const WorkFolder  folder;
-  const std::string image = folder / "image.nii";
+  const basetest::Folder folder;
+  const std::string      image = folder / "image.nii";
   WriteVolume(volume.image.GetPointer(), image);
   WriteVolume(seeds, folder / "seeds.nii");
   const std::string options = "--beta " + CsvTable::Number(beta) + " --tol " + CsvTable::Number(tol);

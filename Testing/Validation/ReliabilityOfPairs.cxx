@@ -112,7 +112,7 @@ JudgeAll(const Patients & patients)
   return pairs;
 }
 
-/** Shares of flagged or rejected pairs: of one patient (wrongly), and of two. */
+/** Fractions of pairs that are flagged or rejected: of one patient (wrongly), and of two patients. */
 void
 WriteFlagged(const std::string &             preset,
              const std::vector<JudgedPair> & pairs,
@@ -130,8 +130,8 @@ WriteFlagged(const std::string &             preset,
     ofTwoFlagged += !pair.isOnePatient && isFlagged;
   }
   BoundTable table(report, preset == "realistic");
-  table.AddShareAtMost("flagged or rejected pairs of one patient", mostWrongly, ofOneFlagged, ofOne);
-  table.AddShareAtLeast("flagged or rejected pairs of two patients", leastOfTwo, ofTwoFlagged, ofTwo);
+  table.AddShare("flagged or rejected pairs of one patient", AtMost(mostWrongly), ofOneFlagged, ofOne);
+  table.AddShare("flagged or rejected pairs of two patients", AtLeast(leastOfTwo), ofTwoFlagged, ofTwo);
   table.AddFact("expected calibration error", Rounded(calibrationError));
   table.Write("measures");
 }

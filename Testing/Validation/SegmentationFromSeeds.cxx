@@ -96,46 +96,29 @@ LabeledAbdomen(const std::string & dataFolder, const std::string & name, const s
 
 // ---- trials ----
 
-/** Dice coefficient of each label and cost, for one draw. */
-struct Score
-{
-  std::vector<double> dice;
-  double              cpuSeconds{ 0.0 };
-  bool                hasConverged{ true };
-};
-
 /** Draws of one method for one number of seeds; empty if the method is not available. */
-using Scores = std::vector<Score>;
+struct Scores
+{
+  void
+  Add(const LabeledVolume & volume, const Segmentation & segmentation)
+  {
+    dice.push_back(DiceOfLabels(volume, segmentation.labels));
+    meanDice.push_back(MeanOf(dice.back()));
+    cpuSeconds.push_back(segmentation.cpuSeconds);
+    stopped += segmentation.hasConverged ? 0 : 1;
+  }
+
+  std::vector<std::vector<double>> dice; ///< of each label
+  std::vector<double>              meanDice;
+  std::vector<double>              cpuSeconds;
+  int                              stopped{ 0 }; ///< number of draws that did not converge
+};
 
 struct MethodScores
 {
   std::string           name;
   std::map<int, Scores> ofNumber; ///< keyed by the number of seeds
 };
-
-Score
-ScoreOf(const LabeledVolume & volume, const Segmentation & segmentation)
-{
-  return { DiceOfLabels(volume, segmentation.labels), segmentation.cpuSeconds, segmentation.hasConverged };
-}
-
-std::vector<double>
-MeanDice(const Scores & scores)
-{
-  std::vector<double> means;
-  std::transform(
-    scores.begin(), scores.end(), std::back_inserter(means), [](const Score & s) { return MeanOf(s.dice); });
-  return means;
-}
-
-std::vector<double>
-CpuSeconds(const Scores & scores)
-{
-  std::vector<double> seconds;
-  std::transform(
-    scores.begin(), scores.end(), std::back_inserter(seconds), [](const Score & s) { return s.cpuSeconds; });
-  return seconds;
-}
 
 /** Seeds of all draws, by their number. */
 std::map<int, std::vector<DrawnSeeds>>
@@ -164,7 +147,7 @@ RunMethod(const std::string &                                                   
     for (const DrawnSeeds & draw : draws)
     {
       ValidationReport::Progress(volume.name + ": " + name + ", " + std::to_string(number) + " seeds");
-      scores.ofNumber[number].push_back(ScoreOf(volume, segment(volume, draw.image)));
+      scores.ofNumber[number].Add(volume, segment(volume, draw.image));
     }
   }
   return scores;
@@ -192,7 +175,7 @@ RunRandomWalker(const LabeledVolume & volume, const std::map<int, std::vector<Dr
   {
     for (std::size_t i = 0; i < draws.size(); ++i)
     {
-      scores.ofNumber[number].push_back(ScoreOf(volume, *next++));
+      scores.ofNumber[number].Add(volume, *next++);
     }
   }
   return scores;
@@ -233,15 +216,13 @@ AddMeans(const LabeledVolume &                          volume,
   {
     for (const MethodScores & method : methods)
     {
-      const Scores & scores = method.ofNumber.at(number);
-      const auto     stopped =
-        std::count_if(scores.begin(), scores.end(), [](const Score & score) { return !score.hasConverged; });
-      const std::string remark = stopped == 0 ? "" : "; " + std::to_string(stopped) + " did not converge";
-      table.AddRow(
-        Cells() << volume.name << voxels << volume.names.size() << draws.size() << draws.front().thinLabels << number
-                << method.name
-                << (scores.empty() ? "not run: python3-skimage is missing" : MeanWithInterval(MeanDice(scores)))
-                << (scores.empty() ? "" : Rounded(MeanOf(CpuSeconds(scores))) + remark));
+      const Scores &    scores = method.ofNumber.at(number);
+      const bool        hasRun = !scores.dice.empty();
+      const std::string remark = scores.stopped == 0 ? "" : "; " + std::to_string(scores.stopped) + " did not converge";
+      table.AddRow(Cells() << volume.name << voxels << volume.names.size() << draws.size() << draws.front().thinLabels
+                           << number << method.name
+                           << (hasRun ? MeanWithInterval(scores.meanDice) : "not run: python3-skimage is missing")
+                           << (hasRun ? Rounded(MeanOf(scores.cpuSeconds)) + remark : ""));
     }
   }
 }
@@ -253,11 +234,11 @@ AddDifferences(const LabeledVolume &             volume,
                ValidationReport &                report,
                CsvTable &                        table)
 {
-  const auto               ours = MeanDice(methods.front().ofNumber.at(judgedNumber));
+  const auto &             ours = methods.front().ofNumber.at(judgedNumber).meanDice;
   std::vector<std::string> cells{ volume.name, MeanWithInterval(ours) };
   for (std::size_t i = 1; i < methods.size(); ++i)
   {
-    auto difference = MeanDice(methods[i].ofNumber.at(judgedNumber));
+    auto difference = methods[i].ofNumber.at(judgedNumber).meanDice;
     if (difference.empty())
     {
       cells.push_back("not run");
@@ -292,9 +273,9 @@ LabelTable(const LabeledVolume & volume, const std::vector<MethodScores> & metho
     for (const MethodScores & method : methods)
     {
       std::vector<double> dice;
-      for (const Score & score : method.ofNumber.at(judgedNumber))
+      for (const std::vector<double> & draw : method.ofNumber.at(judgedNumber).dice)
       {
-        dice.push_back(score.dice[label]);
+        dice.push_back(draw[label]);
       }
       cells.push_back(dice.empty() ? "" : Rounded(MeanOf(dice)));
     }

@@ -1,4 +1,5 @@
 // Open question 7.2.1 of the dissertation: the relation between the number of shapeton steps and scale.
+#include "ShapetonTrial.h"
 #include "Tables.h"
 #include "ValidationChart.h"
 #include "ValidationReport.h"
@@ -15,34 +16,25 @@ namespace
 using Density = std::vector<double>; // relative to its mean over a domain, for the voxels of the domain
 using Mask = std::vector<unsigned char>;
 
-/** Walk rule of shapetons. */
-struct Walk
-{
-  const char *      name;
-  PathRule          path;
-  DirectionSampling sampling;
-  ParticlePlacement placement;
-};
-
-constexpr Walk likeHeat = { "traversal, uniform directions, by initial heat",
-                            PathRule::Traversal,
+const WalkRule likeHeat = { "traversal, uniform directions, by initial heat",
                             DirectionSampling::Uniform,
+                            PathRule::Traversal,
                             ParticlePlacement::InitialHeat };
-constexpr Walk solidAngle = { "traversal, by solid angle, by initial heat",
-                              PathRule::Traversal,
+const WalkRule solidAngle = { "traversal, by solid angle, by initial heat",
                               DirectionSampling::SolidAngle,
+                              PathRule::Traversal,
                               ParticlePlacement::InitialHeat };
-constexpr Walk published = { "as published: endpoint, by sector area, uniform placement",
-                             PathRule::Endpoint,
+const WalkRule published = { "as published: endpoint, by sector area, uniform placement",
                              DirectionSampling::SectorArea,
+                             PathRule::Endpoint,
                              ParticlePlacement::Uniform };
-constexpr Walk repaired = { "endpoint, by solid angle, uniform placement",
-                            PathRule::Endpoint,
+const WalkRule repaired = { "endpoint, by solid angle, uniform placement",
                             DirectionSampling::SolidAngle,
+                            PathRule::Endpoint,
                             ParticlePlacement::Uniform };
 
 ParticleDiffusionOptions
-SettingsOf(const Walk & walk, const test::Volume & volume, double p, double stepInVoxels, std::uint32_t shapetons)
+SettingsOf(const WalkRule & walk, const test::Volume & volume, double p, double stepInVoxels, std::uint32_t shapetons)
 {
   ParticleDiffusionOptions settings;
   settings.p = p;
@@ -168,7 +160,7 @@ SpreadOfTheWalk(const ValidationSettings & settings, ValidationReport & report)
   test::Volume        volume({ 64, 64, 64 });
   Mask                start(volume.values.size());
   start[(std::size_t{ 32 } * 64 + 32) * 64 + 32] = 1;
-  Walk walk = likeHeat;
+  WalkRule walk = likeHeat;
   walk.placement = ParticlePlacement::Uniform;
   for (const double a : { 0.1, 0.5, 1.0, 1.3, 1.5, 2.0, 2.56, 4.0 })
   {
@@ -228,7 +220,7 @@ MeanHeat(const test::Volume & volume, double p, double stepInVoxels, std::uint64
 
 /** Deviation from heat of walks with several step lengths, over the same time. */
 Percent
-DeviationFromHeat(const ValidationSettings & settings, const Walk & walk, bool hard, double a, std::uint64_t steps)
+DeviationFromHeat(const ValidationSettings & settings, const WalkRule & walk, bool hard, double a, std::uint64_t steps)
 {
   const test::Volume  volume = ClosedObject(hard);
   const double        p = hard ? 7.0 : 2.0;
@@ -424,7 +416,7 @@ ScaleOfStates(const ValidationSettings & settings, ValidationReport & report)
   const auto         heats = MeanHeatOfCube(volume, domain, times);
   const unsigned int seeds = settings.quick ? 2 : 4;
   CsvTable           table({ "t", "process", "corners", "edges", "faces", "center", "correlation with heat", "" });
-  const std::array<Walk, 4>               walks{ likeHeat, solidAngle, published, repaired };
+  const std::array<WalkRule, 4>           walks{ likeHeat, solidAngle, published, repaired };
   std::array<std::vector<std::string>, 4> correlations, checks;
   for (std::size_t i = 0; i < times.size(); ++i)
   {
@@ -439,10 +431,10 @@ ScaleOfStates(const ValidationSettings & settings, ValidationReport & report)
     table.AddRow(row);
     for (std::size_t w = 0; w < walks.size(); ++w)
     {
-      const Walk & walk = walks[w];
-      const bool   masked = walk.placement == ParticlePlacement::InitialHeat;
-      const auto   steps = static_cast<std::uint64_t>(std::round(masked ? t / 2.0 : 1.125 * t));
-      const auto   shapetons =
+      const WalkRule & walk = walks[w];
+      const bool       masked = walk.placement == ParticlePlacement::InitialHeat;
+      const auto       steps = static_cast<std::uint64_t>(std::round(masked ? t / 2.0 : 1.125 * t));
+      const auto       shapetons =
         static_cast<std::uint32_t>(std::clamp((settings.quick ? 2e6 : 5e7) / static_cast<double>(steps), 20000.0, 1e6));
       const auto densities =
         VisitsOf(volume, SettingsOf(walk, volume, 7.0, stepOfFigure, shapetons), seeds, { steps }, domain, masked);
@@ -502,8 +494,8 @@ UniformPlacement(const ValidationSettings & settings, ValidationReport & report)
     for (const DirectionSampling sampling :
          { DirectionSampling::Uniform, DirectionSampling::SolidAngle, DirectionSampling::SectorArea })
     {
-      const Walk walk = { "", path, sampling, ParticlePlacement::Uniform };
-      const auto densities = VisitsOf(
+      const WalkRule walk = { "", sampling, path, ParticlePlacement::Uniform };
+      const auto     densities = VisitsOf(
         volume, SettingsOf(walk, volume, 7.0, 1.0, shapetons), settings.quick ? 4 : 8, { steps }, domain, false)[0];
       const Percent                      deviation(SquaredDeviations(densities, Density(domain.size(), 1.0)), 1.0);
       std::array<std::vector<double>, 2> layers;
@@ -609,7 +601,7 @@ constexpr std::size_t cuts = 4; // subdivisions of a voxel along each axis
 /** Rows of a walk: its objects in the coarse and in the fine volume, with the fine visits summed over coarse voxels. */
 void
 AddObjects(const test::Volume &         volume,
-           const Walk &                 walk,
+           const WalkRule &             walk,
            double                       shapetons,
            const std::vector<Density> & coarse,
            const std::vector<Density> & fine,
@@ -664,7 +656,7 @@ ResolutionOfTheResult(const ValidationSettings & settings, ValidationReport & re
                  "that of the coarse visits.");
   CsvTable table({ "walk", "object", "32^3", "128^3", "difference", "", "standard deviation between them, %" });
   CsvTable summary({ "walk", "largest difference of an object", "bound", "", "standard deviation between them, %" });
-  for (const Walk & walk : { likeHeat, solidAngle, published, repaired })
+  for (const WalkRule & walk : { likeHeat, solidAngle, published, repaired })
   {
     const auto visits =
       VisitsOf(coarse, SettingsOf(walk, coarse, 7.0, 1.6, shapetons), seeds, { steps }, all, false)[0];
