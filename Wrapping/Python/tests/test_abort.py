@@ -73,93 +73,72 @@ class AbortTest(TestCase):
         with self.assertRaises(KeyboardInterrupt):
             work(progress=signal_once)
 
-    def check(self, work):
+    def check(self, name, work):
         """A signal after a quarter of `work` ends it within 0.2 s, or half of it."""
-        self.check_progress(work)
-        whole = self.seconds(work)
-        begin = time.process_time()
-        with self.assertRaises(KeyboardInterrupt):
-            signal.setitimer(signal.ITIMER_PROF, 0.25 * whole)
-            try:
-                work()
-            finally:
-                signal.setitimer(signal.ITIMER_PROF, 0)  # a late signal would end later code
-        self.assertLess(time.process_time() - begin - 0.25 * whole, max(0.2, 0.5 * whole))
+        with self.subTest(name):
+            self.check_progress(work)
+            whole = self.seconds(work)
+            begin = time.process_time()
+            with self.assertRaises(KeyboardInterrupt):
+                signal.setitimer(signal.ITIMER_PROF, 0.25 * whole)
+                try:
+                    work()
+                finally:
+                    signal.setitimer(signal.ITIMER_PROF, 0)  # a late signal would end later code
+            self.assertLess(time.process_time() - begin - 0.25 * whole, max(0.2, 0.5 * whole))
 
     def test_surfaces(self):
         wall = self.supine.wall
-        with self.subTest("spectrum"):
-            self.check(lambda **options: surfaces.spectrum(wall, 50, **options))
-        with self.subTest("metric"):
-            self.check(lambda **options: surfaces.heat_diffusion_metric(wall, **options))
-        with self.subTest("truncated metric"):
-            self.check(lambda **options: surfaces.heat_diffusion_metric(wall, eigenpairs=50, **options))
+        self.check("spectrum", lambda **options: surfaces.spectrum(wall, 50, **options))
+        self.check("metric", lambda **options: surfaces.heat_diffusion_metric(wall, **options))
+        self.check("truncated metric", lambda **options: surfaces.heat_diffusion_metric(wall, eigenpairs=50, **options))
 
     def test_heat_over_a_surface(self):
         heat = np.random.default_rng(1).random((len(self.supine.wall.vertices), 40))
-        self.check(lambda **options: surfaces.diffuse_over_surface(self.supine.wall, heat, 10.0, **options))
+        self.check("heat", lambda **options: surfaces.diffuse_over_surface(self.supine.wall, heat, 10.0, **options))
 
     def test_conformal_maps(self):
         wall, line = self.supine.wall, self.supine.centerline
-        with self.subTest("flatten_tube"):
-            self.check(lambda **options: flattening.flatten_tube(wall, line, **options))
+        self.check("flatten_tube", lambda **options: flattening.flatten_tube(wall, line, **options))
         for domain in ("rectangle", "slit"):
-            with self.subTest(domain):
-                self.check(lambda **options: flattening.conformal_map(wall, domain=domain, **options))
+            self.check(domain, lambda **options: flattening.conformal_map(wall, domain=domain, **options))
 
     def test_folds_and_landmarks(self):
         supine = self.supine
-        with self.subTest("folds"):
-            self.check(lambda **options: colon.find_folds(supine.new_flat(), **options))
-        with self.subTest("landmarks"):
-            self.check(lambda **options: colon.find_landmarks(supine.new_flat(), supine.centerline, **options))
-        with self.subTest("pieces"):
-            self.check(lambda **options: colon.split_colon(supine.landmarks, **options))
+        self.check("folds", lambda **options: colon.find_folds(supine.new_flat(), **options))
+        self.check("landmarks", lambda **options: colon.find_landmarks(supine.new_flat(), supine.centerline, **options))
+        self.check("pieces", lambda **options: colon.split_colon(supine.landmarks, **options))
 
     def test_candidates(self):
         wall = self.supine.model.wall.repaired
-        self.check(lambda **options: colon.find_candidates(wall, self.supine.lumen, **options))
+        self.check("candidates", lambda **options: colon.find_candidates(wall, self.supine.lumen, **options))
 
     def test_registration(self):
+        supine, prone = self.supine.position, self.prone.position
         for method in ("default", "published"):
-            with self.subTest(method):
-                self.check(
-                    lambda **options: colon.register_positions(
-                        self.supine.position, self.prone.position, map=method, **options
-                    )
-                )
+            self.check(method, lambda **options: colon.register_positions(supine, prone, map=method, **options))
 
     def test_graphs(self):
         torus, rotation = graphs.torus_grid(160, 160, True)
         grid, other = graphs.grid_graph(60, 60), graphs.grid_graph(90, 40)
-        with self.subTest("torus"):
-            self.check(lambda **options: graphs.embed_graph(torus, rotation=rotation, **options))
-        with self.subTest("sphere"):
-            self.check(lambda **options: graphs.embed_graph(graphs.grid_graph(120, 120), **options))
-        with self.subTest("search"):
-            self.check(lambda **options: graphs.embed_graph(graphs.complete_graph(20), **options))
-        with self.subTest("comparison"):
-            self.check(lambda **options: graphs.compare_graphs(grid, other, **options))
+        self.check("torus", lambda **options: graphs.embed_graph(torus, rotation=rotation, **options))
+        self.check("sphere", lambda **options: graphs.embed_graph(graphs.grid_graph(120, 120), **options))
+        self.check("search", lambda **options: graphs.embed_graph(graphs.complete_graph(20), **options))
+        self.check("comparison", lambda **options: graphs.compare_graphs(grid, other, **options))
 
     def test_stages_of_a_ct(self):
         phantom = colon.colon_phantom(position="supine", size=(256, 256, 240), spacing=(1.4, 1.4, 1.4))
         lumen = colon.segment_lumen(phantom.ct)
         occupancy, line = colon.cleanse(phantom.ct, lumen).occupancy, colon.trace_centerline(lumen.labels).curve
         wall = colon.build_wall(occupancy, line).repaired
-        with self.subTest("phantom"):
-            self.check(lambda **options: colon.colon_phantom(size=(128, 128, 120), spacing=(2.8, 2.8, 2.8), **options))
-        with self.subTest("lumen"):
-            self.check(lambda **options: colon.segment_lumen(phantom.ct, **options))
-        with self.subTest("cleansing"):
-            self.check(lambda **options: colon.cleanse(phantom.ct, lumen, **options))
-        with self.subTest("centerline"):
-            self.check(lambda **options: colon.trace_centerline(lumen.labels, **options))
-        with self.subTest("wall"):
-            self.check(lambda **options: colon.build_wall(occupancy, line, **options))
-        with self.subTest("simplification"):
-            self.check(lambda **options: surfaces.simplify_surface(wall, faces=20000, **options))
-        with self.subTest("remeshing"):
-            self.check(lambda **options: surfaces.remesh_surface(wall, 2.0, **options))
+        small = {"size": (128, 128, 120), "spacing": (2.8, 2.8, 2.8)}
+        self.check("phantom", lambda **options: colon.colon_phantom(**small, **options))
+        self.check("lumen", lambda **options: colon.segment_lumen(phantom.ct, **options))
+        self.check("cleansing", lambda **options: colon.cleanse(phantom.ct, lumen, **options))
+        self.check("centerline", lambda **options: colon.trace_centerline(lumen.labels, **options))
+        self.check("wall", lambda **options: colon.build_wall(occupancy, line, **options))
+        self.check("simplification", lambda **options: surfaces.simplify_surface(wall, faces=20000, **options))
+        self.check("remeshing", lambda **options: surfaces.remesh_surface(wall, 2.0, **options))
 
     @needs_tools
     def test_reading(self):
@@ -167,8 +146,7 @@ class AbortTest(TestCase):
         run_tool("ColonPhantom", folder, "--size", "256,256,160", "--spacing", "1.4,1.4,2.1")
         with self.subTest("list"):
             self.check_short(lambda **options: shapeton.list_series(folder, **options))
-        with self.subTest("read"):
-            self.check(lambda **options: shapeton.read_volume(folder, **options))
+        self.check("read", lambda **options: shapeton.read_volume(folder, **options))
 
 
 if __name__ == "__main__":
