@@ -36,20 +36,20 @@ struct DicomContent
   };
   Kind        kind{ Kind::Container };
   std::string relationship;
-  DicomCode   name;
+  DicomCode   name{};
   /** Value of Text, UID and PersonName; digits of Number; template identifier of a Container, such as "1500". */
-  std::string text;
+  std::string text{};
   /** Value of Code, unit of Number. */
-  DicomCode code;
+  DicomCode code{};
   /** The referenced instance of Image. */
-  DicomInstance instance;
+  DicomInstance instance{};
   int           segment{ 0 };
   int           frame{ 0 };
   /** Coordinates of PixelPoint and SpacePoint, and of the first end of PixelLine. */
   std::array<double, 3> point{ { 0.0, 0.0, 0.0 } };
   /** The other end of PixelLine. */
   std::array<double, 3>     end{ { 0.0, 0.0, 0.0 } };
-  std::vector<DicomContent> children;
+  std::vector<DicomContent> children{};
 };
 
 /** \defgroup DicomContents Nodes of a content tree
@@ -106,20 +106,20 @@ enum class DicomReportKind
   ColonCAD
 };
 
-/** Whether a report contains all that it is meant to contain. \ingroup ShapetonDicomResults */
+/** Whether a report contains everything that it is meant to contain. \ingroup ShapetonDicomResults */
 enum class DicomCompletion
 {
   Partial,
   Complete
 };
 
-/** Throws ParameterError unless the text is a DICOM person name of one line: 1 to 64 characters without backslash,
- * equals sign and control characters, with at most four carets between its components. \ingroup ShapetonDicomResults */
+/** Throws ParameterError unless the text is a one-line DICOM person name: 1 to 64 characters, no backslashes, equals
+ * signs or control characters, with at most four carets between its components. \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT void
 RequireDicomPersonName(const std::string & parameter, const std::string & name);
 
 /** Writes a Structured Report: unverified and preliminary, partial by default. The evidence lists all slices of the
- * source and `others`. A report with other characters than ASCII is written in UTF-8. Output is deterministic. Throws
+ * source and `others`. A report with non-ASCII characters is written in UTF-8. Output is deterministic. Throws
  * OutputError. \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomInstance
 WriteDicomReport(const DicomSource &                source,

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace shapeton
 {
@@ -176,16 +175,6 @@ IsAscii(const DicomContent & content)
   return isAscii(content.text) && isAscii(content.code.meaning) && isAscii(content.name.meaning) &&
          std::all_of(content.children.begin(), content.children.end(), IsAscii);
 }
-
-DicomContent
-Made(DicomContent::Kind kind, const std::string & relationship, const DicomCode & name)
-{
-  DicomContent content;
-  content.kind = kind;
-  content.relationship = relationship;
-  content.name = name;
-  return content;
-}
 } // namespace
 
 DicomContent
@@ -194,7 +183,7 @@ ContainerContent(const std::string &       relationship,
                  std::vector<DicomContent> children,
                  const std::string &       templateID)
 {
-  DicomContent content = Made(DicomContent::Kind::Container, relationship, name);
+  DicomContent content{ DicomContent::Kind::Container, relationship, name };
   content.children = std::move(children);
   content.text = templateID;
   return content;
@@ -203,17 +192,13 @@ ContainerContent(const std::string &       relationship,
 DicomContent
 TextContent(const std::string & relationship, const DicomCode & name, const std::string & text)
 {
-  DicomContent content = Made(DicomContent::Kind::Text, relationship, name);
-  content.text = text;
-  return content;
+  return { DicomContent::Kind::Text, relationship, name, text };
 }
 
 DicomContent
 CodeContent(const std::string & relationship, const DicomCode & name, const DicomCode & value)
 {
-  DicomContent content = Made(DicomContent::Kind::Code, relationship, name);
-  content.code = value;
-  return content;
+  return { DicomContent::Kind::Code, relationship, name, {}, value };
 }
 
 DicomContent
@@ -222,53 +207,40 @@ NumberContent(const std::string & relationship,
               const std::string & digits,
               const DicomCode &   unit)
 {
-  DicomContent content = Made(DicomContent::Kind::Number, relationship, name);
-  content.text = digits;
-  content.code = unit;
-  return content;
+  return { DicomContent::Kind::Number, relationship, name, digits, unit };
 }
 
 DicomContent
 UIDContent(const std::string & relationship, const DicomCode & name, const std::string & uid)
 {
-  DicomContent content = Made(DicomContent::Kind::UID, relationship, name);
-  content.text = uid;
-  return content;
+  return { DicomContent::Kind::UID, relationship, name, uid };
 }
 
 DicomContent
 PersonContent(const std::string & relationship, const DicomCode & name, const std::string & person)
 {
-  DicomContent content = Made(DicomContent::Kind::PersonName, relationship, name);
-  content.text = person + (person.find('^') == std::string::npos ? "^" : ""); // otherwise an obsolete form
-  return content;
+  const std::string end = person.find('^') == std::string::npos ? "^" : ""; // otherwise an obsolete form
+  return { DicomContent::Kind::PersonName, relationship, name, person + end };
 }
 
 DicomContent
 SegmentContent(const std::string & relationship, const DicomCode & name, const DicomInstance & instance, int segment)
 {
-  DicomContent content = Made(DicomContent::Kind::Image, relationship, name);
-  content.instance = instance;
-  content.segment = segment;
-  return content;
+  return { DicomContent::Kind::Image, relationship, name, {}, {}, instance, segment };
 }
 
 DicomContent
 SliceContent(const std::string & relationship, const DicomSlice & slice)
 {
-  DicomContent content = Made(DicomContent::Kind::Image, relationship, {});
-  content.instance.sopClassUID = slice.sopClassUID;
-  content.instance.sopInstanceUID = slice.sopInstanceUID;
-  content.frame = slice.isMultiFrame ? static_cast<int>(slice.frame) + 1 : 0;
-  return content;
+  const DicomInstance instance{ slice.sopClassUID, slice.sopInstanceUID, {} };
+  const int           frame = slice.isMultiFrame ? static_cast<int>(slice.frame) + 1 : 0;
+  return { DicomContent::Kind::Image, relationship, {}, {}, {}, instance, 0, frame };
 }
 
 DicomContent
 SpacePointContent(const std::string & relationship, const DicomCode & name, const std::array<double, 3> & point)
 {
-  DicomContent content = Made(DicomContent::Kind::SpacePoint, relationship, name);
-  content.point = point;
-  return content;
+  return { DicomContent::Kind::SpacePoint, relationship, name, {}, {}, {}, 0, 0, point };
 }
 
 DicomContent
@@ -280,7 +252,7 @@ PixelPointContent(const std::string &           relationship,
   const auto index = source.grid->TransformPhysicalPointToContinuousIndex<double>(itk::Point<double, 3>(point.data()));
   const auto last = static_cast<double>(source.series.slices.size() - 1);
   const auto slice = static_cast<std::size_t>(std::clamp(std::round(index[2]), 0.0, last));
-  DicomContent content = Made(DicomContent::Kind::PixelPoint, relationship, name);
+  DicomContent content{ DicomContent::Kind::PixelPoint, relationship, name };
   content.point = { index[0] + 0.5, index[1] + 0.5, 0.0 }; // 0 is the outer corner of the first pixel
   content.children.push_back(SliceContent("SELECTED FROM", source.series.slices[slice]));
   return content;

@@ -4,6 +4,7 @@
 #include "shapetonDicomAttributes.h"
 #include "shapetonDicomReading.h"
 #include "shapetonExceptions.h"
+#include "shapetonMappedImage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ namespace shapeton
 {
 namespace
 {
-/** Greatest compression ratios: of deflate, and of an empty frame of 2 MB in JPEG 2000. */
+/** Largest compression ratios: that of deflate, and that of an empty 2 MB frame in JPEG 2000. */
 constexpr std::uint64_t MaximumDeflateRatio = 1032;
 constexpr std::uint64_t MaximumFrameRatio = 20000;
 
@@ -151,7 +152,7 @@ ReadFrames(DcmItem & dataset, DicomSegmentationFile & file)
   }
 }
 
-/** Whether pixels are bytes or words, not bits. */
+/** Whether pixels are bytes or words rather than bits. */
 bool
 HasWholeBytes(const DicomSegmentationFile & file)
 {
@@ -274,7 +275,7 @@ ParseSegmentation(const std::string & path, std::size_t, char *)
   return writer.GetBytes();
 }
 
-/** Frames of single bits start at a byte when compressed, but not in a segmentation that is not. */
+/** Appends the bits of a frame; frames of single bits start at a byte boundary only in a compressed segmentation. */
 void
 AppendBits(const std::vector<char> & frame, std::size_t first, std::size_t count, char * bits)
 {
@@ -417,16 +418,6 @@ CanvasOf(DicomLabelImage * labels, const DicomSlice & slice, std::size_t number)
   const auto column = static_cast<std::size_t>(std::max(0L, std::lround(first[0])));
   const auto row = static_cast<std::size_t>(std::max(0L, std::lround(first[1])));
   return { labels->GetBufferPointer() + (number * size[1] + row) * size[0] + column, size[0] };
-}
-
-DicomLabelImage::Pointer
-EmptyLabels(const itk::ImageBase<3> * grid)
-{
-  const auto labels = DicomLabelImage::New();
-  labels->CopyInformation(grid);
-  labels->SetRegions(grid->GetLargestPossibleRegion().GetSize());
-  labels->Allocate(true);
-  return labels;
 }
 
 /** The pixels of a file. */
@@ -588,7 +579,8 @@ ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & n
 {
   RequireSegments(file, numbers);
   const auto         slices = SlicesOf(file, source.series);
-  DicomSegmentVoxels read{ EmptyLabels(source.grid), std::vector<std::size_t>(numbers.size(), 0) };
+  DicomSegmentVoxels read{ NewImageOn<DicomLabelImage>(source.grid, true),
+                           std::vector<std::size_t>(numbers.size(), 0) };
   const auto         paint = [&](const std::string &, const char * data) {
     if (file.bytesPerLabel > 0)
     {

@@ -4,7 +4,6 @@
 #include "shapetonDicomSeriesScan.h"
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace shapeton

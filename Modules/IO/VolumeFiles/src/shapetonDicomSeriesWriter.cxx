@@ -15,7 +15,6 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <vector>
 

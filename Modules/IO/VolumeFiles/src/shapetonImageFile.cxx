@@ -33,24 +33,12 @@ MakeImageIO(ImageFormat format)
 
 // ---- the header ----
 
-struct ImageHeader
+struct ImageHeader : VoxelFormat
 {
-  std::vector<std::uint64_t> size;
-  std::vector<double>        spacing;
-  std::vector<double>        origin;
-  std::vector<double>        direction; // row by row
-  int                        componentType{ 0 };
-  std::uint32_t              componentBytes{ 0 };
-  std::uint32_t              components{ 0 };
-  bool                       isScalar{ false };
-  bool                       statesSpacing{ true };
-  /** \name NIfTI: voxel conversion and notes on the header */
-  ///@{
-  bool    isSwapped{ false };
-  double  slope{ 1.0 };
-  double  intercept{ 0.0 };
-  Remarks notes;
-  ///@}
+  std::vector<double> spacing;
+  std::vector<double> origin;
+  std::vector<double> direction; // row by row
+  bool                isScalar{ false };
 };
 
 template <typename TStream, typename THeader>
@@ -128,8 +116,8 @@ ReadHeader(const std::string & path, ImageFormat format)
       header.direction.push_back(row < axis.size() ? axis[row] : 0.0);
     }
   }
-  header.componentType = static_cast<int>(io->GetComponentType());
-  if (io->GetComponentType() != ComponentEnum::UNKNOWNCOMPONENTTYPE)
+  header.componentType = io->GetComponentType();
+  if (header.componentType != ComponentEnum::UNKNOWNCOMPONENTTYPE)
   {
     header.componentBytes = io->GetComponentSize();
   }
@@ -238,8 +226,7 @@ HeaderOfNifti(const std::string & path)
 {
   const NiftiHeader nifti = ReadNiftiHeader(path);
   const std::size_t dimension = nifti.size.size();
-  ImageHeader       header;
-  header.size = nifti.size;
+  ImageHeader       header{ nifti, {}, {}, {}, nifti.components == 1 };
   header.spacing.assign(dimension, 1.0);
   header.origin.assign(dimension, 0.0);
   header.direction.assign(dimension * dimension, 0.0);
@@ -252,15 +239,6 @@ HeaderOfNifti(const std::string & path)
       header.direction[i * dimension + j] = nifti.direction(i, j);
     }
   }
-  header.componentType = static_cast<int>(nifti.componentType);
-  header.componentBytes = nifti.componentBytes;
-  header.components = nifti.components;
-  header.isScalar = nifti.components == 1;
-  header.statesSpacing = nifti.statesSpacing;
-  header.isSwapped = nifti.isSwapped;
-  header.slope = nifti.slope;
-  header.intercept = nifti.intercept;
-  header.notes = nifti.notes;
   return header;
 }
 
@@ -395,7 +373,7 @@ ConvertVoxels(const std::string & path,
               std::size_t         count,
               float *             voxels)
 {
-  switch (static_cast<ComponentEnum>(header.componentType))
+  switch (header.componentType)
   {
     case ComponentEnum::UCHAR:
       return CopyVoxels<unsigned char>(header, stored, count, voxels);
@@ -429,7 +407,7 @@ ConvertVoxels(const std::string & path,
 void
 CheckFinite(const std::string & path, const ImageHeader & header, const Volume::ImageType * image)
 {
-  const auto type = static_cast<ComponentEnum>(header.componentType);
+  const auto type = header.componentType;
   const bool isReal = type == ComponentEnum::FLOAT || type == ComponentEnum::DOUBLE || header.slope != 1.0;
   if (!isReal && header.intercept == 0.0)
   {
@@ -455,7 +433,7 @@ CheckFinite(const std::string & path, const ImageHeader & header, const Volume::
 void
 NoteRounding(const ImageHeader & header, Volume & volume)
 {
-  const auto type = static_cast<ComponentEnum>(header.componentType);
+  const auto type = header.componentType;
   const bool isWide = type == ComponentEnum::INT || type == ComponentEnum::UINT || type == ComponentEnum::LONG ||
                       type == ComponentEnum::ULONG || type == ComponentEnum::LONGLONG ||
                       type == ComponentEnum::ULONGLONG;

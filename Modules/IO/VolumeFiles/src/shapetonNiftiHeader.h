@@ -16,16 +16,10 @@ namespace shapeton
 /** Largest deviation of scalar products of axes from 0 and 1: directions are stored as float or as short decimals. */
 constexpr double OrthonormalTolerance = 1e-3;
 
-/** Header of a NIfTI-1 or NIfTI-2 file, as specified at https://nifti.nimh.nih.gov.
- *
- * ITK's reader is not used because it scales the spacing to mm but not the origin, rejects an sform that disagrees
- * with pixdim, treats a file without a valid magic number as ANALYZE 7.5, adds scl_inter when scl_slope is 0, and does
- * not support NIfTI-2. */
-struct NiftiHeader
+/** The stored voxels of an image file, and what its header leaves open. */
+struct VoxelFormat
 {
-  using Vector = itk::Vector<double, 3>;
-
-  /** dim[1] to dim[dim[0]]. */
+  /** Along each axis. */
   std::vector<std::uint64_t>        size;
   itk::ImageIOBase::IOComponentEnum componentType{ itk::ImageIOBase::IOComponentEnum::UNKNOWNCOMPONENTTYPE };
   std::uint32_t                     componentBytes{ 0 };
@@ -36,6 +30,21 @@ struct NiftiHeader
   /** An intensity is slope * stored value + intercept. */
   double slope{ 1.0 };
   double intercept{ 0.0 };
+  /** False if a spacing of 1 mm was assumed because the header lacks it. */
+  bool statesSpacing{ true };
+  /** Remarks on the geometry for the user. */
+  Remarks notes;
+};
+
+/** Header of a NIfTI-1 or NIfTI-2 file, as specified at https://nifti.nimh.nih.gov.
+ *
+ * ITK's reader is not used because it scales the spacing to mm but not the origin, rejects an sform that disagrees
+ * with pixdim, treats a file without a valid magic number as ANALYZE 7.5, adds scl_inter when scl_slope is 0, and does
+ * not support NIfTI-2. */
+struct NiftiHeader : VoxelFormat
+{
+  using Vector = itk::Vector<double, 3>;
+
   /** The file that contains the voxels, and their offset in bytes. */
   std::string   voxelFile;
   std::uint64_t voxelOffset{ 0 };
@@ -44,10 +53,6 @@ struct NiftiHeader
   Vector                    spacing;
   Vector                    origin;
   itk::Matrix<double, 3, 3> direction;
-  /** False if a spacing of 1 mm was assumed because the header lacks it. */
-  bool statesSpacing{ true };
-  /** Remarks on the geometry for the user. */
-  Remarks notes;
 };
 
 /** The file that contains the header: the .hdr or .hdr.gz next to an .img or .img.gz, empty if not found; otherwise

@@ -2,6 +2,7 @@
 
 #include "shapetonExceptions.h"
 #include "shapetonImageGrid.h"
+#include "shapetonMappedImage.h"
 
 #include <algorithm>
 
@@ -27,15 +28,11 @@ SeriesOfIdentity(const std::string & identity)
 itk::Image<unsigned char, 3>::Pointer
 MaskOfVolume(const Volume & volume, const std::string & path)
 {
-  auto mask = itk::Image<unsigned char, 3>::New();
-  mask->CopyInformation(volume.image);
-  mask->SetRegions(volume.image->GetLargestPossibleRegion());
-  mask->Allocate();
-  const float * const begin = volume.image->GetBufferPointer();
-  const float * const end = begin + volume.image->GetLargestPossibleRegion().GetNumberOfPixels();
-  std::transform(
-    begin, end, mask->GetBufferPointer(), [](float value) { return static_cast<unsigned char>(value != 0.0F); });
-  if (std::all_of(begin, end, [](float value) { return value == 0.0F; }))
+  const auto mask =
+    MapVoxels<unsigned char>(volume.image.GetPointer(), [](float value) { return value != 0.0F ? 1 : 0; });
+  const unsigned char * const begin = mask->GetBufferPointer();
+  const unsigned char * const end = begin + mask->GetLargestPossibleRegion().GetNumberOfPixels();
+  if (std::all_of(begin, end, [](unsigned char value) { return value == 0; }))
   {
     throw InputError(path + ": the mask is empty: it must contain nonzero voxels");
   }

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <utility>
 
 namespace shapeton
 {
@@ -18,7 +17,7 @@ namespace
 namespace fs = std::filesystem;
 using SeriesList = std::vector<const DicomSeries *>;
 
-// Messages have one line; DicomSeriesInspector prints long lists.
+// Messages are one line long; DicomSeriesInspector prints long lists.
 constexpr std::size_t LongestList = 6;
 
 bool
@@ -190,7 +189,7 @@ SelectByUID(const DicomScan & scan, const VolumeReadOptions & options)
   return *list.front();
 }
 
-/** Images of the same series that are not slices, which may explain a gap. */
+/** Images of the same series that are not slices; they may explain a gap. */
 std::string
 UnusableSlicesOf(const DicomSeries & series, const DicomScan & scan)
 {
@@ -221,7 +220,7 @@ SelectOnlyOne(const DicomScan & scan, const VolumeReadOptions & options)
                       " usable volumes; choose one by the parameter \"seriesUID\": " + List(usable, Describe));
   }
   const auto volumes = Select(scan, IsVolumeLike);
-  // A single slice is read only if it is the only series, not instead of an irregular volume.
+  // A single slice is read only if it is the only series; it does not replace an irregular volume.
   if (usable.size() == 1 && (volumes.empty() || !usable.front()->isSingleSlice))
   {
     return *usable.front();

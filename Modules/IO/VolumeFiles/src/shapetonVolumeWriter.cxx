@@ -1,5 +1,6 @@
 #include "shapetonVolumeWriter.h"
 
+#include "shapetonMappedImage.h"
 #include "shapetonStoredVoxels.h"
 #include "shapetonExceptions.h"
 #include "shapetonFileErrors.h"
@@ -15,9 +16,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
-#include <type_traits>
 
 namespace shapeton
 {
@@ -245,11 +244,6 @@ ToShort(const itk::Image<float, 3> * image)
   {
     return nullptr;
   }
-  const auto copy = itk::Image<short, 3>::New();
-  copy->CopyInformation(image);
-  copy->SetRegions(image->GetLargestPossibleRegion());
-  copy->Allocate();
-  std::transform(first, last, copy->GetBufferPointer(), [](float value) { return static_cast<short>(value); });
-  return copy;
+  return MapVoxels<short>(image, [](float value) { return static_cast<short>(value); });
 }
 } // namespace shapeton
