@@ -9,18 +9,16 @@
 
 namespace
 {
-using shapeton::CommandLine;
+using namespace shapeton;
 
 void
 CheckUsage(const CommandLine & commandLine)
 {
   const bool isPublished = commandLine.GetString("scheme") == "published";
-  shapeton::RequireParameter(isPublished ||
-                               !(commandLine.IsGiven("publishedLow") || commandLine.IsGiven("publishedHigh")),
-                             "--publishedLow and --publishedHigh require --scheme published");
-  shapeton::RequireParameter(!isPublished || !commandLine.IsGiven("smoothness"),
-                             "--smoothness requires --scheme graphCut");
-  shapeton::RequireFoldLabelsName(commandLine.GetString("outputLabels"));
+  RequireParameter(isPublished || !(commandLine.IsGiven("publishedLow") || commandLine.IsGiven("publishedHigh")),
+                   "--publishedLow and --publishedHigh require --scheme published");
+  RequireParameter(!isPublished || !commandLine.IsGiven("smoothness"), "--smoothness requires --scheme graphCut");
+  RequireFoldLabelsName(commandLine.GetString("outputLabels"));
 }
 
 /** Optional output files; a name is empty if the file is not requested. */
@@ -29,7 +27,7 @@ class FoldFiles
 public:
   explicit FoldFiles(CommandLine & commandLine)
     : m_CommandLine(commandLine)
-    , m_Labels(commandLine.OutputOf("outputLabels"))
+    , m_Labels(commandLine.MainOutput("outputLabels"))
     , m_Features(commandLine.OutputOf("features"))
     , m_Table(commandLine.OutputOf("table"))
     , m_Picture(commandLine.OutputOf("picture"))
@@ -38,33 +36,33 @@ public:
   {}
 
   void
-  Write(const shapeton::HaustralFolds & folds, const shapeton::FlatColonGrid & grid) const
+  Write(const HaustralFolds & folds, const FlatColonGrid & grid) const
   {
-    shapeton::WriteFoldLabels(folds, grid, m_Labels, shapeton::ProvenanceMetadata(m_CommandLine.GetProvenance()));
+    WriteFoldLabels(folds, grid, m_Labels, ProvenanceMetadata(m_CommandLine.GetProvenance()));
     if (!m_Features.empty())
     {
-      shapeton::WriteFoldFeatures(folds, m_CommandLine.GetProvenance(), m_Features);
+      WriteFoldFeatures(folds, m_CommandLine.GetProvenance(), m_Features);
     }
     if (!m_Table.empty())
     {
-      shapeton::TableOfFolds(folds).Write(m_Table);
+      TableOfFolds(folds).Write(m_Table);
     }
     if (!m_Markups.empty())
     {
-      shapeton::WriteMarkups(shapeton::MarkupsOfFolds(folds), m_Markups);
+      WriteMarkups(MarkupsOfFolds(folds), m_Markups);
     }
     if (!m_ColorTable.empty())
     {
-      shapeton::WriteColorTable(shapeton::ColorsOfFolds(folds), m_ColorTable);
+      WriteColorTable(ColorsOfFolds(folds), m_ColorTable);
     }
   }
 
   void
-  WritePicture(const shapeton::HaustralFoldPictureContent & content, double pixelSize) const
+  WritePicture(const HaustralFoldPictureContent & content, double pixelSize) const
   {
     if (!m_Picture.empty())
     {
-      shapeton::WritePng(shapeton::DrawHaustralFolds(content, 0.5 * pixelSize, "Haustral folds"), m_Picture);
+      WritePng(DrawHaustralFolds(content, 0.5 * pixelSize, "Haustral folds"), m_Picture);
     }
   }
 
@@ -83,25 +81,24 @@ FindFolds(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
   const FoldFiles files(commandLine);
-  commandLine.RecordRun(commandLine.GetString("outputLabels") + ".run.json");
 
   commandLine.Progress("Reading", 0.0);
-  const std::string              what = '"' + commandLine.GetString("inputFlat") + '"';
-  const shapeton::Surface        surface = shapeton::ReadSurface(commandLine, "inputFlat");
-  shapeton::HaustralFoldSettings settings;
-  shapeton::ReadOptions(commandLine, settings);
-  shapeton::CurveSet taeniae;
+  const std::string    what = '"' + commandLine.GetString("inputFlat") + '"';
+  const Surface        surface = ReadSurface(commandLine, "inputFlat");
+  HaustralFoldSettings settings;
+  ReadOptions(commandLine, settings);
+  CurveSet taeniae;
   if (commandLine.IsGiven("taeniae"))
   {
-    taeniae = shapeton::ReadCurves(commandLine, "taeniae");
+    taeniae = ReadCurves(commandLine, "taeniae");
     settings.taeniae = &taeniae;
   }
-  shapeton::FlatColonGridOptions gridOptions;
-  shapeton::ReadOptions(commandLine, gridOptions);
-  const shapeton::FlatColon flat(surface.mesh, gridOptions, what);
+  FlatColonGridOptions gridOptions;
+  ReadOptions(commandLine, gridOptions);
+  const FlatColon flat(surface.mesh, gridOptions, what);
 
   commandLine.Progress("Folds", 0.2);
-  const shapeton::HaustralFolds folds = shapeton::FindHaustralFolds(flat, settings);
+  const HaustralFolds folds = FindHaustralFolds(flat, settings);
   commandLine.Warn(folds.warnings);
 
   commandLine.Progress("Writing", 0.7);

@@ -11,23 +11,23 @@
 
 namespace
 {
-using shapeton::CommandLine;
+using namespace shapeton;
 
-shapeton::ColonLandmarkSettings
+ColonLandmarkSettings
 SettingsOf(CommandLine & commandLine)
 {
-  shapeton::ColonLandmarkSettings settings;
-  shapeton::ReadOptions(commandLine, settings);
+  ColonLandmarkSettings settings;
+  ReadOptions(commandLine, settings);
   if (commandLine.IsGiven("markers"))
   {
-    settings.markers = shapeton::ReadTaeniaMarkers(commandLine, "markers");
+    settings.markers = ReadTaeniaMarkers(commandLine, "markers");
   }
   if (commandLine.IsGiven("volume"))
   {
     commandLine.Progress("Finding the pelvis", 0.0);
-    const shapeton::Volume volume = shapeton::ReadVolume(commandLine, "volume");
-    shapeton::WarnUnlessCT(commandLine, volume);
-    settings.pelvis = shapeton::FindPelvis(volume.image);
+    const Volume volume = ReadVolume(commandLine, "volume");
+    WarnUnlessCT(commandLine, volume);
+    settings.pelvis = FindPelvis(volume.image);
   }
   settings.progress = commandLine.PartOfProgress(0.0, 0.7); // the rest: splitting the colon and writing the files
   return settings;
@@ -36,24 +36,24 @@ SettingsOf(CommandLine & commandLine)
 void
 Mark(CommandLine & commandLine)
 {
-  const shapeton::ColonLandmarkFiles    files(commandLine, commandLine.GetString("outputFolder"));
-  const shapeton::ColonLandmarkReport   report(commandLine, commandLine.GetString("report"));
-  const shapeton::ColonLandmarkSettings settings = SettingsOf(commandLine);
-  const shapeton::CurveSet              centerline = shapeton::ReadCurves(commandLine, "inputCenterline");
-  const shapeton::FlatColon             flat(shapeton::ReadSurface(commandLine, "inputFlat").mesh);
-  const shapeton::ColonLandmarks        landmarks = shapeton::FindColonLandmarks(flat, centerline, settings);
+  const ColonLandmarkFiles    files(commandLine, commandLine.GetString("outputFolder"));
+  const std::string           report = commandLine.MakeFolderOf("report");
+  const ColonLandmarkSettings settings = SettingsOf(commandLine);
+  const CurveSet              centerline = ReadCurves(commandLine, "inputCenterline");
+  const FlatColon             flat(ReadSurface(commandLine, "inputFlat").mesh);
+  const ColonLandmarks        landmarks = FindColonLandmarks(flat, centerline, settings);
   commandLine.Warn(landmarks.warnings);
 
-  std::optional<shapeton::ColonPieces> pieces;
+  std::optional<ColonPieces> pieces;
   if (commandLine.GetFlag("split"))
   {
     commandLine.Progress("Splitting", 0.7);
-    pieces = shapeton::SplitColon(flat.Surface(), landmarks);
+    pieces = SplitColon(flat.Surface(), landmarks);
     commandLine.Warn(pieces->warnings);
   }
   commandLine.Progress("Writing", 0.9);
   files.Write(flat.Surface(), landmarks, pieces ? &*pieces : nullptr);
-  report.Write(flat, landmarks, pieces ? &*pieces : nullptr);
+  WriteColonLandmarkReport(commandLine, report, flat, landmarks, pieces ? &*pieces : nullptr);
 }
 } // namespace
 

@@ -16,37 +16,39 @@
 
 namespace
 {
-using Source = shapeton::ColonPhantomImageSource;
+using namespace shapeton;
+
+using Source = ColonPhantomImageSource;
 
 Source::Pointer
-MakeSource(shapeton::CommandLine & commandLine)
+MakeSource(CommandLine & commandLine)
 {
-  const double                 extent[3] = { 358.4, 358.4, 336.0 }; // mm
-  shapeton::PhantomGridOptions gridOptions;
-  shapeton::ReadOptions(commandLine, gridOptions);
+  const double       extent[3] = { 358.4, 358.4, 336.0 }; // mm
+  PhantomGridOptions gridOptions;
+  ReadOptions(commandLine, gridOptions);
   const auto grid =
-    shapeton::MakePhantomGrid(gridOptions, sizeof(short) + 3 * sizeof(unsigned char), itk::Vector<double, 3>(extent));
-  shapeton::RequireParameter(!shapeton::IsLeftHanded(grid.direction),
-                             "--direction: a CT series cannot have left-handed axes; change the sign of one column");
+    MakePhantomGrid(gridOptions, sizeof(short) + 3 * sizeof(unsigned char), itk::Vector<double, 3>(extent));
+  RequireParameter(!IsLeftHanded(grid.direction),
+                   "--direction: a CT series cannot have left-handed axes; change the sign of one column");
   const auto source = Source::New();
   source->SetSize(grid.size);
   source->SetSpacing(grid.spacing);
   source->SetDirection(grid.direction);
-  source->CenterOutput(shapeton::ReadPhantomCenter(commandLine));
-  source->SetParameters(shapeton::ReadColonPhantomParameters(commandLine));
+  source->CenterOutput(ReadPhantomCenter(commandLine));
+  source->SetParameters(ReadColonPhantomParameters(commandLine));
   return source;
 }
 
 // All positions of a patient are in one study.
-shapeton::DicomSeriesDescription
-Describe(const shapeton::CommandLine & commandLine)
+DicomSeriesDescription
+Describe(const CommandLine & commandLine)
 {
   const std::map<std::string, std::pair<const char *, int>> positions{ { "supine", { "HFS", 1 } },
                                                                        { "prone", { "HFP", 2 } },
                                                                        { "leftDecubitus", { "HFDL", 3 } },
                                                                        { "rightDecubitus", { "HFDR", 4 } } };
   const std::string                                         position = commandLine.GetString("position");
-  shapeton::DicomSeriesDescription                          description;
+  DicomSeriesDescription                                    description;
   description.patientName = "Phantom^Colon";
   description.patientID = "COLON-" + std::to_string(commandLine.GetInteger("seed"));
   description.studyDescription = "CT colonography phantom";
@@ -54,59 +56,57 @@ Describe(const shapeton::CommandLine & commandLine)
   description.patientPosition = positions.at(position).first;
   description.seriesNumber = positions.at(position).second;
   description.seed = static_cast<unsigned>(commandLine.GetInteger("seed"));
-  description.comments = shapeton::ProvenanceComment(commandLine.GetProvenance());
+  description.comments = ProvenanceComment(commandLine.GetProvenance());
   return description;
 }
 
 // Correspondence of another position of this patient; empty without the option.
-shapeton::CurveSet
-ReadOtherPosition(shapeton::CommandLine & commandLine)
+CurveSet
+ReadOtherPosition(CommandLine & commandLine)
 {
   if (!commandLine.IsGiven("pairWith"))
   {
     return {};
   }
-  shapeton::RequireParameter(commandLine.IsGiven("truth"),
-                             "--pairWith requires --truth, the folder where points.csv is written");
-  shapeton::CurveSet other = shapeton::ReadCurves(commandLine, "pairWith");
-  const std::string  seed = commandLine.GetString("seed");
+  RequireParameter(commandLine.IsGiven("truth"), "--pairWith requires --truth, the folder where points.csv is written");
+  CurveSet          other = ReadCurves(commandLine, "pairWith");
+  const std::string seed = commandLine.GetString("seed");
   for (const auto & [name, value] : other.facts)
   {
     if (name == "Shapeton.option.seed" && value != seed)
     {
-      throw shapeton::InputError("--pairWith: the points of \"" + commandLine.GetString("pairWith") +
-                                 "\" have the seed " + value + ", not " + seed +
-                                 "; both positions must show the same patient");
+      throw InputError("--pairWith: the points of \"" + commandLine.GetString("pairWith") + "\" have the seed " +
+                       value + ", not " + seed + "; both positions must show the same patient");
     }
   }
   return other;
 }
 
 void
-MakePhantom(shapeton::CommandLine & commandLine)
+MakePhantom(CommandLine & commandLine)
 {
-  const std::string folder = shapeton::WithoutTrailingSlashes(commandLine.GetString("outputFolder"));
-  const std::string truth = shapeton::WithoutTrailingSlashes(commandLine.GetString("truth"));
-  shapeton::RequireParameter(folder != truth, "--truth: the series requires a separate folder");
+  const std::string folder = WithoutTrailingSlashes(commandLine.GetString("outputFolder"));
+  const std::string truth = WithoutTrailingSlashes(commandLine.GetString("truth"));
+  RequireParameter(folder != truth, "--truth: the series requires a separate folder");
   commandLine.LeaveOutOfProvenance("truth");
-  const shapeton::CurveSet other = ReadOtherPosition(commandLine);
-  const auto               source = MakeSource(commandLine);
-  shapeton::RequireParameter(other.curves.empty() || shapeton::Contains(source->GetParameters(), "colon"),
-                             "--pairWith requires the colon; add colon to --contents");
-  shapeton::CheckDicomSeriesFolder(folder);
+  const CurveSet other = ReadOtherPosition(commandLine);
+  const auto     source = MakeSource(commandLine);
+  RequireParameter(other.curves.empty() || Contains(source->GetParameters(), "colon"),
+                   "--pairWith requires the colon; add colon to --contents");
+  CheckDicomSeriesFolder(folder);
   commandLine.Watch(source, "Scanning the phantom", 0.0, 0.9);
   source->Update();
   if (!truth.empty())
   {
     commandLine.MakeFolder(truth);
-    shapeton::WriteColonTruth(
+    WriteColonTruth(
       *source,
       commandLine.GetProvenance(),
       truth,
       [&](const std::string & path) { return commandLine.Output(path); },
       other.curves.empty() ? nullptr : &other);
   }
-  shapeton::WriteDicomSeriesFolder(source->GetOutput(), folder, Describe(commandLine));
+  WriteDicomSeriesFolder(source->GetOutput(), folder, Describe(commandLine));
   commandLine.RecordRun(folder + ".run.json");
 }
 } // namespace
@@ -114,5 +114,5 @@ MakePhantom(shapeton::CommandLine & commandLine)
 int
 main(int argc, char * argv[])
 {
-  return shapeton::CommandLine::Run(ToolXML, argc, argv, MakePhantom);
+  return CommandLine::Run(ToolXML, argc, argv, MakePhantom);
 }

@@ -16,14 +16,15 @@
 
 namespace
 {
-using shapeton::CommandLine;
-using Candidates = std::vector<shapeton::PolypCandidate>;
+using namespace shapeton;
+
+using Candidates = std::vector<PolypCandidate>;
 
 void
 CheckUsage(const CommandLine & commandLine)
 {
-  shapeton::RequireParameter(!commandLine.IsGiven("other") || commandLine.IsGiven("registration"),
-                             "--other requires --registration, which maps candidates to the other position");
+  RequireParameter(!commandLine.IsGiven("other") || commandLine.IsGiven("registration"),
+                   "--other requires --registration, which maps candidates to the other position");
 }
 
 /** Selects the map of a registration that starts from the wall of the candidates. */
@@ -34,23 +35,23 @@ MapToOther(CommandLine & commandLine, Candidates & candidates)
   {
     return;
   }
-  std::vector<shapeton::OtherPolypCandidate> others;
+  std::vector<OtherPolypCandidate> others;
   if (commandLine.IsGiven("other"))
   {
     const std::string path = commandLine.GetString("other");
-    commandLine.AddInput("other", "sha256:" + shapeton::Sha256OfFile(path));
-    others = shapeton::ReadOtherPolypCandidates(path);
+    commandLine.AddInput("other", "sha256:" + Sha256OfFile(path));
+    others = ReadOtherPolypCandidates(path);
   }
-  const std::string     folder = commandLine.GetString("registration");
-  std::string           nearest;
-  shapeton::SurfaceMesh map;
-  double                least = std::numeric_limits<double>::infinity();
-  for (const auto & file : { shapeton::examination::supineToProne, shapeton::examination::proneToSupine })
+  const std::string folder = commandLine.GetString("registration");
+  std::string       nearest;
+  SurfaceMesh       map;
+  double            least = std::numeric_limits<double>::infinity();
+  for (const auto & file : { examination::supineToProne, examination::proneToSupine })
   {
-    const std::string       path = folder + '/' + file.name;
-    const shapeton::Surface surface = shapeton::ReadSurface(path);
+    const std::string path = folder + '/' + file.name;
+    const Surface     surface = ReadSurface(path);
     commandLine.AddProvenance(file.Path(), surface.identity);
-    const double distance = shapeton::MeanDistanceToWall(surface.mesh, candidates);
+    const double distance = MeanDistanceToWall(surface.mesh, candidates);
     if (distance < least)
     {
       least = distance;
@@ -58,18 +59,17 @@ MapToOther(CommandLine & commandLine, Candidates & candidates)
       map = surface.mesh;
     }
   }
-  const double confidence = shapeton::ConfidenceOfRegistration(folder);
-  if (confidence < shapeton::LeastRegistrationConfidence)
+  const double confidence = ConfidenceOfRegistration(folder);
+  if (confidence < LeastRegistrationConfidence)
   {
-    commandLine.Warn("the registration \"" + folder + "\" has a confidence of " +
-                     shapeton::CsvTable::Rounded(confidence, 2) +
+    commandLine.Warn("the registration \"" + folder + "\" has a confidence of " + CsvTable::Rounded(confidence, 2) +
                      "; the other position was ignored (see the reasons in its report)");
     return;
   }
-  shapeton::FindInOtherPosition(map, '"' + nearest + '"', others, candidates);
+  FindInOtherPosition(map, '"' + nearest + '"', others, candidates);
   if (commandLine.IsGiven("other"))
   {
-    shapeton::WeighByOtherPosition(confidence, candidates);
+    WeighByOtherPosition(confidence, candidates);
   }
 }
 
@@ -77,20 +77,14 @@ void
 SearchForPolyps(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
-  const std::string table = commandLine.OutputOf("outputTable");
+  const std::string table = commandLine.MainOutput("outputTable");
   const std::string markups = commandLine.OutputOf("markups");
   const std::string heads = commandLine.OutputOf("heads");
-  shapeton::RequireVolumeName(heads);
-  const std::string report = commandLine.GetString("report");
-  if (!report.empty())
-  {
-    commandLine.MakeFolder(report);
-  }
-  commandLine.RecordRun(commandLine.GetString("outputTable") + ".run.json");
+  RequireVolumeName(heads);
+  const std::string report = commandLine.MakeFolderOf("report");
 
   commandLine.Progress("Reading", 0.0);
-  const shapeton::PolypColon colon =
-    shapeton::ReadPolypColon(shapeton::ExaminationFolder(commandLine.GetString("inputFolder"), "ColonPolyps"));
+  const PolypColon colon = ReadPolypColon(ExaminationFolder(commandLine.GetString("inputFolder"), "ColonPolyps"));
   commandLine.LeaveOutOfProvenance("inputFolder");
   for (const auto & [name, identity] : colon.facts)
   {
@@ -98,25 +92,25 @@ SearchForPolyps(CommandLine & commandLine)
   }
   commandLine.Warn(colon.warnings);
 
-  shapeton::PolypSearchSettings settings;
-  shapeton::ReadOptions(commandLine, settings);
+  PolypSearchSettings settings;
+  ReadOptions(commandLine, settings);
   settings.progress = commandLine.PartOfProgress(0.2, 0.7);
-  Candidates candidates = shapeton::SearchPolyps(colon, settings);
+  Candidates candidates = SearchPolyps(colon, settings);
   MapToOther(commandLine, candidates);
 
   commandLine.Progress("Writing", 0.7);
-  shapeton::TableOfPolypCandidates(candidates).Write(table);
+  TableOfPolypCandidates(candidates).Write(table);
   if (!markups.empty())
   {
-    shapeton::WriteMarkups(shapeton::MarkupsOfPolypCandidates(candidates), markups);
+    WriteMarkups(MarkupsOfPolypCandidates(candidates), markups);
   }
   if (!heads.empty())
   {
-    shapeton::WriteVolume(shapeton::LabelPolypHeads(colon.wall, colon.lumen, candidates).GetPointer(),
-                          heads,
-                          shapeton::ProvenanceMetadata(commandLine.GetProvenance()));
+    WriteVolume(LabelPolypHeads(colon.wall, colon.lumen, candidates).GetPointer(),
+                heads,
+                ProvenanceMetadata(commandLine.GetProvenance()));
   }
-  shapeton::WritePolypCandidateReport(commandLine, colon, candidates, report);
+  WritePolypCandidateReport(commandLine, colon, candidates, report);
 }
 } // namespace
 

@@ -10,19 +10,19 @@
 
 namespace
 {
-using shapeton::CommandLine;
+using namespace shapeton;
 
-shapeton::ColonPositionFiles
+ColonPositionFiles
 Read(CommandLine & commandLine, const std::string & parameter, const std::string & name)
 {
-  shapeton::ColonPositionFiles files = shapeton::ReadColonPosition(
-    shapeton::ExaminationFolder(commandLine.GetString(parameter), "ColonRegistration"), name);
+  ColonPositionFiles files =
+    ReadColonPosition(ExaminationFolder(commandLine.GetString(parameter), "ColonRegistration"), name);
   commandLine.AddInput(parameter, files.identity);
   commandLine.Warn(files.warnings);
   return files;
 }
 
-std::vector<shapeton::PointPair>
+std::vector<PointPair>
 ReadTruth(CommandLine & commandLine)
 {
   const std::string path = commandLine.GetString("evaluate");
@@ -30,12 +30,12 @@ ReadTruth(CommandLine & commandLine)
   {
     return {};
   }
-  commandLine.AddInput("evaluate", "sha256:" + shapeton::Sha256OfFile(path));
-  return shapeton::ReadPointPairs(path);
+  commandLine.AddInput("evaluate", "sha256:" + Sha256OfFile(path));
+  return ReadPointPairs(path);
 }
 
 void
-WarnOf(CommandLine & commandLine, const shapeton::SupineProneRegistration & registration)
+WarnOf(CommandLine & commandLine, const SupineProneRegistration & registration)
 {
   commandLine.Warn(registration.warnings);
   for (const std::string & reason : registration.confidence.reasons)
@@ -47,29 +47,27 @@ WarnOf(CommandLine & commandLine, const shapeton::SupineProneRegistration & regi
 void
 Register(CommandLine & commandLine)
 {
-  const shapeton::RegistrationFiles files(
-    commandLine,
-    commandLine.GetString("outputFolder"),
-    { commandLine.GetString("supineFolder"), commandLine.GetString("proneFolder") });
-  const shapeton::RegistrationReport     report(commandLine, commandLine.GetString("report"));
-  const std::vector<shapeton::PointPair> truth = ReadTruth(commandLine);
+  const RegistrationFiles      files(commandLine,
+                                commandLine.GetString("outputFolder"),
+                                { commandLine.GetString("supineFolder"), commandLine.GetString("proneFolder") });
+  const std::string            report = commandLine.MakeFolderOf("report");
+  const std::vector<PointPair> truth = ReadTruth(commandLine);
   commandLine.Progress("Reading", 0.0);
-  const shapeton::ColonPositionFiles supine = Read(commandLine, "supineFolder", "supine");
-  const shapeton::ColonPositionFiles prone = Read(commandLine, "proneFolder", "prone");
+  const ColonPositionFiles supine = Read(commandLine, "supineFolder", "supine");
+  const ColonPositionFiles prone = Read(commandLine, "proneFolder", "prone");
   if (supine.identity == prone.identity)
   {
     commandLine.Warn("both folders contain the same examination, which is registered to itself");
   }
-  shapeton::SupineProneSettings settings;
-  shapeton::ReadOptions(commandLine, settings);
+  SupineProneSettings settings;
+  ReadOptions(commandLine, settings);
   commandLine.Progress("Registering", 0.2);
-  const shapeton::SupineProneRegistration registration =
-    shapeton::RegisterColonPositions(supine.position, prone.position, settings);
+  const SupineProneRegistration registration = RegisterColonPositions(supine.position, prone.position, settings);
   WarnOf(commandLine, registration);
   commandLine.Progress("Writing", 0.8);
-  const shapeton::RegistrationResults results = shapeton::MakeRegistrationResults(supine, prone, registration, truth);
+  const RegistrationResults results = MakeRegistrationResults(supine, prone, registration, truth);
   files.Write(results);
-  report.Write({ &supine, &prone, &results });
+  WriteRegistrationReport(commandLine, report, { &supine, &prone, &results });
 }
 } // namespace
 

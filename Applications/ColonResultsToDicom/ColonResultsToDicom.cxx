@@ -10,7 +10,7 @@
 
 namespace
 {
-using shapeton::CommandLine;
+using namespace shapeton;
 
 /** Writes the results of a position, 0 or 1; [begin, end] is its part of the progress. */
 void
@@ -22,28 +22,28 @@ Write(CommandLine &       commandLine,
       double              end)
 {
   const std::string run = commandLine.GetString("exam");
-  const std::string exam = position == 0 ? run : run + '/' + shapeton::secondPositionFolder;
+  const std::string exam = position == 0 ? run : run + '/' + secondPositionFolder;
   CommandLine::RequireApart(source, folder, "use the folder with the DICOM series from which the run was computed");
-  shapeton::ColonDicomOptions options;
+  ColonDicomOptions options;
   ReadOptions(commandLine, options);
   options.reader = { commandLine.GetString("verdicts"), run, position, commandLine.GetString("observer") };
   options.progress = commandLine.PartOfProgress(begin, end);
   commandLine.MakeFolder(folder);
-  commandLine.Warn(shapeton::WriteColonDicomResults(
+  commandLine.Warn(WriteColonDicomResults(
     exam, source, folder, options, [&](const std::string & path) { return commandLine.Output(path); }));
 }
 
 void
 WriteResults(CommandLine & commandLine)
 {
-  shapeton::RequireParameter(!commandLine.GetString("source").empty(),
-                             "the parameter \"source\" is missing: results must refer to their series");
-  shapeton::RequireParameter(!commandLine.IsGiven("observer") || !commandLine.GetString("verdicts").empty(),
-                             "the parameter \"observer\" requires \"verdicts\"");
+  RequireParameter(!commandLine.GetString("source").empty(),
+                   "the parameter \"source\" is missing: results must refer to their series");
+  RequireParameter(!commandLine.IsGiven("observer") || !commandLine.GetString("verdicts").empty(),
+                   "the parameter \"observer\" requires \"verdicts\"");
   const std::string exam = commandLine.GetString("exam");
   const std::string folder = commandLine.GetString("outputFolder");
   const bool        hasSecond = commandLine.IsGiven("secondSource");
-  if (!hasSecond && std::filesystem::exists(exam + '/' + shapeton::secondPositionFolder))
+  if (!hasSecond && std::filesystem::exists(exam + '/' + secondPositionFolder))
   {
     commandLine.Warn("the results of the second series are skipped; set its folder with the parameter "
                      "\"secondSource\"");
@@ -51,8 +51,7 @@ WriteResults(CommandLine & commandLine)
   Write(commandLine, 0, commandLine.GetString("source"), folder, 0.0, hasSecond ? 0.5 : 1.0);
   if (hasSecond)
   {
-    Write(
-      commandLine, 1, commandLine.GetString("secondSource"), folder + '/' + shapeton::secondPositionFolder, 0.5, 1.0);
+    Write(commandLine, 1, commandLine.GetString("secondSource"), folder + '/' + secondPositionFolder, 0.5, 1.0);
   }
 }
 } // namespace

@@ -10,25 +10,25 @@
 
 namespace
 {
-using shapeton::CommandLine;
+using namespace shapeton;
 
 void
 CheckUsage(const CommandLine & commandLine)
 {
-  shapeton::RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("lumen"),
-                             "--lumen requires a CT; with --inputIsLumen the input itself is the lumen");
-  shapeton::RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("position"),
-                             "--position has no effect with --inputIsLumen: it determines where fluid pools");
-  shapeton::RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("cleansedVolume"),
-                             "--cleansedVolume requires a CT; with --inputIsLumen nothing is cleansed");
-  shapeton::RequireFacesOfWall(commandLine.GetInteger("faces"));
+  RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("lumen"),
+                   "--lumen requires a CT; with --inputIsLumen the input itself is the lumen");
+  RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("position"),
+                   "--position has no effect with --inputIsLumen: it determines where fluid pools");
+  RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("cleansedVolume"),
+                   "--cleansedVolume requires a CT; with --inputIsLumen nothing is cleansed");
+  RequireFacesOfWall(commandLine.GetInteger("faces"));
 }
 
-shapeton::ColonModelSettings
-SettingsOf(CommandLine & commandLine, const shapeton::Volume & volume)
+ColonModelSettings
+SettingsOf(CommandLine & commandLine, const Volume & volume)
 {
-  shapeton::ColonModelSettings settings;
-  shapeton::ReadOptions(commandLine, settings);
+  ColonModelSettings settings;
+  ReadOptions(commandLine, settings);
   if (settings.position == "auto")
   {
     settings.position = volume.patientPosition;
@@ -38,44 +38,43 @@ SettingsOf(CommandLine & commandLine, const shapeton::Volume & volume)
   return settings;
 }
 
-shapeton::ColonModel
-ModelOf(CommandLine & commandLine, const shapeton::Volume & volume, const shapeton::ColonModelSettings & settings)
+ColonModel
+ModelOf(CommandLine & commandLine, const Volume & volume, const ColonModelSettings & settings)
 {
   if (commandLine.GetFlag("inputIsLumen"))
   {
-    return shapeton::BuildColonModelOfLumen(shapeton::MaskOfVolume(volume, commandLine.GetString("inputVolume")),
-                                            settings);
+    return BuildColonModelOfLumen(MaskOfVolume(volume, commandLine.GetString("inputVolume")), settings);
   }
-  shapeton::WarnUnlessCT(commandLine, volume);
+  WarnUnlessCT(commandLine, volume);
   if (commandLine.IsGiven("lumen"))
   {
-    const auto mask = shapeton::ReadLabelMask(commandLine, "lumen", volume.image);
-    return shapeton::BuildColonModel(volume.image, mask.GetPointer(), settings);
+    const auto mask = ReadLabelMask(commandLine, "lumen", volume.image);
+    return BuildColonModel(volume.image, mask.GetPointer(), settings);
   }
-  return shapeton::BuildColonModel(volume.image, settings);
+  return BuildColonModel(volume.image, settings);
 }
 
 void
 Segment(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
-  shapeton::ColonModelFiles        files(commandLine, commandLine.GetString("outputFolder"));
-  const shapeton::ColonModelReport report(commandLine, commandLine.GetString("report"));
-  const shapeton::Volume           volume = shapeton::ReadVolume(commandLine, "inputVolume");
-  shapeton::ColonModelSettings     settings = SettingsOf(commandLine, volume);
+  ColonModelFiles    files(commandLine, commandLine.GetString("outputFolder"));
+  const std::string  report = commandLine.MakeFolderOf("report");
+  const Volume       volume = ReadVolume(commandLine, "inputVolume");
+  ColonModelSettings settings = SettingsOf(commandLine, volume);
   files.WriteBeside(settings, volume.image);
-  shapeton::ColonModel model = ModelOf(commandLine, volume, settings);
+  ColonModel model = ModelOf(commandLine, volume, settings);
   commandLine.Warn(model.warnings);
   const bool isPartial = !model.failure.empty();
   if (!isPartial || commandLine.GetFlag("keepPartial"))
   {
     commandLine.Progress("Writing", 0.92);
     files.Write(model, isPartial);
-    report.Write(model, volume, isPartial);
+    WriteColonModelReport(commandLine, report, model, volume, isPartial);
   }
   if (isPartial)
   {
-    throw shapeton::InputError(commandLine.GetString("inputVolume") + ": " + model.failure);
+    throw InputError(commandLine.GetString("inputVolume") + ": " + model.failure);
   }
 }
 } // namespace

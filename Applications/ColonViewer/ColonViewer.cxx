@@ -8,12 +8,12 @@
 
 namespace
 {
-using shapeton::CommandLine;
+using namespace shapeton;
 
-shapeton::ColonViewerOptions
+ColonViewerOptions
 OptionsOf(const CommandLine & commandLine)
 {
-  shapeton::ColonViewerOptions options;
+  ColonViewerOptions options;
   options.isSingle = commandLine.GetFlag("single");
   options.bits = std::stoi(commandLine.GetString("bits"));
   options.near = commandLine.GetDouble("near");
@@ -30,10 +30,10 @@ OptionsOf(const CommandLine & commandLine)
 void
 RequireCurrent(const std::string & run)
 {
-  namespace stages = shapeton::colonoscopystage;
+  namespace stages = colonoscopystage;
   for (const char * const stage : { stages::landmarks, stages::folds, stages::polyps })
   {
-    shapeton::RunRecords(run).RequireCurrent(stage);
+    RunRecords(run).RequireCurrent(stage);
   }
 }
 
@@ -41,8 +41,8 @@ RequireCurrent(const std::string & run)
 void
 AddWarnings(const std::string & run, const std::string & position, std::vector<std::string> & warnings)
 {
-  namespace stages = shapeton::colonoscopystage;
-  const shapeton::RunRecords records(run);
+  namespace stages = colonoscopystage;
+  const RunRecords records(run);
   for (const char * const stage : { stages::inspection,
                                     stages::segmentation,
                                     stages::flattening,
@@ -62,10 +62,10 @@ AddWarnings(const std::string & run, const std::string & position, std::vector<s
 void
 MakeViewer(CommandLine & commandLine)
 {
-  const std::string            folder = commandLine.GetString("outputFolder");
-  const std::string            exam = commandLine.GetString("exam");
-  shapeton::ColonViewerOptions options = OptionsOf(commandLine);
-  const std::string second = options.second.empty() ? exam + '/' + shapeton::secondPositionFolder : options.second;
+  const std::string  folder = commandLine.GetString("outputFolder");
+  const std::string  exam = commandLine.GetString("exam");
+  ColonViewerOptions options = OptionsOf(commandLine);
+  const std::string  second = options.second.empty() ? exam + '/' + secondPositionFolder : options.second;
   RequireCurrent(exam);
   RequireCurrent(second);
   AddWarnings(exam, "", options.warnings);
@@ -76,13 +76,13 @@ MakeViewer(CommandLine & commandLine)
     commandLine.MakeFolder(folder + "/data");
   }
   commandLine.Progress("Packing", 0.1);
-  const shapeton::OutputPath outputPath = [&](const std::string & path) { return commandLine.Output(path); };
-  shapeton::WriteColonViewer(exam, folder, options, outputPath);
+  const OutputPath outputPath = [&](const std::string & path) { return commandLine.Output(path); };
+  WriteColonViewer(exam, folder, options, outputPath);
   if (!options.verdicts.empty())
   {
     commandLine.Progress("Reader's report", 0.9);
     commandLine.Warn(
-      shapeton::WriteReaderReport({ exam, options.second, options.verdicts, options.isAnonymous }, folder, outputPath));
+      WriteReaderReport({ exam, options.second, options.verdicts, options.isAnonymous }, folder, outputPath));
   }
 }
 } // namespace

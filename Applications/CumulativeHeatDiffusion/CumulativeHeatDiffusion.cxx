@@ -15,53 +15,48 @@
 
 namespace
 {
-using shapeton::CommandLine;
+using namespace shapeton;
+
 using ImageType = itk::Image<float, 3>;
 constexpr double shareOfChoice = 0.3; // of the time of a run
 constexpr double endOfDiffusion = 0.95;
-using FilterType = shapeton::CumulativeHeatDiffusionImageFilter<ImageType>;
+using FilterType = CumulativeHeatDiffusionImageFilter<ImageType>;
 
 void
 CheckUsage(const CommandLine & commandLine)
 {
-  shapeton::RequireIntensityWindow(commandLine);
-  shapeton::RequireParameter(commandLine.IsGiven("snapshotSteps") || !commandLine.IsGiven("snapshotFolder"),
-                             "--snapshotFolder requires --snapshotSteps, the steps to write");
-  shapeton::RequireParameter(!commandLine.IsGiven("snapshotSteps") || commandLine.IsGiven("snapshotFolder") ||
-                               commandLine.IsGiven("report"),
-                             "--snapshotSteps requires --snapshotFolder or --report, to store the heat");
+  RequireIntensityWindow(commandLine);
+  RequireParameter(commandLine.IsGiven("snapshotSteps") || !commandLine.IsGiven("snapshotFolder"),
+                   "--snapshotFolder requires --snapshotSteps, the steps to write");
+  RequireParameter(!commandLine.IsGiven("snapshotSteps") || commandLine.IsGiven("snapshotFolder") ||
+                     commandLine.IsGiven("report"),
+                   "--snapshotSteps requires --snapshotFolder or --report, to store the heat");
 }
 
 void
 RequestHistogram(const CommandLine & commandLine, FilterType * filter)
 {
-  const auto spacing = commandLine.GetString("snapshotSpacing") == "linear" ? shapeton::SnapshotSpacing::Linear
-                                                                            : shapeton::SnapshotSpacing::Logarithmic;
-  filter->SetHistogramSteps(
-    shapeton::MakeSnapshotSteps(filter->GetTimeSteps(), commandLine.GetInteger("snapshots"), spacing));
+  const auto spacing =
+    commandLine.GetString("snapshotSpacing") == "linear" ? SnapshotSpacing::Linear : SnapshotSpacing::Logarithmic;
+  filter->SetHistogramSteps(MakeSnapshotSteps(filter->GetTimeSteps(), commandLine.GetInteger("snapshots"), spacing));
 }
 
 /** Schedules writing the heat after --snapshotSteps, or keeping it for the report; returns the steps. */
 std::vector<std::uint64_t>
-RequestSnapshots(CommandLine & commandLine, const shapeton::HeatResultFiles & files, FilterType * filter)
+RequestSnapshots(CommandLine & commandLine, const HeatResultFiles & files, FilterType * filter)
 {
   const auto                       given = commandLine.GetIntegers("snapshotSteps");
   const std::set<std::uint64_t>    distinct(given.begin(), given.end());
   const std::vector<std::uint64_t> steps(distinct.begin(), distinct.end());
   for (const std::uint64_t step : steps)
   {
-    shapeton::RequireParameter(step <= filter->GetTimeSteps(),
-                               "--snapshotSteps: " + std::to_string(step) +
-                                 " is not between 0 and the number of steps, " +
-                                 std::to_string(filter->GetTimeSteps()));
+    RequireParameter(step <= filter->GetTimeSteps(),
+                     "--snapshotSteps: " + std::to_string(step) + " is not between 0 and the number of steps, " +
+                       std::to_string(filter->GetTimeSteps()));
   }
   if (!steps.empty())
   {
-    const std::string folder = commandLine.GetString("snapshotFolder");
-    if (!folder.empty())
-    {
-      commandLine.MakeFolder(folder);
-    }
+    const std::string folder = commandLine.MakeFolderOf("snapshotFolder");
     filter->SetSnapshotSteps(
       steps, [&files, folder](std::uint64_t step, const ImageType * heat) { files.WriteSnapshot(heat, step, folder); });
   }
@@ -72,14 +67,14 @@ void
 Diffuse(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
-  shapeton::MakeWindowFolder(commandLine);
-  const shapeton::HeatResultFiles files(commandLine);
-  auto                            filter = FilterType::New();
-  shapeton::ReadOptionsOf(commandLine, filter.GetPointer());
-  shapeton::CheckOptions(filter->GetOptions());
-  const shapeton::Volume volume = shapeton::ReadVolume(commandLine, "inputVolume");
+  MakeWindowFolder(commandLine);
+  const HeatResultFiles files(commandLine);
+  auto                  filter = FilterType::New();
+  ReadOptionsOf(commandLine, filter.GetPointer());
+  CheckOptions(filter->GetOptions());
+  const Volume volume = ReadVolume(commandLine, "inputVolume");
   filter->SetInput(volume.image);
-  const auto choices = shapeton::ChooseWindows(commandLine, volume.modality, shareOfChoice, filter);
+  const auto choices = ChooseWindows(commandLine, volume.modality, shareOfChoice, filter);
   filter->SetWantInitialHeat(files.WantInitialHeat());
   filter->SetWantComponents(files.WantClasses());
   if (files.WantHistogram())
@@ -94,26 +89,22 @@ Diffuse(CommandLine & commandLine)
   const auto & result = filter->GetResult();
   commandLine.AddRunFact("device", result.device);
   const auto lastSnapshot = snapshotSteps.empty() ? 0 : snapshotSteps.back();
-  for (const auto & remark : shapeton::RunRemarks(result, filter->GetUntilSteady(), lastSnapshot))
-  {
-    commandLine.Warn(remark);
-  }
-  shapeton::HeatClassification classification;
+  commandLine.Warn(RunRemarks(result, filter->GetUntilSteady(), lastSnapshot));
+  HeatClassification classification;
   if (files.WantClasses())
   {
-    classification = shapeton::ClassifyHeat(filter->GetOutput(), result);
+    classification = ClassifyHeat(filter->GetOutput(), result);
   }
-  shapeton::HeatReportContent content = shapeton::MakeReportContent(result, volume.image, filter->GetOutput());
+  HeatReportContent content = MakeReportContent(result, volume.image, filter->GetOutput());
   if (!choices.empty())
   {
-    const auto reasons = shapeton::ChoiceFacts(choices.front());
+    const auto reasons = ChoiceFacts(choices.front());
     content.parameters.insert(content.parameters.end(), reasons.begin(), reasons.end());
   }
   content.input = { { "Modality", volume.modality }, { "Identity", volume.identity } };
   content.provenance = commandLine.GetProvenance();
   content.warnings = commandLine.GetWarnings();
-  content.scale = commandLine.GetString("histogramScale") == "equalized" ? shapeton::HeatScale::Equalized
-                                                                         : shapeton::HeatScale::Normalized;
+  content.scale = commandLine.GetString("histogramScale") == "equalized" ? HeatScale::Equalized : HeatScale::Normalized;
   content.classes = classification.classes;
   content.markedTimeSteps = snapshotSteps;
   files.Write(content, classification.labels);
@@ -121,7 +112,7 @@ Diffuse(CommandLine & commandLine)
   {
     files.WriteInitialHeat(filter->GetInitialHeatOutput());
   }
-  shapeton::WriteHeatWindows(commandLine, files, choices, start, endOfDiffusion, filter);
+  WriteHeatWindows(commandLine, files, choices, start, endOfDiffusion, filter);
 }
 } // namespace
 

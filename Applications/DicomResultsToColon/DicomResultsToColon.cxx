@@ -3,6 +3,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonDicomToColon.h"
 #include "shapetonExceptions.h"
+#include "shapetonMappedImage.h"
 #include "shapetonReadOptions.h"
 #include "shapetonSha256.h"
 #include "shapetonVolumeWriter.h"
@@ -11,7 +12,7 @@
 
 namespace
 {
-using shapeton::CommandLine;
+using namespace shapeton;
 
 bool
 IsOfReport(const CommandLine & commandLine)
@@ -23,99 +24,85 @@ void
 CheckUsage(const CommandLine & commandLine)
 {
   const bool ofSegments = commandLine.IsGiven("mask") || commandLine.IsGiven("labels") || commandLine.IsGiven("table");
-  shapeton::RequireParameter(ofSegments || IsOfReport(commandLine),
-                             "no output requested: use --mask, --labels or --table for a segmentation, --markers or "
-                             "--verdicts for a report");
-  shapeton::RequireParameter(
-    !ofSegments || !IsOfReport(commandLine),
-    "--markers and --verdicts require a report; --mask, --labels and --table require a segmentation");
-  shapeton::RequireParameter(commandLine.IsGiven("verdicts") == commandLine.IsGiven("exam"),
-                             "--verdicts requires --exam, the examination whose candidates the report judges, and "
-                             "--exam requires --verdicts");
-  shapeton::RequireVolumeName(commandLine.GetString("mask"));
-  shapeton::RequireVolumeName(commandLine.GetString("labels"));
-}
-
-/** Mask that is 1 in all segments. */
-itk::Image<unsigned char, 3>::Pointer
-MaskOf(const shapeton::DicomLabelImage * labels)
-{
-  const auto mask = itk::Image<unsigned char, 3>::New();
-  mask->CopyInformation(labels);
-  mask->SetRegions(labels->GetBufferedRegion());
-  mask->Allocate();
-  std::transform(labels->GetBufferPointer(),
-                 labels->GetBufferPointer() + labels->GetBufferedRegion().GetNumberOfPixels(),
-                 mask->GetBufferPointer(),
-                 [](unsigned short label) { return label != 0; });
-  return mask;
+  RequireParameter(ofSegments || IsOfReport(commandLine),
+                   "no output requested: use --mask, --labels or --table for a segmentation, --markers or "
+                   "--verdicts for a report");
+  RequireParameter(!ofSegments || !IsOfReport(commandLine),
+                   "--markers and --verdicts require a report; --mask, --labels and --table require a segmentation");
+  RequireParameter(commandLine.IsGiven("verdicts") == commandLine.IsGiven("exam"),
+                   "--verdicts requires --exam, the examination whose candidates the report judges, and "
+                   "--exam requires --verdicts");
+  RequireVolumeName(commandLine.GetString("mask"));
+  RequireVolumeName(commandLine.GetString("labels"));
 }
 
 void
-WriteSegments(CommandLine & commandLine, const shapeton::DicomSource & source)
+WriteSegments(CommandLine & commandLine, const DicomSource & source)
 {
   const std::string mask = commandLine.OutputOf("mask");
   const std::string labels = commandLine.OutputOf("labels");
   const std::string table = commandLine.OutputOf("table");
-  const auto        file = shapeton::ReadDicomSegmentation(commandLine.GetString("input"));
+  const auto        file = ReadDicomSegmentation(commandLine.GetString("input"));
   const auto        chosen = commandLine.GetIntegers("segments");
   commandLine.Warn(file.notes);
   if (!commandLine.GetFlag("anySeries"))
   {
-    shapeton::RequireMadeOn(file, source);
+    RequireMadeOn(file, source);
   }
-  if (source.series.Has(shapeton::DicomDefectKind::shear))
+  if (source.series.Has(DicomDefectKind::shear))
   {
     commandLine.AddProvenance("repair", "deshear: slices moved within their planes by whole pixels");
   }
-  const auto metadata = shapeton::ProvenanceMetadata(commandLine.GetProvenance());
+  const auto metadata = ProvenanceMetadata(commandLine.GetProvenance());
   if (!mask.empty())
   {
-    const auto lumen = chosen.empty() ? shapeton::LumenSegmentsOf(file) : chosen;
-    shapeton::WriteVolume(MaskOf(shapeton::ReadDicomSegments(file, lumen, source).labels).GetPointer(), mask, metadata);
+    const auto lumen = chosen.empty() ? LumenSegmentsOf(file) : chosen;
+    const auto labels = ReadDicomSegments(file, lumen, source).labels;
+    const auto isLumen = [](unsigned short label) { return label != 0; };
+    WriteVolume(MapVoxels<unsigned char>(labels.GetPointer(), isLumen).GetPointer(), mask, metadata);
   }
   if (!labels.empty() || !table.empty())
   {
-    const auto numbers = chosen.empty() ? shapeton::AllSegmentsOf(file) : chosen;
-    const auto voxels = shapeton::ReadDicomSegments(file, numbers, source);
+    const auto numbers = chosen.empty() ? AllSegmentsOf(file) : chosen;
+    const auto voxels = ReadDicomSegments(file, numbers, source);
     if (!labels.empty())
     {
-      shapeton::WriteVolume(voxels.labels.GetPointer(), labels, metadata);
+      WriteVolume(voxels.labels.GetPointer(), labels, metadata);
     }
     if (!table.empty())
     {
-      shapeton::TableOfSegments(file, numbers, voxels).Write(table);
+      TableOfSegments(file, numbers, voxels).Write(table);
     }
   }
 }
 
 void
-WriteReport(CommandLine & commandLine, const shapeton::DicomSource & source)
+WriteReport(CommandLine & commandLine, const DicomSource & source)
 {
   const std::string markers = commandLine.OutputOf("markers");
   const std::string verdicts = commandLine.OutputOf("verdicts");
-  const auto        points = shapeton::ReadDicomReportPoints(commandLine.GetString("input"), source);
+  const auto        points = ReadDicomReportPoints(commandLine.GetString("input"), source);
   if (!markers.empty())
   {
-    shapeton::WriteMarkups(shapeton::MarkupsOfReport(points), markers);
+    WriteMarkups(MarkupsOfReport(points), markers);
   }
   if (!verdicts.empty())
   {
-    const shapeton::ColonExamination exam(commandLine.GetString("exam"));
-    shapeton::Remarks                remarks;
-    shapeton::WriteReaderVerdicts(shapeton::VerdictsOfReport(points, exam, source, remarks), exam, verdicts);
+    const ColonExamination exam(commandLine.GetString("exam"));
+    Remarks                remarks;
+    WriteReaderVerdicts(VerdictsOfReport(points, exam, source, remarks), exam, verdicts);
     commandLine.Warn(remarks);
   }
 }
 
-shapeton::DicomSource
+DicomSource
 ReadSource(const CommandLine & commandLine)
 {
-  shapeton::DicomSourceOptions options;
-  shapeton::ReadOptions(commandLine, options);
+  DicomSourceOptions options;
+  ReadOptions(commandLine, options);
   options.offersDeshear = true;
   options.forPoints = IsOfReport(commandLine);
-  return shapeton::ReadDicomSource(commandLine.GetString("source"), options);
+  return ReadDicomSource(commandLine.GetString("source"), options);
 }
 
 void
@@ -125,8 +112,8 @@ Convert(CommandLine & commandLine)
   const std::string input = commandLine.GetString("input");
   commandLine.Progress("Reading", 0.0);
   const auto source = ReadSource(commandLine);
-  commandLine.AddInput("input", "sha256:" + shapeton::Sha256OfFile(input));
-  commandLine.AddInput("source", shapeton::IdentityOfSeries(source.series.GetSelector()));
+  commandLine.AddInput("input", "sha256:" + Sha256OfFile(input));
+  commandLine.AddInput("source", IdentityOfSeries(source.series.GetSelector()));
   IsOfReport(commandLine) ? WriteReport(commandLine, source) : WriteSegments(commandLine, source);
 }
 } // namespace

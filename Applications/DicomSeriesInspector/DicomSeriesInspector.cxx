@@ -6,18 +6,20 @@
 
 #include <iostream>
 
+using namespace shapeton;
+
 int
 main(int argc, char * argv[])
 {
-  return shapeton::CommandLine::Run(ToolXML, argc, argv, [](shapeton::CommandLine & commandLine) {
-    const std::string         folder = commandLine.GetString("inputFolder");
-    const std::string         json = commandLine.OutputOf("json");
-    const shapeton::DicomScan scan = shapeton::ScanDicom(folder);
-    shapeton::RequireDicomImages(scan);
+  return CommandLine::Run(ToolXML, argc, argv, [](CommandLine & commandLine) {
+    const std::string folder = commandLine.GetString("inputFolder");
+    const std::string json = commandLine.OutputOf("json");
+    const DicomScan   scan = ScanDicom(folder);
+    RequireDicomImages(scan);
     if (!json.empty())
     {
-      shapeton::WriteDicomScan(scan, json, shapeton::CommandLine::InOptions);
+      WriteDicomScan(scan, json, CommandLine::InOptions);
     }
-    std::cout << shapeton::FormatDicomScan(scan, shapeton::CommandLine::InOptions);
+    std::cout << FormatDicomScan(scan, CommandLine::InOptions);
   });
 }

@@ -12,30 +12,30 @@
 
 namespace
 {
-using shapeton::CommandLine;
+using namespace shapeton;
 
 /** Reads and embeds all steps. */
-shapeton::DynamicSequence
+DynamicSequence
 EmbedAll(CommandLine & commandLine)
 {
-  shapeton::GenusSettings genus;
-  shapeton::ReadOptions(commandLine, genus);
-  shapeton::DynamicEmbedding dynamic(genus);
-  shapeton::DynamicSequence  sequence;
-  std::string                identities;
-  const auto                 files = shapeton::GraphFilesOf(commandLine.GetString("sequenceFolder"));
+  GenusSettings genus;
+  ReadOptions(commandLine, genus);
+  DynamicEmbedding dynamic(genus);
+  DynamicSequence  sequence;
+  std::string      identities;
+  const auto       files = GraphFilesOf(commandLine.GetString("sequenceFolder"));
   for (const auto & file : files)
   {
-    shapeton::GraphFile read = shapeton::ReadGraph(file);
+    GraphFile read = ReadGraph(file);
     sequence.files.push_back(std::filesystem::path(file).filename().string());
     identities += sequence.files.back() + ' ' + read.identity + '\n';
     try
     {
       sequence.steps.push_back(dynamic.Add(read.graph));
     }
-    catch (const shapeton::InputError & error)
+    catch (const InputError & error)
     {
-      throw shapeton::InputError(sequence.files.back() + ": " + error.what());
+      throw InputError(sequence.files.back() + ": " + error.what());
     }
     for (const auto * remarks : { &read.notes, &sequence.steps.back().certificate.warnings })
     {
@@ -46,18 +46,8 @@ EmbedAll(CommandLine & commandLine)
     }
     commandLine.Progress("Embedding", 0.9 * sequence.steps.size() / files.size());
   }
-  commandLine.AddInput("sequenceFolder", "sha256:" + shapeton::Sha256OfBytes(identities));
+  commandLine.AddInput("sequenceFolder", "sha256:" + Sha256OfBytes(identities));
   return sequence;
-}
-
-shapeton::Json
-DocumentOf(const CommandLine & commandLine, const shapeton::Json & content)
-{
-  shapeton::Json document;
-  document["provenance"] = shapeton::ProvenanceToJson(commandLine.GetProvenance());
-  document["warnings"] = commandLine.GetWarnings();
-  document.update(content);
-  return document;
 }
 
 /** The two steps of --compare; empty without it. */
@@ -65,27 +55,25 @@ std::vector<int>
 ComparedSteps(const CommandLine & commandLine)
 {
   std::vector<int> steps = commandLine.GetIntegers("compare");
-  shapeton::RequireParameter(steps.empty() || steps.size() == 2, "--compare requires two steps, for example 0,4");
+  RequireParameter(steps.empty() || steps.size() == 2, "--compare requires two steps, for example 0,4");
   return steps;
 }
 
 void
-WriteComparison(CommandLine & commandLine, const shapeton::DynamicSequence & sequence, const std::vector<int> & steps)
+WriteComparison(CommandLine & commandLine, const DynamicSequence & sequence, const std::vector<int> & steps)
 {
   for (const int step : steps)
   {
-    shapeton::RequireParameter(step >= 0 && step < static_cast<int>(sequence.steps.size()),
-                               "--compare contains step " + std::to_string(step) + ", but the steps are 0 to " +
-                                 std::to_string(sequence.steps.size() - 1));
+    RequireParameter(step >= 0 && step < static_cast<int>(sequence.steps.size()),
+                     "--compare contains step " + std::to_string(step) + ", but the steps are 0 to " +
+                       std::to_string(sequence.steps.size() - 1));
   }
-  const auto &         a = sequence.steps[steps[0]].certificate;
-  const auto &         b = sequence.steps[steps[1]].certificate;
-  const shapeton::Json content{ { "steps", steps },
-                                { "files", { sequence.files[steps[0]], sequence.files[steps[1]] } },
-                                { "changes",
-                                  shapeton::ChangesToJson(shapeton::ChangesBetween(a, b), a.graph, b.graph) } };
-  shapeton::WriteJson(DocumentOf(commandLine, content),
-                      commandLine.Output(commandLine.GetString("outputFolder") + "/compare.json"));
+  const auto & a = sequence.steps[steps[0]].certificate;
+  const auto & b = sequence.steps[steps[1]].certificate;
+  const Json   content{ { "steps", steps },
+                      { "files", { sequence.files[steps[0]], sequence.files[steps[1]] } },
+                      { "changes", ChangesToJson(ChangesBetween(a, b), a.graph, b.graph) } };
+  commandLine.WriteDocument(content, commandLine.Output(commandLine.GetString("outputFolder") + "/compare.json"));
 }
 
 void
@@ -93,20 +81,19 @@ Embed(CommandLine & commandLine)
 {
   const std::vector<int>         compared = ComparedSteps(commandLine);
   const std::vector<std::string> tracked = commandLine.GetStrings("track");
-  const std::string              folder = commandLine.GetString("outputFolder");
-  commandLine.MakeFolder(folder);
-  const std::string documentPath = commandLine.Output(folder + "/dynamic.json");
-  const std::string stepsPath = commandLine.Output(folder + "/steps.csv");
+  const std::string              folder = commandLine.MakeFolderOf("outputFolder");
+  const std::string              documentPath = commandLine.Output(folder + "/dynamic.json");
+  const std::string              stepsPath = commandLine.Output(folder + "/steps.csv");
   commandLine.RecordRun(folder + "/run.json");
   commandLine.LeaveOutOfProvenance("labels"); // affects pictures only
 
-  shapeton::DynamicSequence sequence = EmbedAll(commandLine);
+  DynamicSequence sequence = EmbedAll(commandLine);
   commandLine.Progress("Writing", 0.9);
-  shapeton::WriteJson(DocumentOf(commandLine, shapeton::SequenceToJson(sequence)), documentPath);
-  shapeton::TableOfSteps(sequence).Write(stepsPath);
+  commandLine.WriteDocument(SequenceToJson(sequence), documentPath);
+  TableOfSteps(sequence).Write(stepsPath);
   if (!tracked.empty())
   {
-    shapeton::TableOfTrackedNodes(sequence, tracked).Write(commandLine.Output(folder + "/tracked.csv"));
+    TableOfTrackedNodes(sequence, tracked).Write(commandLine.Output(folder + "/tracked.csv"));
   }
   if (!compared.empty())
   {
@@ -116,14 +103,13 @@ Embed(CommandLine & commandLine)
   {
     const std::string number = std::to_string(10000 + i).substr(i < 10000 ? 1 : 0); // sorts by name
     sequence.steps[i].certificate.provenance = commandLine.GetProvenance();
-    shapeton::WriteEmbeddingCertificate(sequence.steps[i].certificate,
-                                        commandLine.Output(folder + "/step-" + number + ".json"));
+    WriteEmbeddingCertificate(sequence.steps[i].certificate, commandLine.Output(folder + "/step-" + number + ".json"));
   }
   commandLine.Progress("Painting", 0.95);
-  const shapeton::GraphSideBySide sheet{
+  const GraphSideBySide sheet{
     folder, commandLine.GetFlag("labels"), commandLine.GetProvenance(), commandLine.GetWarnings()
   };
-  shapeton::WriteSequencePictures(
+  WriteSequencePictures(
     sequence, compared, tracked, sheet, [&](const std::string & path) { return commandLine.Output(path); });
 }
 } // namespace

@@ -9,22 +9,22 @@
 
 namespace
 {
-using shapeton::CommandLine;
+using namespace shapeton;
 
 /** One row per pair of corresponding nodes, with their common color; unmatched nodes have separate rows. */
-shapeton::CsvTable
-TableOfNodes(const shapeton::GraphComparison & comparison)
+CsvTable
+TableOfNodes(const GraphComparison & comparison)
 {
-  const auto               colors = shapeton::ColorsOfNodes(comparison);
+  const auto               colors = ColorsOfNodes(comparison);
   const std::vector<int> & image = comparison.correspondence.image;
-  const shapeton::Graph &  a = comparison.a.graph;
-  const shapeton::Graph &  b = comparison.b.graph;
+  const Graph &            a = comparison.a.graph;
+  const Graph &            b = comparison.b.graph;
   std::vector<bool>        hasPartner(b.nodes, false);
-  shapeton::CsvTable       table({ "a", "b", "color" });
+  CsvTable                 table({ "a", "b", "color" });
   for (int v = 0; v < a.nodes; ++v)
   {
     const bool found = image[v] >= 0;
-    table.AddRow({ shapeton::NameOfNode(a, v), found ? shapeton::NameOfNode(b, image[v]) : "", colors[0][v] });
+    table.AddRow({ NameOfNode(a, v), found ? NameOfNode(b, image[v]) : "", colors[0][v] });
     if (found)
     {
       hasPartner[image[v]] = true;
@@ -34,24 +34,23 @@ TableOfNodes(const shapeton::GraphComparison & comparison)
   {
     if (!hasPartner[v])
     {
-      table.AddRow({ "", shapeton::NameOfNode(b, v), colors[1][v] });
+      table.AddRow({ "", NameOfNode(b, v), colors[1][v] });
     }
   }
   return table;
 }
 
 void
-WriteCertificate(CommandLine & commandLine, shapeton::EmbeddingCertificate & certificate, const std::string & path)
+WriteCertificate(CommandLine & commandLine, EmbeddingCertificate & certificate, const std::string & path)
 {
   certificate.provenance = commandLine.GetProvenance();
-  shapeton::WriteEmbeddingCertificate(certificate, path);
+  WriteEmbeddingCertificate(certificate, path);
 }
 
 void
 Compare(CommandLine & commandLine)
 {
-  const std::string folder = commandLine.GetString("outputFolder");
-  commandLine.MakeFolder(folder);
+  const std::string folder = commandLine.MakeFolderOf("outputFolder");
   const std::string comparisonPath = commandLine.Output(folder + "/comparison.json");
   const std::string nodesPath = commandLine.Output(folder + "/nodes.csv");
   const std::string pathA = commandLine.Output(folder + "/a.json");
@@ -59,12 +58,12 @@ Compare(CommandLine & commandLine)
   commandLine.RecordRun(folder + "/run.json");
   commandLine.LeaveOutOfProvenance("labels"); // affects pictures only
 
-  const shapeton::Graph   a = shapeton::ReadGraph(commandLine, "graphA");
-  const shapeton::Graph   b = shapeton::ReadGraph(commandLine, "graphB");
-  shapeton::GenusSettings genus;
-  shapeton::ReadOptions(commandLine, genus);
+  const Graph   a = ReadGraph(commandLine, "graphA");
+  const Graph   b = ReadGraph(commandLine, "graphB");
+  GenusSettings genus;
+  ReadOptions(commandLine, genus);
   commandLine.Progress("Comparing", 0.1);
-  shapeton::GraphComparison comparison = shapeton::CompareGraphs(a, b, genus);
+  GraphComparison comparison = CompareGraphs(a, b, genus);
   for (const auto * certificate : { &comparison.a, &comparison.b })
   {
     for (const std::string & warning : certificate->warnings)
@@ -74,16 +73,12 @@ Compare(CommandLine & commandLine)
   }
 
   commandLine.Progress("Writing", 0.9);
-  shapeton::Json document;
-  document["provenance"] = shapeton::ProvenanceToJson(commandLine.GetProvenance());
-  document["warnings"] = commandLine.GetWarnings();
-  document.update(shapeton::ComparisonToJson(comparison));
-  shapeton::WriteJson(document, comparisonPath);
+  commandLine.WriteDocument(ComparisonToJson(comparison), comparisonPath);
   TableOfNodes(comparison).Write(nodesPath);
   WriteCertificate(commandLine, comparison.a, pathA);
   WriteCertificate(commandLine, comparison.b, pathB);
   commandLine.Progress("Painting", 0.95);
-  shapeton::WriteComparisonPictures(
+  WriteComparisonPictures(
     comparison,
     { folder, commandLine.GetFlag("labels"), commandLine.GetProvenance(), commandLine.GetWarnings() },
     [&](const std::string & path) { return commandLine.Output(path); });

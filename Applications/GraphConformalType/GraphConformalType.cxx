@@ -9,46 +9,45 @@
 #include "shapetonSha256.h"
 #include "shapetonToolGraphs.h"
 
-#include <algorithm>
 #include <filesystem>
 
 namespace
 {
-using shapeton::CommandLine;
+using namespace shapeton;
 
 /** The graph, or with --planarPart a maximal planar subgraph of it; `what` names it in the warning. */
-shapeton::Graph
-PlanarOf(CommandLine & commandLine, shapeton::Graph graph, const std::string & what)
+Graph
+PlanarOf(CommandLine & commandLine, Graph graph, const std::string & what)
 {
   if (!commandLine.GetFlag("planarPart"))
   {
     return graph;
   }
-  const std::vector<int> kept = shapeton::PlanarEdges(graph);
+  const std::vector<int> kept = PlanarEdges(graph);
   const std::size_t      all = graph.edges.size();
   if (kept.size() < all)
   {
     commandLine.Warn(what + std::to_string(all - kept.size()) + " of " + std::to_string(all) +
                      " edges are left out of the planar part");
   }
-  return shapeton::GraphWithEdges(graph, kept);
+  return GraphWithEdges(graph, kept);
 }
 
 /** The graph, or the graphs of a folder in the order of their file names. */
-std::vector<shapeton::Graph>
+std::vector<Graph>
 GraphsOf(CommandLine & commandLine)
 {
   const std::string path = commandLine.GetString("graph");
   if (!std::filesystem::is_directory(path))
   {
-    return { PlanarOf(commandLine, shapeton::ReadGraph(commandLine, "graph"), "") };
+    return { PlanarOf(commandLine, ReadGraph(commandLine, "graph"), "") };
   }
-  std::vector<shapeton::Graph> graphs;
-  std::string                  identities;
-  for (const std::string & file : shapeton::GraphFilesOf(path))
+  std::vector<Graph> graphs;
+  std::string        identities;
+  for (const std::string & file : GraphFilesOf(path))
   {
-    shapeton::GraphFile read = shapeton::ReadGraph(file);
-    const std::string   name = std::filesystem::path(file).filename().string();
+    GraphFile         read = ReadGraph(file);
+    const std::string name = std::filesystem::path(file).filename().string();
     identities += name + ' ' + read.identity + '\n';
     for (const std::string & note : read.notes)
     {
@@ -56,74 +55,67 @@ GraphsOf(CommandLine & commandLine)
     }
     graphs.push_back(PlanarOf(commandLine, std::move(read.graph), name + ": "));
   }
-  commandLine.AddInput("graph", "sha256:" + shapeton::Sha256OfBytes(identities));
+  commandLine.AddInput("graph", "sha256:" + Sha256OfBytes(identities));
   return graphs;
 }
 
 /** Number of the node with the name of the option `root`. */
 int
-RootOf(const CommandLine & commandLine, const shapeton::Graph & graph)
+RootOf(const CommandLine & commandLine, const Graph & graph)
 {
   const std::string name = commandLine.GetString("root");
   for (int node = 0; node < graph.nodes; ++node)
   {
-    if (shapeton::NameOfNode(graph, node) == name)
+    if (NameOfNode(graph, node) == name)
     {
       return node;
     }
   }
-  throw shapeton::InputError("a graph has no node \"" + name + "\"; see --root");
+  throw InputError("a graph has no node \"" + name + "\"; see --root");
 }
 
-shapeton::ConformalTypeResult
-TypeOf(CommandLine & commandLine, const std::vector<shapeton::Graph> & graphs)
+ConformalTypeResult
+TypeOf(CommandLine & commandLine, const std::vector<Graph> & graphs)
 {
-  const bool                      hasRoot = commandLine.IsGiven("root");
-  shapeton::ConformalTypeSettings settings;
-  shapeton::ReadOptions(commandLine, settings);
+  const bool            hasRoot = commandLine.IsGiven("root");
+  ConformalTypeSettings settings;
+  ReadOptions(commandLine, settings);
   settings.progress = commandLine.PartOfProgress(0.1, 0.9);
   if (!std::filesystem::is_directory(commandLine.GetString("graph")))
   {
     settings.root = hasRoot ? RootOf(commandLine, graphs.front()) : -1;
-    return shapeton::FindConformalType(graphs.front(), settings);
+    return FindConformalType(graphs.front(), settings);
   }
-  shapeton::RequireParameter(hasRoot, "a sequence of graphs requires --root");
-  shapeton::RequireParameter(!settings.maximumRadius,
-                             "--maximumRadius applies to balls of one graph, not to a sequence");
+  RequireParameter(hasRoot, "a sequence of graphs requires --root");
+  RequireParameter(!settings.maximumRadius, "--maximumRadius applies to balls of one graph, not to a sequence");
   std::vector<int> roots;
-  for (const shapeton::Graph & graph : graphs)
+  for (const Graph & graph : graphs)
   {
     roots.push_back(RootOf(commandLine, graph));
   }
-  return shapeton::FindConformalType(graphs, roots, settings.progress);
+  return FindConformalType(graphs, roots, settings.progress);
 }
 
 void
 Find(CommandLine & commandLine)
 {
-  const std::string output = commandLine.GetString("verdict");
-  const std::string path = commandLine.Output(output);
-  const std::string table = commandLine.OutputOf("table");
-  const std::string svg = commandLine.OutputOf("svg");
-  commandLine.RecordRun(output + ".run.json");
-  const std::vector<shapeton::Graph>  graphs = GraphsOf(commandLine);
-  const shapeton::ConformalTypeResult result = TypeOf(commandLine, graphs);
-  if (result.type == shapeton::ConformalType::NotDecided)
+  const std::string         path = commandLine.MainOutput("verdict");
+  const std::string         table = commandLine.OutputOf("table");
+  const std::string         svg = commandLine.OutputOf("svg");
+  const std::vector<Graph>  graphs = GraphsOf(commandLine);
+  const ConformalTypeResult result = TypeOf(commandLine, graphs);
+  if (result.type == ConformalType::NotDecided)
   {
     commandLine.Warn("the balls do not decide the type: there are too few, or packing and resistance disagree");
   }
-  shapeton::Json document;
-  document["provenance"] = shapeton::ProvenanceToJson(commandLine.GetProvenance());
-  document["warnings"] = commandLine.GetWarnings();
-  document.update(shapeton::ConformalTypeToJson(result, shapeton::NameOfNode(graphs.front(), result.root)));
-  shapeton::WriteJson(document, path);
+  commandLine.WriteDocument(ConformalTypeToJson(result, NameOfNode(graphs.front(), result.root)), path);
   if (!table.empty())
   {
-    shapeton::BallTableOf(result).Write(table);
+    BallTableOf(result).Write(table);
   }
   if (!svg.empty())
   {
-    shapeton::WriteConformalTypeSvg(result, svg);
+    WriteConformalTypeSvg(result, svg);
   }
 }
 } // namespace

@@ -12,7 +12,7 @@
 
 namespace
 {
-using shapeton::CommandLine;
+using namespace shapeton;
 
 /** The requested pictures; their file names are checked before the computation. */
 struct Pictures
@@ -23,10 +23,8 @@ struct Pictures
     , hasLabels(commandLine.GetFlag("labels"))
   {
     commandLine.LeaveOutOfProvenance("labels"); // affects pictures only
-    if (commandLine.IsGiven("report"))
+    if (const std::string folder = commandLine.MakeFolderOf("report"); !folder.empty())
     {
-      const std::string folder = commandLine.GetString("report");
-      commandLine.MakeFolder(folder);
       report = commandLine.Output(folder + "/index.html");
     }
   }
@@ -38,30 +36,30 @@ struct Pictures
   }
 
   void
-  Write(const shapeton::EmbeddingCertificate &  certificate,
-        const shapeton::GraphCurvature &        curvature,
-        const shapeton::GraphCurvatureOptions & options,
-        CommandLine &                           commandLine) const
+  Write(const EmbeddingCertificate &  certificate,
+        const GraphCurvature &        curvature,
+        const GraphCurvatureOptions & options,
+        CommandLine &                 commandLine) const
   {
-    shapeton::GraphView view = shapeton::ViewOfCurvature(certificate, curvature, options);
+    GraphView view = ViewOfCurvature(certificate, curvature, options);
     view.title = title;
     view.hasLabels = hasLabels;
     if (!svg.empty())
     {
-      shapeton::WriteGraphSheetSvg({ view }, {}, svg);
+      WriteGraphSheetSvg({ view }, {}, svg);
     }
     if (!report.empty())
     {
-      shapeton::GraphReport page{ "Curvature of " + title, { view } };
+      GraphReport page{ "Curvature of " + title, { view } };
       page.paragraphs = {
         "Edges have the color of their curvature, circles that of the mean over the edges of the node. "
         "Negative: bridges between parts; positive: inside well-connected parts."
       };
       page.warnings = commandLine.GetWarnings();
-      page.facts = shapeton::FactsOf(curvature);
+      page.facts = FactsOf(curvature);
       const auto & provenance = commandLine.GetProvenance();
       page.facts.insert(page.facts.end(), provenance.begin(), provenance.end());
-      shapeton::WriteGraphReport(page, report);
+      WriteGraphReport(page, report);
     }
   }
 
@@ -71,45 +69,40 @@ struct Pictures
   bool        hasLabels;
 };
 
-shapeton::EmbeddingCertificate
-Embedded(CommandLine & commandLine, const shapeton::Graph & graph)
+EmbeddingCertificate
+Embedded(CommandLine & commandLine, const Graph & graph)
 {
-  shapeton::GenusSettings genus;
-  shapeton::ReadOptions(commandLine, genus);
-  shapeton::GraphEmbeddingSettings settings;
+  GenusSettings genus;
+  ReadOptions(commandLine, genus);
+  GraphEmbeddingSettings settings;
   settings.isRotationFree = true;
   commandLine.Progress("Genus", 0.5);
-  const shapeton::SurfaceEmbedding surface = shapeton::FindEmbedding(graph, genus);
+  const SurfaceEmbedding surface = FindEmbedding(graph, genus);
   commandLine.Progress("Circle packing", 0.7);
-  shapeton::EmbeddingCertificate certificate = shapeton::EmbedGraph(graph, surface.map, settings);
-  for (const std::string & warning : certificate.warnings)
-  {
-    commandLine.Warn(warning);
-  }
+  EmbeddingCertificate certificate = EmbedGraph(graph, surface.map, settings);
+  commandLine.Warn(certificate.warnings);
   return certificate;
 }
 
 void
 Measure(CommandLine & commandLine)
 {
-  const Pictures    pictures(commandLine);
-  const std::string output = commandLine.GetString("table");
-  const std::string path = commandLine.Output(output);
-  const std::string nodesPath = commandLine.OutputOf("nodeTable");
-  commandLine.RecordRun(output + ".run.json");
-  const shapeton::Graph            graph = shapeton::ReadGraph(commandLine, "graph");
-  shapeton::GraphCurvatureSettings settings;
-  shapeton::ReadOptions(commandLine, settings);
+  const Pictures         pictures(commandLine);
+  const std::string      path = commandLine.MainOutput("table");
+  const std::string      nodesPath = commandLine.OutputOf("nodeTable");
+  const Graph            graph = ReadGraph(commandLine, "graph");
+  GraphCurvatureSettings settings;
+  ReadOptions(commandLine, settings);
   commandLine.Progress("Curvature", 0.05);
-  const shapeton::GraphCurvature curvature = shapeton::MeasureCurvature(graph, settings);
-  shapeton::EdgeTableOf(graph, curvature).Write(path);
+  const GraphCurvature curvature = MeasureCurvature(graph, settings);
+  EdgeTableOf(graph, curvature).Write(path);
   if (!nodesPath.empty())
   {
-    shapeton::NodeTableOf(graph, curvature).Write(nodesPath);
+    NodeTableOf(graph, curvature).Write(nodesPath);
   }
   if (pictures.AreRequested())
   {
-    const shapeton::EmbeddingCertificate certificate = Embedded(commandLine, graph);
+    const EmbeddingCertificate certificate = Embedded(commandLine, graph);
     commandLine.Progress("Painting", 0.9);
     pictures.Write(certificate, curvature, settings, commandLine);
   }

@@ -10,39 +10,39 @@
 
 namespace
 {
-using shapeton::CommandLine;
+using namespace shapeton;
 
 void
-WriteStatistics(CommandLine & commandLine, const shapeton::EmbeddingVerdict & verdict)
+WriteStatistics(CommandLine & commandLine, const EmbeddingVerdict & verdict)
 {
-  shapeton::Json document;
-  document["provenance"] = shapeton::ProvenanceToJson(commandLine.GetProvenance());
+  Json document;
+  document["provenance"] = ProvenanceToJson(commandLine.GetProvenance());
   document["valid"] = verdict.refusal.empty();
   document["refusal"] = verdict.refusal;
-  document["measures"] = shapeton::Json::object();
+  document["measures"] = Json::object();
   for (const auto & [name, value] : verdict.measures)
   {
     document["measures"][name] = value;
   }
-  shapeton::WriteJson(document, commandLine.OutputOf("statistics"));
+  WriteJson(document, commandLine.OutputOf("statistics"));
   commandLine.Publish(commandLine.GetString("statistics")); // also for a rejected certificate
 }
 
 void
 Verify(CommandLine & commandLine)
 {
-  const std::string                    path = commandLine.GetString("certificate");
-  const shapeton::EmbeddingCertificate certificate = shapeton::ReadEmbeddingCertificate(path);
-  const shapeton::EmbeddingVerdict     verdict = shapeton::VerifyEmbedding(certificate);
+  const std::string          path = commandLine.GetString("certificate");
+  const EmbeddingCertificate certificate = ReadEmbeddingCertificate(path);
+  const EmbeddingVerdict     verdict = VerifyEmbedding(certificate);
   if (commandLine.IsGiven("statistics"))
   {
-    commandLine.AddInput("certificate", "sha256:" + shapeton::Sha256OfFile(path));
+    commandLine.AddInput("certificate", "sha256:" + Sha256OfFile(path));
     WriteStatistics(commandLine, verdict);
   }
   if (!verdict.refusal.empty())
   {
-    throw shapeton::InputError('"' + path + "\" does not prove an embedding: " + verdict.refusal +
-                               "; compute the certificate again");
+    throw InputError('"' + path + "\" does not prove an embedding: " + verdict.refusal +
+                     "; compute the certificate again");
   }
   std::cout << "valid";
   for (const auto & [name, value] : verdict.measures)

@@ -15,20 +15,22 @@
 
 namespace
 {
+using namespace shapeton;
+
 using ImageType = itk::Image<float, 3>;
 
 /** The intensities and the heat, or the visits of shapetons, on one grid. */
 struct Volumes
 {
-  shapeton::Volume             input;
-  shapeton::ShapeAnalysis      shape;
+  Volume                       input;
+  ShapeAnalysis                shape;
   std::optional<std::uint64_t> timeStep;
 };
 
 Volumes
-ReadVolumes(shapeton::CommandLine & commandLine, const shapeton::TransferFunctionChoice & choice)
+ReadVolumes(CommandLine & commandLine, const TransferFunctionChoice & choice)
 {
-  const auto snapshot = shapeton::FindHeatSnapshot(commandLine.GetString("heatVolume"), choice.timeStep);
+  const auto snapshot = FindHeatSnapshot(commandLine.GetString("heatVolume"), choice.timeStep);
   Volumes    volumes;
   volumes.timeStep = snapshot.timeStep;
   if (!snapshot.timeStep)
@@ -36,32 +38,31 @@ ReadVolumes(shapeton::CommandLine & commandLine, const shapeton::TransferFunctio
     commandLine.Warn("the header of " + std::filesystem::path(snapshot.path).filename().string() +
                      " has no time step: the pictures cannot show it");
   }
-  volumes.input = shapeton::ReadVolume(commandLine, "inputVolume");
+  volumes.input = ReadVolume(commandLine, "inputVolume");
   commandLine.Progress("Reading", 0.2);
-  const shapeton::Volume heat = shapeton::ReadVolume(snapshot.path);
+  const Volume heat = ReadVolume(snapshot.path);
   commandLine.AddInput("heatVolume", heat.identity);
-  const auto visits = shapeton::VisitsOf(heat.image, snapshot);
+  const auto visits = VisitsOf(heat.image, snapshot);
   if (!visits)
   {
-    shapeton::RequireHeat(heat.image, snapshot.path);
+    RequireHeat(heat.image, snapshot.path);
   }
-  if (!shapeton::HaveSameGrid(volumes.input.image, heat.image))
+  if (!HaveSameGrid(volumes.input.image, heat.image))
   {
-    throw shapeton::InputError("the grids of " + commandLine.GetString("inputVolume") + " and " + snapshot.path +
-                               " differ; use the volume from which the heat was computed");
+    throw InputError("the grids of " + commandLine.GetString("inputVolume") + " and " + snapshot.path +
+                     " differ; use the volume from which the heat was computed");
   }
   commandLine.Progress("Classifying", 0.5);
   const std::uint64_t step = volumes.timeStep.value_or(0);
-  volumes.shape = visits ? shapeton::AnalyzeVisits(visits, step) : shapeton::AnalyzeHeat(heat.image, step);
-  shapeton::RequireQuantity(choice, volumes.shape.quantity, snapshot.path);
+  volumes.shape = visits ? AnalyzeVisits(visits, step) : AnalyzeHeat(heat.image, step);
+  RequireQuantity(choice, volumes.shape.quantity, snapshot.path);
   return volumes;
 }
 
-shapeton::ShapeTransferFunction
-LinesOfClasses(shapeton::CommandLine & commandLine, const shapeton::ShapeAnalysis & shape)
+ShapeTransferFunction
+LinesOfClasses(CommandLine & commandLine, const ShapeAnalysis & shape)
 {
-  auto transferFunction =
-    shapeton::ShapeTransferFunction::FromClasses(shape.classes, shapeton::HeatAxis(shape.axisHistogram));
+  auto transferFunction = ShapeTransferFunction::FromClasses(shape.classes, HeatAxis(shape.axisHistogram));
   if (transferFunction.GetLines().empty())
   {
     commandLine.Warn("the heat volume contains only background: the transfer function is empty");
@@ -77,15 +78,14 @@ TitleOf(const Volumes & volumes)
 }
 
 void
-WriteReport(shapeton::CommandLine &                 commandLine,
-            const Volumes &                         volumes,
-            const shapeton::ShapeTransferFunction & transferFunction,
-            const shapeton::ColoredClasses &        drawn,
-            const shapeton::VolumeRenderer &        renderer)
+WriteReport(CommandLine &                 commandLine,
+            const Volumes &               volumes,
+            const ShapeTransferFunction & transferFunction,
+            const ColoredClasses &        drawn,
+            const VolumeRenderer &        renderer)
 {
-  const std::string folder = commandLine.GetString("report");
-  commandLine.MakeFolder(folder);
-  shapeton::HeatReportContent content;
+  const std::string folder = commandLine.MakeFolderOf("report");
+  HeatReportContent content;
   content.title = "Shape-based transfer function";
   content.input = { { "Modality", volumes.input.modality }, { "Identity", volumes.input.identity } };
   content.parameters = { { "Lines", transferFunction.ToText() },
@@ -102,19 +102,19 @@ WriteReport(shapeton::CommandLine &                 commandLine,
   content.transferFunction = transferFunction;
   content.drawn = drawn;
   content.renderer = &renderer;
-  shapeton::WriteHeatReport(content, folder, [&](const std::string & path) { return commandLine.Output(path); });
+  WriteHeatReport(content, folder, [&](const std::string & path) { return commandLine.Output(path); });
 }
 
 void
-MakeTransferFunction(shapeton::CommandLine & commandLine)
+MakeTransferFunction(CommandLine & commandLine)
 {
   const std::string output = commandLine.GetString("volumeProperty");
   if (std::filesystem::path(output).extension() != ".vp")
   {
-    throw shapeton::ParameterError("the output " + output +
-                                   " must have the extension .vp, by which 3D Slicer recognizes a volume property");
+    throw ParameterError("the output " + output +
+                         " must have the extension .vp, by which 3D Slicer recognizes a volume property");
   }
-  const auto        choice = shapeton::ReadTransferFunctionChoice(commandLine);
+  const auto        choice = ReadTransferFunctionChoice(commandLine);
   const std::string propertyFile = commandLine.Output(output);
   const std::string pictureFile = commandLine.OutputOf("picture");
 
@@ -123,16 +123,14 @@ MakeTransferFunction(shapeton::CommandLine & commandLine)
   const auto    transferFunction = choice.lines ? *choice.lines : LinesOfClasses(commandLine, shape);
   transferFunction.WriteVolumeProperty(propertyFile, std::max(1U, shape.quantity.greatestVisits));
   commandLine.Progress("Drawing", 0.6);
-  const auto                     drawn = shapeton::ColorChoice(commandLine, choice, shape.values, transferFunction);
-  const shapeton::VolumeRenderer renderer(drawn.values, drawn.lines, shapeton::ReadDevice(commandLine));
+  const auto           drawn = ColorChoice(commandLine, choice, shape.values, transferFunction);
+  const VolumeRenderer renderer(drawn.values, drawn.lines, ReadDevice(commandLine));
   commandLine.AddRunFact("device", renderer.GetDeviceUse().Describe());
   if (!pictureFile.empty())
   {
     const auto & gray = volumes.input.image;
     const auto   title = TitleOf(volumes);
-    shapeton::WritePng(
-      shapeton::DrawTransferFunction(gray, drawn.values, drawn.lines, title, {}, shape.quantity, &renderer),
-      pictureFile);
+    WritePng(DrawTransferFunction(gray, drawn.values, drawn.lines, title, {}, shape.quantity, &renderer), pictureFile);
   }
   if (commandLine.IsGiven("report"))
   {
@@ -145,5 +143,5 @@ MakeTransferFunction(shapeton::CommandLine & commandLine)
 int
 main(int argc, char * argv[])
 {
-  return shapeton::CommandLine::Run(ToolXML, argc, argv, MakeTransferFunction);
+  return CommandLine::Run(ToolXML, argc, argv, MakeTransferFunction);
 }

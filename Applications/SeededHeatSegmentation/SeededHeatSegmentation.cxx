@@ -16,9 +16,10 @@
 
 namespace
 {
-using shapeton::CommandLine;
+using namespace shapeton;
+
 using ImageType = itk::Image<float, 3>;
-using FilterType = shapeton::SeededHeatSegmentationImageFilter<ImageType>;
+using FilterType = SeededHeatSegmentationImageFilter<ImageType>;
 
 bool
 IsMarkups(const std::string & path)
@@ -30,65 +31,64 @@ IsMarkups(const std::string & path)
 void
 CheckUsage(const CommandLine & commandLine)
 {
-  shapeton::RequireIntensityWindow(commandLine);
-  shapeton::RequireParameter(!commandLine.GetFlag("autoParameters") || !commandLine.IsGiven("p"),
-                             "--autoParameters chooses p; do not combine it with --p");
+  RequireIntensityWindow(commandLine);
+  RequireParameter(!commandLine.GetFlag("autoParameters") || !commandLine.IsGiven("p"),
+                   "--autoParameters chooses p; do not combine it with --p");
   const std::string automatic = commandLine.GetString("automaticSeeds");
-  shapeton::RequireParameter(automatic != "off" || !commandLine.IsGiven("classes"),
-                             "--classes requires --automaticSeeds lines or components");
-  shapeton::RequireParameter(automatic == "components" || !commandLine.IsGiven("components"),
-                             "--components requires --automaticSeeds components");
-  shapeton::RequireParameter(automatic == "off" || !IsMarkups(commandLine.GetString("seeds")),
-                             "--automaticSeeds: markups are already seeds; use a map of classes");
-  shapeton::RequireVolumeName(commandLine.GetString("outputLabels"));
-  shapeton::RequireVolumeName(commandLine.GetString("uncertainty"));
+  RequireParameter(automatic != "off" || !commandLine.IsGiven("classes"),
+                   "--classes requires --automaticSeeds lines or components");
+  RequireParameter(automatic == "components" || !commandLine.IsGiven("components"),
+                   "--components requires --automaticSeeds components");
+  RequireParameter(automatic == "off" || !IsMarkups(commandLine.GetString("seeds")),
+                   "--automaticSeeds: markups are already seeds; use a map of classes");
+  RequireVolumeName(commandLine.GetString("outputLabels"));
+  RequireVolumeName(commandLine.GetString("uncertainty"));
 }
 
-shapeton::SeedImage::Pointer
+SeedImage::Pointer
 ReadSeeds(CommandLine & commandLine, const ImageType * image)
 {
   const std::string path = commandLine.GetString("seeds");
   if (IsMarkups(path))
   {
-    return shapeton::SeedsOfMarkups(shapeton::ReadMarkups(commandLine, "seeds"), image);
+    return SeedsOfMarkups(ReadMarkups(commandLine, "seeds"), image);
   }
-  const shapeton::Volume volume = shapeton::ReadVolume(path);
+  const Volume volume = ReadVolume(path);
   commandLine.AddInput("seeds", volume.identity);
-  const auto        seeds = shapeton::LabelsOfVolume(volume, path, image);
+  const auto        seeds = LabelsOfVolume(volume, path, image);
   const std::string automatic = commandLine.GetString("automaticSeeds");
   if (automatic == "off")
   {
     return seeds;
   }
-  shapeton::ClassSeeds choice;
+  ClassSeeds choice;
   choice.classes = commandLine.GetIntegers("classes");
   choice.components = automatic == "components" ? commandLine.GetInteger("components") : 0;
-  return shapeton::SeedsOfClasses(seeds, choice);
+  return SeedsOfClasses(seeds, choice);
 }
 
 void
 Configure(CommandLine & commandLine, FilterType * filter)
 {
-  shapeton::ReadOptionsOf(commandLine, filter);
+  ReadOptionsOf(commandLine, filter);
   filter->SetKeepProbabilities(commandLine.IsGiven("probabilities"));
   if (commandLine.GetFlag("autoParameters"))
   {
-    filter->SetP(shapeton::ChooseP(shapeton::VolumeView(filter->GetInput()), filter->GetOptions()).p);
+    filter->SetP(ChooseP(VolumeView(filter->GetInput()), filter->GetOptions()).p);
     commandLine.AddProvenance("option.p", "automatic");
-    commandLine.AddProvenance("chosen.p", shapeton::CsvTable::Number(filter->GetP()));
+    commandLine.AddProvenance("chosen.p", CsvTable::Number(filter->GetP()));
   }
 }
 
 void
-WriteProbabilities(CommandLine & commandLine, const FilterType * filter, const shapeton::VolumeMetadata & metadata)
+WriteProbabilities(CommandLine & commandLine, const FilterType * filter, const VolumeMetadata & metadata)
 {
-  const std::string folder = commandLine.GetString("probabilities");
-  commandLine.MakeFolder(folder);
+  const std::string folder = commandLine.MakeFolderOf("probabilities");
   for (const unsigned short label : filter->GetLabelValues())
   {
     std::ostringstream name;
     name << folder << "/probability-" << std::setw(5) << std::setfill('0') << label << ".nrrd";
-    shapeton::WriteVolume(filter->GetProbabilities(label).GetPointer(), commandLine.Output(name.str()), metadata);
+    WriteVolume(filter->GetProbabilities(label).GetPointer(), commandLine.Output(name.str()), metadata);
   }
 }
 
@@ -96,19 +96,19 @@ void
 Segment(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
-  const shapeton::Volume volume = shapeton::ReadVolume(commandLine, "inputVolume");
-  auto                   filter = FilterType::New();
+  const Volume volume = ReadVolume(commandLine, "inputVolume");
+  auto         filter = FilterType::New();
   filter->SetInput(volume.image);
   filter->SetSeeds(ReadSeeds(commandLine, volume.image));
   Configure(commandLine, filter);
   commandLine.Watch(filter, "Diffusing heat from the seeds", 0.0, 0.95);
   filter->Update();
   commandLine.Warn(filter->GetRemarks());
-  const auto metadata = shapeton::ProvenanceMetadata(commandLine.GetProvenance());
-  shapeton::WriteVolume(filter->GetOutput(), commandLine.OutputOf("outputLabels"), metadata);
+  const auto metadata = ProvenanceMetadata(commandLine.GetProvenance());
+  WriteVolume(filter->GetOutput(), commandLine.OutputOf("outputLabels"), metadata);
   if (commandLine.IsGiven("uncertainty"))
   {
-    shapeton::WriteVolume(filter->GetUncertaintyOutput(), commandLine.OutputOf("uncertainty"), metadata);
+    WriteVolume(filter->GetUncertaintyOutput(), commandLine.OutputOf("uncertainty"), metadata);
   }
   if (commandLine.IsGiven("probabilities"))
   {

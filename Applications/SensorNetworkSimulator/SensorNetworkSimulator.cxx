@@ -12,7 +12,7 @@
 
 namespace
 {
-using shapeton::CommandLine;
+using namespace shapeton;
 
 /** Rejects a folder with files, which could mix with the steps of this run. */
 void
@@ -26,23 +26,23 @@ RequireOwnFolder(const std::string & folder, int steps)
     const bool        isStep = std::sscanf(name.c_str(), "step-%d.graphml", &step) == 1 && step >= 0 && step < steps;
     if (name[0] != '.' && name != "devices" && !isStep)
     {
-      throw shapeton::OutputError('"' + folder + "\" holds \"" + name +
-                                  "\", which would become a step of the sequence; use an empty folder");
+      throw OutputError('"' + folder + "\" holds \"" + name +
+                        "\", which would become a step of the sequence; use an empty folder");
     }
   }
 }
 
 void
-AddDevices(shapeton::CsvTable & table, const shapeton::SensorNetwork & network, int step)
+AddDevices(CsvTable & table, const SensorNetwork & network, int step)
 {
   const auto & devices = network.GetDevices();
   for (std::size_t i = 0; i < devices.size(); ++i)
   {
     table.AddRow({ std::to_string(step),
-                   shapeton::SensorNetwork::NameOfDevice(static_cast<int>(i)),
-                   shapeton::CsvTable::Number(devices[i].x),
-                   shapeton::CsvTable::Number(devices[i].y),
-                   shapeton::CsvTable::Number(devices[i].power),
+                   SensorNetwork::NameOfDevice(static_cast<int>(i)),
+                   CsvTable::Number(devices[i].x),
+                   CsvTable::Number(devices[i].y),
+                   CsvTable::Number(devices[i].power),
                    devices[i].inNetwork ? "1" : "0" });
   }
 }
@@ -50,30 +50,30 @@ AddDevices(shapeton::CsvTable & table, const shapeton::SensorNetwork & network, 
 void
 Simulate(CommandLine & commandLine)
 {
-  const std::string              folder = commandLine.GetString("outputFolder");
-  const int                      steps = commandLine.GetInteger("steps");
-  shapeton::SensorNetworkOptions options;
-  shapeton::ReadOptions(commandLine, options);
-  shapeton::SensorNetwork network(options);
+  const std::string    folder = commandLine.GetString("outputFolder");
+  const int            steps = commandLine.GetInteger("steps");
+  SensorNetworkOptions options;
+  ReadOptions(commandLine, options);
+  SensorNetwork network(options);
   RequireOwnFolder(folder, steps);
   commandLine.MakeFolder(folder);
   commandLine.MakeFolder(folder + "/devices");
   commandLine.RecordRun(folder + "/devices/run.json");
-  shapeton::CsvTable table({ "step", "device", "x", "y", "power", "inNetwork" });
+  CsvTable table({ "step", "device", "x", "y", "power", "inNetwork" });
   for (int step = 0; step < steps; ++step)
   {
     if (step > 0)
     {
       network.Advance();
     }
-    const shapeton::Graph graph = network.GetGraph();
+    const Graph graph = network.GetGraph();
     if (graph.nodes == 0)
     {
-      throw shapeton::InputError("the network has no devices at step " + std::to_string(step) + "; use more devices");
+      throw InputError("the network has no devices at step " + std::to_string(step) + "; use more devices");
     }
     char name[32];
     std::snprintf(name, sizeof(name), "/step-%04d.graphml", step);
-    shapeton::WriteGraphML(graph, commandLine.Output(folder + name));
+    WriteGraphML(graph, commandLine.Output(folder + name));
     AddDevices(table, network, step);
     commandLine.Progress("Simulating", static_cast<double>(step + 1) / steps);
   }

@@ -15,29 +15,30 @@
 
 namespace
 {
-using Source = shapeton::ShapePhantomImageSource;
+using namespace shapeton;
 
-shapeton::ShapeScene
-ReadScene(shapeton::CommandLine & commandLine)
+using Source = ShapePhantomImageSource;
+
+ShapeScene
+ReadScene(CommandLine & commandLine)
 {
   const std::string shape = commandLine.GetString("shape");
-  const auto        scene = shapeton::ShapeScene::Load(shape);
-  const auto &      presets = shapeton::ShapeScene::GetPresetNames();
+  const auto        scene = ShapeScene::Load(shape);
+  const auto &      presets = ShapeScene::GetPresetNames();
   const bool        isPreset = std::find(presets.begin(), presets.end(), shape) != presets.end();
-  commandLine.AddInput("shape", isPreset ? shape : "sha256:" + shapeton::Sha256OfFile(shape));
+  commandLine.AddInput("shape", isPreset ? shape : "sha256:" + Sha256OfFile(shape));
   return scene;
 }
 
 Source::Pointer
-MakeSource(shapeton::CommandLine & commandLine)
+MakeSource(CommandLine & commandLine)
 {
-  shapeton::PhantomGridOptions gridOptions;
-  shapeton::ReadOptions(commandLine, gridOptions);
-  const auto grid = shapeton::MakePhantomGrid(gridOptions, sizeof(short) + sizeof(unsigned char));
-  if (commandLine.GetFlag("dicom") && shapeton::IsLeftHanded(grid.direction))
+  PhantomGridOptions gridOptions;
+  ReadOptions(commandLine, gridOptions);
+  const auto grid = MakePhantomGrid(gridOptions, sizeof(short) + sizeof(unsigned char));
+  if (commandLine.GetFlag("dicom") && IsLeftHanded(grid.direction))
   {
-    throw shapeton::ParameterError(
-      "--direction: a CT series cannot have left-handed axes; change the sign of one column");
+    throw ParameterError("--direction: a CT series cannot have left-handed axes; change the sign of one column");
   }
   const auto source = Source::New();
   source->SetSize(grid.size);
@@ -45,12 +46,12 @@ MakeSource(shapeton::CommandLine & commandLine)
   source->SetDirection(grid.direction);
   source->CenterOutput();
   source->SetScene(ReadScene(commandLine));
-  shapeton::ReadOptionsOf(commandLine, source.GetPointer());
+  ReadOptionsOf(commandLine, source.GetPointer());
   return source;
 }
 
 void
-WarnAboutIncompleteObjects(shapeton::CommandLine & commandLine, const Source * source)
+WarnAboutIncompleteObjects(CommandLine & commandLine, const Source * source)
 {
   std::string names;
   for (const auto & name : source->FindIncompleteObjects())
@@ -64,27 +65,27 @@ WarnAboutIncompleteObjects(shapeton::CommandLine & commandLine, const Source * s
 }
 
 void
-WriteSeries(const shapeton::CommandLine & commandLine, const Source::ImageType * image, const std::string & folder)
+WriteSeries(const CommandLine & commandLine, const Source::ImageType * image, const std::string & folder)
 {
-  shapeton::DicomSeriesDescription description;
+  DicomSeriesDescription description;
   description.studyDescription = "Shape phantoms";
   description.seriesDescription = "Shape phantom";
   description.seed = commandLine.GetInteger("seed");
-  description.comments = shapeton::ProvenanceComment(commandLine.GetProvenance());
-  shapeton::WriteDicomSeriesFolder(image, folder, description);
+  description.comments = ProvenanceComment(commandLine.GetProvenance());
+  WriteDicomSeriesFolder(image, folder, description);
 }
 
 void
-MakePhantom(shapeton::CommandLine & commandLine)
+MakePhantom(CommandLine & commandLine)
 {
-  const std::string output = shapeton::WithoutTrailingSlashes(commandLine.GetString("outputVolume"));
+  const std::string output = WithoutTrailingSlashes(commandLine.GetString("outputVolume"));
   const bool        dicom = commandLine.GetFlag("dicom");
   const auto        source = MakeSource(commandLine);
   const std::string volumeFile = dicom ? "" : commandLine.Output(output);
   const std::string labelFile = commandLine.OutputOf("labels");
   if (dicom)
   {
-    shapeton::CheckDicomSeriesFolder(output);
+    CheckDicomSeriesFolder(output);
   }
   commandLine.Watch(source, "Sampling the scene");
   source->Update();
@@ -92,7 +93,7 @@ MakePhantom(shapeton::CommandLine & commandLine)
 
   if (!labelFile.empty())
   {
-    shapeton::WriteVolume(source->GetLabelOutput(), labelFile, commandLine.GetProvenance());
+    WriteVolume(source->GetLabelOutput(), labelFile, commandLine.GetProvenance());
   }
   if (dicom)
   {
@@ -100,7 +101,7 @@ MakePhantom(shapeton::CommandLine & commandLine)
   }
   else
   {
-    shapeton::WriteVolume(source->GetOutput(), volumeFile, commandLine.GetProvenance());
+    WriteVolume(source->GetOutput(), volumeFile, commandLine.GetProvenance());
   }
   commandLine.RecordRun(output + ".run.json");
 }
@@ -109,5 +110,5 @@ MakePhantom(shapeton::CommandLine & commandLine)
 int
 main(int argc, char * argv[])
 {
-  return shapeton::CommandLine::Run(ToolXML, argc, argv, MakePhantom);
+  return CommandLine::Run(ToolXML, argc, argv, MakePhantom);
 }

@@ -11,49 +11,45 @@
 
 namespace
 {
-using shapeton::CommandLine;
-using shapeton::CsvTable;
+using namespace shapeton;
 
 struct Answer
 {
-  std::string                 shape;
-  shapeton::ShapeSearchResult result;
+  std::string       shape;
+  ShapeSearchResult result;
 };
 
 void
-Add(CommandLine & commandLine, const shapeton::ShapeTable & table, const std::string & identity)
+Add(CommandLine & commandLine, const ShapeTable & table, const std::string & identity)
 {
-  shapeton::RequireParameter(!commandLine.IsGiven("neighbors"),
-                             "--add stores shapes without a search; omit --neighbors");
+  RequireParameter(!commandLine.IsGiven("neighbors"), "--add stores shapes without a search; omit --neighbors");
   const std::string database = commandLine.GetString("database");
-  const std::size_t shapes = shapeton::AddToShapeDatabase(database, table, identity, commandLine.GetString("add"));
+  const std::size_t shapes = AddToShapeDatabase(database, table, identity, commandLine.GetString("add"));
   std::cout << table.rows.size() << " added, " << shapes << " shapes in " << database << '\n';
 }
 
 std::vector<Answer>
-Search(const CommandLine &                       commandLine,
-       const shapeton::ShapeTable &              table,
-       const std::vector<shapeton::NamedShape> & entries)
+Search(const CommandLine & commandLine, const ShapeTable & table, const std::vector<NamedShape> & entries)
 {
-  shapeton::ShapeSearchOptions options;
-  shapeton::ReadOptions(commandLine, options);
+  ShapeSearchOptions options;
+  ReadOptions(commandLine, options);
   std::vector<Answer> answers;
-  for (const shapeton::ShapeRow & row : table.rows)
+  for (const ShapeRow & row : table.rows)
   {
-    answers.push_back({ row.Name(), shapeton::FindShape(row.signature, entries, options) });
+    answers.push_back({ row.Name(), FindShape(row.signature, entries, options) });
   }
   return answers;
 }
 
 void
-Print(const std::vector<Answer> & answers, const std::vector<shapeton::NamedShape> & entries)
+Print(const std::vector<Answer> & answers, const std::vector<NamedShape> & entries)
 {
   for (const auto & [shape, result] : answers)
   {
     std::cout << shape << ": " << (result.IsUnknown() ? "unknown" : entries[result.neighbors.front().entry].name)
               << " (probability that the nearest is the same shape: " << CsvTable::Rounded(result.probability, 2)
               << ")\n";
-    for (const shapeton::ShapeNeighbor & neighbor : result.neighbors)
+    for (const ShapeNeighbor & neighbor : result.neighbors)
     {
       std::cout << "    " << CsvTable::Rounded(neighbor.distance, 3) << "  " << entries[neighbor.entry].name << '\n';
     }
@@ -61,7 +57,7 @@ Print(const std::vector<Answer> & answers, const std::vector<shapeton::NamedShap
 }
 
 void
-Write(const std::vector<Answer> & answers, const std::vector<shapeton::NamedShape> & entries, const std::string & path)
+Write(const std::vector<Answer> & answers, const std::vector<NamedShape> & entries, const std::string & path)
 {
   CsvTable table({ "shape", "rank", "name", "distance", "probability", "answer" });
   for (const auto & [shape, result] : answers)
@@ -85,9 +81,9 @@ Write(const std::vector<Answer> & answers, const std::vector<shapeton::NamedShap
 void
 AddOrSearch(CommandLine & commandLine)
 {
-  const std::string          path = commandLine.GetString("table");
-  const std::string          identity = "sha256:" + shapeton::Sha256OfFile(path);
-  const shapeton::ShapeTable table = shapeton::ReadShapeTable(path);
+  const std::string path = commandLine.GetString("table");
+  const std::string identity = "sha256:" + Sha256OfFile(path);
+  const ShapeTable  table = ReadShapeTable(path);
   if (commandLine.IsGiven("add"))
   {
     Add(commandLine, table, identity);
@@ -95,7 +91,7 @@ AddOrSearch(CommandLine & commandLine)
   }
   const std::string output = commandLine.GetString("neighbors");
   const std::string file = commandLine.OutputOf("neighbors");
-  const auto        entries = shapeton::ReadShapeDatabase(commandLine.GetString("database"));
+  const auto        entries = ReadShapeDatabase(commandLine.GetString("database"));
   const auto        answers = Search(commandLine, table, entries);
   if (!file.empty())
   {

@@ -8,26 +8,24 @@
 #include "shapetonToolDevice.h"
 #include "shapetonToolVolumes.h"
 
-#include <algorithm>
 #include <iostream>
 
 namespace
 {
-using shapeton::CommandLine;
+using namespace shapeton;
 
 /** The options that are given; the others are those of the preset. */
-shapeton::ParticleDiffusionOptions
-WalkOptions(CommandLine & commandLine, const shapeton::Volume & volume)
+ParticleDiffusionOptions
+WalkOptions(CommandLine & commandLine, const Volume & volume)
 {
-  shapeton::ShapetonPresetOptions options;
-  const auto                      given = shapeton::ReadGivenOptions(commandLine, options);
-  auto                            choice = shapeton::ChooseShapetonParameters(
-    shapeton::VolumeView(volume.image.GetPointer()), options, given, volume.modality);
-  choice.options.device = shapeton::ReadDevice(commandLine);
+  ShapetonPresetOptions options;
+  const auto            given = ReadGivenOptions(commandLine, options);
+  auto choice = ChooseShapetonParameters(VolumeView(volume.image.GetPointer()), options, given, volume.modality);
+  choice.options.device = ReadDevice(commandLine);
   return choice.options;
 }
 
-/** The options of reading, for the script that repeats the session. */
+/** The read options, for the script that repeats the session. */
 std::vector<std::string>
 ReadingArguments(const CommandLine & commandLine)
 {
@@ -49,20 +47,20 @@ ReadingArguments(const CommandLine & commandLine)
 void
 Serve(CommandLine & commandLine)
 {
-  shapeton::RequireIntensityWindow(commandLine);
-  const shapeton::SessionFolder folder(commandLine.GetString("folder"));
-  shapeton::Volume              volume = shapeton::ReadVolume(commandLine, "inputVolume", true);
-  shapeton::LiveSessionSettings settings;
+  RequireIntensityWindow(commandLine);
+  const SessionFolder folder(commandLine.GetString("folder"));
+  Volume              volume = ReadVolume(commandLine, "inputVolume", true);
+  LiveSessionSettings settings;
   settings.input = commandLine.GetString("inputVolume");
   settings.readingArguments = ReadingArguments(commandLine);
   settings.folder = folder.GetPath().string();
   settings.walk = WalkOptions(commandLine, volume);
-  shapeton::LiveSession           session(std::move(volume), settings);
-  shapeton::SessionServerSettings connection;
+  LiveSession           session(std::move(volume), settings);
+  SessionServerSettings connection;
   connection.address = commandLine.GetString("address");
   connection.port = static_cast<unsigned short>(commandLine.GetInteger("port"));
   connection.secondsWithoutPage = commandLine.GetDouble("patience");
-  shapeton::SessionServer server(session, connection);
+  SessionServer server(session, connection);
   std::cout << server.GetUrl() << std::endl;
   server.Run();
 }

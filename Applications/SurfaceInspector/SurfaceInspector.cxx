@@ -7,22 +7,24 @@
 
 #include <iostream>
 
+using namespace shapeton;
+
 int
 main(int argc, char * argv[])
 {
-  return shapeton::CommandLine::Run(ToolXML, argc, argv, [](shapeton::CommandLine & commandLine) {
-    const std::string              json = commandLine.OutputOf("json");
-    const shapeton::Surface        surface = shapeton::ReadSurfaceToInspect(commandLine, "inputSurface");
-    const shapeton::SurfaceQuality quality = shapeton::InspectSurface(surface.mesh);
+  return CommandLine::Run(ToolXML, argc, argv, [](CommandLine & commandLine) {
+    const std::string    json = commandLine.OutputOf("json");
+    const Surface        surface = ReadSurfaceToInspect(commandLine, "inputSurface");
+    const SurfaceQuality quality = InspectSurface(surface.mesh);
     if (!json.empty())
     {
-      shapeton::Json document;
-      document["provenance"] = shapeton::ProvenanceToJson(commandLine.GetProvenance());
+      Json document;
+      document["provenance"] = ProvenanceToJson(commandLine.GetProvenance());
       document["warnings"] = surface.notes;
-      document["surface"] = shapeton::SurfaceQualityToJson(quality);
-      shapeton::WriteJson(document, json);
+      document["surface"] = SurfaceQualityToJson(quality);
+      WriteJson(document, json);
     }
-    std::cout << shapeton::FormatSurfaceQuality(quality);
+    std::cout << FormatSurfaceQuality(quality);
     for (const std::string & note : surface.notes)
     {
       std::cout << "Note: " << note << '\n';

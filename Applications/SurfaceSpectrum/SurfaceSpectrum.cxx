@@ -11,41 +11,38 @@
 
 namespace
 {
-using shapeton::CommandLine;
-using shapeton::CsvTable;
-using shapeton::HeatKernelSignatureOptions;
+using namespace shapeton;
 
 void
 CheckUsage(const CommandLine & commandLine, const HeatKernelSignatureOptions & options)
 {
   const std::string signature = commandLine.GetString("heatKernelSignature");
-  shapeton::RequireParameter(signature.empty() ||
-                               (signature.size() > 4 && signature.substr(signature.size() - 4) == ".vtp"),
-                             "--heatKernelSignature writes VTP; the file name must end in .vtp");
-  shapeton::RequireParameter(!commandLine.IsGiven("times") || commandLine.IsGiven("heatKernelSignature"),
-                             "--times requires --heatKernelSignature");
+  RequireParameter(signature.empty() || (signature.size() > 4 && signature.substr(signature.size() - 4) == ".vtp"),
+                   "--heatKernelSignature writes VTP; the file name must end in .vtp");
+  RequireParameter(!commandLine.IsGiven("times") || commandLine.IsGiven("heatKernelSignature"),
+                   "--times requires --heatKernelSignature");
   for (const double time : options.times)
   {
-    shapeton::RequireParameter(time > 0.0, "--times must be greater than 0 mm^2");
+    RequireParameter(time > 0.0, "--times must be greater than 0 mm^2");
   }
 }
 
-shapeton::SurfaceSpectrum
-SpectrumOf(const CommandLine & commandLine, const shapeton::SurfaceMesh & mesh, int eigenpairs)
+SurfaceSpectrum
+SpectrumOf(const CommandLine & commandLine, const SurfaceMesh & mesh, int eigenpairs)
 {
-  const shapeton::SurfaceConnectivity connectivity(mesh);
+  const SurfaceConnectivity connectivity(mesh);
   try
   {
-    return shapeton::ComputeSurfaceSpectrum(shapeton::MakeSurfaceLaplacian(connectivity, mesh.V), eigenpairs);
+    return ComputeSurfaceSpectrum(MakeSurfaceLaplacian(connectivity, mesh.V), eigenpairs);
   }
-  catch (const shapeton::InputError & error)
+  catch (const InputError & error)
   {
-    throw shapeton::InputError(commandLine.GetString("inputSurface") + ": " + error.what());
+    throw InputError(commandLine.GetString("inputSurface") + ": " + error.what());
   }
 }
 
 void
-WriteEigenvalues(const shapeton::SurfaceSpectrum & spectrum, const std::string & path)
+WriteEigenvalues(const SurfaceSpectrum & spectrum, const std::string & path)
 {
   CsvTable table({ "number", "eigenvalue", "residual" });
   for (int i = 0; i < spectrum.NumberOfPairs(); ++i)
@@ -58,17 +55,17 @@ WriteEigenvalues(const shapeton::SurfaceSpectrum & spectrum, const std::string &
 }
 
 std::vector<double>
-TimesOf(CommandLine & commandLine, const std::vector<double> & given, const shapeton::SurfaceSpectrum & spectrum)
+TimesOf(CommandLine & commandLine, const std::vector<double> & given, const SurfaceSpectrum & spectrum)
 {
   constexpr int    numberOfTimes = 4;
   constexpr double noticeable = 0.01;
   if (given.empty())
   {
-    return shapeton::HeatKernelSignatureTimes(spectrum, numberOfTimes);
+    return HeatKernelSignatureTimes(spectrum, numberOfTimes);
   }
   for (const double time : given)
   {
-    if (const double share = shapeton::ShareOfLastPair(spectrum, time); share > noticeable)
+    if (const double share = ShareOfLastPair(spectrum, time); share > noticeable)
     {
       commandLine.Warn("at " + CsvTable::Number(time) + " mm^2 the last eigenpair still has " +
                        CsvTable::Rounded(share, 2) +
@@ -80,36 +77,34 @@ TimesOf(CommandLine & commandLine, const std::vector<double> & given, const shap
 }
 
 void
-WriteSignature(CommandLine &                     commandLine,
-               const std::vector<double> &       given,
-               const shapeton::SurfaceSpectrum & spectrum,
-               shapeton::SurfaceMesh             mesh,
-               const std::string &               path)
+WriteSignature(CommandLine &               commandLine,
+               const std::vector<double> & given,
+               const SurfaceSpectrum &     spectrum,
+               SurfaceMesh                 mesh,
+               const std::string &         path)
 {
   const std::vector<double> times = TimesOf(commandLine, given, spectrum);
   for (const double time : times)
   {
     mesh.pointArrays.push_back(
-      { "heatKernelSignature_" + CsvTable::Rounded(time, 6), shapeton::HeatKernelSignature(spectrum, time) });
+      { "heatKernelSignature_" + CsvTable::Rounded(time, 6), HeatKernelSignature(spectrum, time) });
   }
   mesh.fieldArrays.push_back({ "times", Eigen::Map<const Eigen::VectorXd>(times.data(), times.size()) });
   mesh.fieldArrays.push_back({ "eigenvalues", spectrum.eigenvalues });
-  shapeton::WriteSurface(std::move(mesh), commandLine.GetProvenance(), path);
+  WriteSurface(std::move(mesh), commandLine.GetProvenance(), path);
 }
 
 void
 Analyze(CommandLine & commandLine)
 {
   HeatKernelSignatureOptions options;
-  shapeton::ReadOptions(commandLine, options);
+  ReadOptions(commandLine, options);
   CheckUsage(commandLine, options);
-  const std::string output = commandLine.GetString("eigenvalues");
-  const std::string eigenvalues = commandLine.Output(output);
+  const std::string eigenvalues = commandLine.MainOutput("eigenvalues");
   const std::string signature = commandLine.OutputOf("heatKernelSignature");
-  commandLine.RecordRun(output + ".run.json");
-  const shapeton::Surface surface = shapeton::ReadRepairedSurface(commandLine, "inputSurface");
+  const Surface     surface = ReadRepairedSurface(commandLine, "inputSurface");
   commandLine.Progress("Computing eigenpairs", 0.1);
-  const shapeton::SurfaceSpectrum spectrum = SpectrumOf(commandLine, surface.mesh, options.eigenpairs);
+  const SurfaceSpectrum spectrum = SpectrumOf(commandLine, surface.mesh, options.eigenpairs);
   commandLine.Progress("Writing", 0.9);
   WriteEigenvalues(spectrum, eigenvalues);
   if (!signature.empty())

@@ -8,7 +8,7 @@
 
 namespace
 {
-using shapeton::CommandLine;
+using namespace shapeton;
 
 /** Options that require another option. */
 void
@@ -24,13 +24,13 @@ CheckSecond(const CommandLine & commandLine)
                                    "segmentWise",
                                    "evaluate" })
   {
-    shapeton::RequireParameter(commandLine.IsGiven("second") || !commandLine.IsGiven(name),
-                               std::string("--") + name + " requires --second");
+    RequireParameter(commandLine.IsGiven("second") || !commandLine.IsGiven(name),
+                     std::string("--") + name + " requires --second");
   }
-  shapeton::RequireParameter(!commandLine.IsGiven("second") ||
-                               commandLine.GetString("second") != commandLine.GetString("inputVolume") ||
-                               commandLine.GetString("secondSeriesUID") != commandLine.GetString("seriesUID"),
-                             "the second series is the first one; set --secondSeriesUID or use another folder");
+  RequireParameter(!commandLine.IsGiven("second") ||
+                     commandLine.GetString("second") != commandLine.GetString("inputVolume") ||
+                     commandLine.GetString("secondSeriesUID") != commandLine.GetString("seriesUID"),
+                   "the second series is the first one; set --secondSeriesUID or use another folder");
 }
 
 /** Checks options in advance that a tool would reject only after minutes. */
@@ -40,16 +40,15 @@ CheckUsage(const CommandLine & commandLine)
   const bool isLumen = commandLine.GetFlag("inputIsLumen");
   for (const auto & [lumen, position] : { std::pair("lumen", "position"), std::pair("secondLumen", "secondPosition") })
   {
-    shapeton::RequireParameter(!isLumen || !commandLine.IsGiven(lumen),
-                               std::string("--") + lumen +
-                                 " requires a CT; with --inputIsLumen the input itself is the lumen");
-    shapeton::RequireParameter(!isLumen || !commandLine.IsGiven(position),
-                               std::string("--") + position +
-                                 " has no effect with --inputIsLumen: it determines where fluid pools");
+    RequireParameter(!isLumen || !commandLine.IsGiven(lumen),
+                     std::string("--") + lumen + " requires a CT; with --inputIsLumen the input itself is the lumen");
+    RequireParameter(!isLumen || !commandLine.IsGiven(position),
+                     std::string("--") + position +
+                       " has no effect with --inputIsLumen: it determines where fluid pools");
   }
-  shapeton::RequireParameter(commandLine.GetString("metric") != "euclidean" || !commandLine.IsGiven("time"),
-                             "--time applies to the heat diffusion metric only, not to --metric euclidean");
-  shapeton::RequireFacesOfWall(commandLine.GetInteger("faces"));
+  RequireParameter(commandLine.GetString("metric") != "euclidean" || !commandLine.IsGiven("time"),
+                   "--time applies to the heat diffusion metric only, not to --metric euclidean");
+  RequireFacesOfWall(commandLine.GetInteger("faces"));
   CheckSecond(commandLine);
 }
 } // namespace
@@ -59,6 +58,6 @@ main(int argc, char * argv[])
 {
   return CommandLine::Run(ToolXML, argc, argv, [](CommandLine & commandLine) {
     CheckUsage(commandLine);
-    shapeton::RunColonoscopy(commandLine, shapeton::FolderOfThisProgram());
+    RunColonoscopy(commandLine, FolderOfThisProgram());
   });
 }

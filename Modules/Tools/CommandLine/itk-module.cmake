@@ -5,11 +5,11 @@ itk_module(ShapetonCommandLine
   EXCLUDE_FROM_DEFAULT
   DEPENDS
     ShapetonCommon
+    ShapetonReport
     ITKCommon
     ShapetonSurfaceMesh
     ShapetonVolumeFiles
   PRIVATE_DEPENDS
-    ShapetonReport
     ITKExpat
   TEST_DEPENDS
     ITKExpat

@@ -4,6 +4,7 @@
 #include "ShapetonColonToolsExport.h"
 #include "shapetonColonSplitting.h"
 #include "shapetonSceneFiles.h"
+#include "shapetonSlicerMarkups.h"
 
 namespace shapeton
 {
@@ -20,7 +21,7 @@ class CommandLine;
 class ShapetonColonTools_EXPORT ColonLandmarkFiles
 {
 public:
-  /** Creates the folder. Throws OutputError if it cannot be written to. */
+  /** Creates the folder. Throws OutputError if the folder cannot be written to. */
   ColonLandmarkFiles(CommandLine & commandLine, const std::string & folder);
 
   /** `pieces` may be null. The warnings of the command line are written to landmarks.json. */
@@ -30,6 +31,8 @@ public:
 private:
   void
   WriteOrRemove(const std::string & name, const CurveSet & curves) const;
+  void
+  WriteOrRemove(const std::string & name, const std::vector<Markup> & markups) const;
   void
   WriteTaeniaMarkups(const CurveSet & taeniae) const;
   void

@@ -9,23 +9,14 @@ namespace shapeton
 {
 class CommandLine;
 
-/** \class ColonLandmarkReport
- * \brief Report of the tool ColonLandmarks: index.html and its pictures as PNG files in the same folder.
- * \ingroup ShapetonColonTools */
-class ShapetonColonTools_EXPORT ColonLandmarkReport
-{
-public:
-  /** Creates the folder; an empty name disables the report. Throws OutputError. */
-  ColonLandmarkReport(CommandLine & commandLine, const std::string & folder);
-
-  /** `pieces` may be null. */
-  void
-  Write(const FlatColon & flat, const ColonLandmarks & landmarks, const ColonPieces * pieces) const;
-
-private:
-  CommandLine & m_CommandLine;
-  std::string   m_Folder;
-};
+/** The report of the tool ColonLandmarks in an existing folder: index.html and its pictures as PNG files; nothing if
+ * the name of the folder is empty. `pieces` may be null. Throws OutputError. \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT void
+WriteColonLandmarkReport(CommandLine &          commandLine,
+                         const std::string &    folder,
+                         const FlatColon &      flat,
+                         const ColonLandmarks & landmarks,
+                         const ColonPieces *    pieces);
 } // namespace shapeton
 
 #endif

@@ -11,24 +11,15 @@ namespace shapeton
 class CommandLine;
 struct Volume;
 
-/** \class ColonModelReport
- * \brief Report on a colon model, written into a folder.
- * \ingroup ShapetonColonTools */
-class ShapetonColonTools_EXPORT ColonModelReport
-{
-public:
-  /** Creates the folder; an empty name disables the report. Throws OutputError. */
-  ColonModelReport(CommandLine & commandLine, const std::string & folder);
-
-  /** With `atOnce` the files get their final names immediately, even if the run fails later. `volume` is the input: the
-   * CT, or the mask for a model without intensities. */
-  void
-  Write(const ColonModel & model, const Volume & volume, bool atOnce = false) const;
-
-private:
-  CommandLine & m_CommandLine;
-  std::string   m_Folder;
-};
+/** The report on a colon model in an existing folder; nothing if the name of the folder is empty. With `atOnce` the
+ * files get their final names immediately, even if the run fails later. `volume` is the input: the CT, or the mask for
+ * a model without intensities. Throws OutputError. \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT void
+WriteColonModelReport(CommandLine &       commandLine,
+                      const std::string & folder,
+                      const ColonModel &  model,
+                      const Volume &      volume,
+                      bool                atOnce);
 } // namespace shapeton
 
 #endif

@@ -12,7 +12,8 @@ namespace shapeton
 {
 class CommandLine;
 
-/** Picture file of a candidate by its number, 0 for the flat colon with all candidates; empty if there is none.
+/** Picture file of the candidate with this number, or of the flat colon with all candidates for 0; empty if there is
+ * none.
  * \ingroup ShapetonColonTools */
 using PolypPictureFile = std::function<std::string(int number)>;
 
@@ -26,13 +27,13 @@ struct PolypsOfPage
   bool isSecond{ false };
 };
 
-/** Adds the section on candidates for a first page: how to read them, the limit of the resolution stored with the
- * centerline, a table, and their sizes if confirmed. \ingroup ShapetonColonTools */
+/** Adds the section on candidates for a first page: how to read them, the resolution limit stored with the centerline,
+ * a table, and a count by size in case they are confirmed. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT void
 AddPolypCandidateTable(HtmlReport & report, const CurveSet & centerline, const PolypsOfPage & polyps);
 
-/** Adds a table of the possible polyps of another position whose partner here is missing or recognized as something
- * else; nothing if there are none. \ingroup ShapetonColonTools */
+/** Adds a table of the possible polyps of the other position whose counterpart here is missing or recognized as
+ * something else; nothing if there are none. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT void
 AddPolypsOfOtherPosition(HtmlReport & report, const PolypsOfPage & polyps);
 
@@ -40,13 +41,13 @@ AddPolypsOfOtherPosition(HtmlReport & report, const PolypsOfPage & polyps);
 struct PolypCards
 {
   PolypsOfPage polyps;
-  /** The CT, for the numbers of slices; may be null. */
+  /** The CT, for slice numbers; may be null. */
   const itk::ImageBase<3> * grid{ nullptr };
-  /** Page of the viewer, and the page with the cards of the other position, to which cards link, relative to the
-   * report; may be empty. */
+  /** Pages to which the cards link, relative to the report: the viewer, and the cards of the other position; may be
+   * empty. */
   std::string      viewer;
   std::string      otherPage;
-  PolypPictureFile pictureOf;
+  PolypPictureFile pictureOf{};
 };
 
 /** Adds a card for each candidate that is a possible polyp in one of the positions, and a list of those recognized as

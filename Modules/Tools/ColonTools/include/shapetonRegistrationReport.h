@@ -30,22 +30,10 @@ AddRegistrationSection(HtmlReport &                 html,
                        const AddPictureToPage &     addPicture,
                        const AlignedColonsOptions & options = {});
 
-/** \class RegistrationReport
- * \brief index.html in a folder; its pictures are embedded and also written as files.
- * \ingroup ShapetonColonTools */
-class ShapetonColonTools_EXPORT RegistrationReport
-{
-public:
-  /** Creates the folder; an empty name disables the report. Throws OutputError. */
-  RegistrationReport(CommandLine & commandLine, const std::string & folder);
-
-  void
-  Write(const RegistrationParts & parts) const;
-
-private:
-  CommandLine & m_CommandLine;
-  std::string   m_Folder;
-};
+/** Writes index.html into an existing folder; its pictures are embedded and also written as files. Does nothing if the
+ * name of the folder is empty. Throws OutputError. \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT void
+WriteRegistrationReport(CommandLine & commandLine, const std::string & folder, const RegistrationParts & parts);
 } // namespace shapeton
 
 #endif

@@ -47,7 +47,6 @@ public:
 
   /** `name` is also the name of the stage's folder; the program must be in the tool folder. */
   Stage(const std::string & name, const std::string & program);
-  ~Stage();
 
   /** An option that affects the result. */
   Stage &

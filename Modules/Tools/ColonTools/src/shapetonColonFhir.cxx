@@ -1,5 +1,6 @@
 #include "shapetonColonFhir.h"
 
+#include "shapetonColonFigures.h"
 #include "shapetonSha256.h"
 
 #include <map>
@@ -176,7 +177,7 @@ private:
                 { "version", Json::array({ { { "value", m_Content.version } } }) } });
   }
 
-  /** The files of the series; a file with several slices once. */
+  /** The files of the series; a file with several slices is listed once. */
   Json
   SourceInstances() const
   {
@@ -263,12 +264,7 @@ private:
   static void
   PutConclusion(const DicomMeasurementReport & report, Json & resource)
   {
-    std::string conclusion;
-    for (const std::string & comment : report.comments)
-    {
-      conclusion += (conclusion.empty() ? "" : "\n") + comment;
-    }
-    resource["conclusion"] = conclusion;
+    resource["conclusion"] = Joined(report.comments, "\n");
     for (const DicomEvaluation & evaluation : report.evaluations)
     {
       if (evaluation.code)

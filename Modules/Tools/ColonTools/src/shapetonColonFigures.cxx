@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <system_error>
 
 namespace shapeton
 {
@@ -105,5 +104,34 @@ Milliliters(double ml)
 {
   constexpr double small = 10.0; // ml
   return WithUnit(Fixed(ml, std::abs(ml) < small ? 1 : 0), " ml");
+}
+
+std::string
+Joined(const std::vector<std::string> & texts, const char * separator)
+{
+  std::string list;
+  for (const std::string & text : texts)
+  {
+    list += (list.empty() ? "" : separator) + text;
+  }
+  return list;
+}
+
+std::vector<std::pair<std::string, std::string>>
+KnownFacts(std::vector<std::pair<std::string, std::string>> facts)
+{
+  facts.erase(std::remove_if(facts.begin(), facts.end(), [](const auto & fact) { return fact.second.empty(); }),
+              facts.end());
+  return facts;
+}
+
+void
+AddPictures(HtmlReport & html, const std::vector<PictureFile> & pictures)
+{
+  WritePngs(pictures);
+  for (const PictureFile & picture : pictures)
+  {
+    html.AddPicture(picture.path, picture.caption);
+  }
 }
 } // namespace shapeton

@@ -1,6 +1,9 @@
 #ifndef shapetonColonFigures_h
 #define shapetonColonFigures_h
 
+#include "shapetonHtmlReport.h"
+#include "shapetonPicture.h"
+
 #include "itkImageBase.h"
 
 #include <Eigen/Core>
@@ -48,6 +51,15 @@ AnchorOfPlace(const Eigen::Vector3d & place);
 /** A number without decimals. */
 std::string
 WholeNumber(double value);
+/** Texts in a list. */
+std::string
+Joined(const std::vector<std::string> & texts, const char * separator);
+/** The names and values, excluding those with an empty value. */
+std::vector<std::pair<std::string, std::string>>
+KnownFacts(std::vector<std::pair<std::string, std::string>> facts);
+/** Draws pictures in parallel, writes them as files and embeds them with their captions. Throws OutputError. */
+void
+AddPictures(HtmlReport & html, const std::vector<PictureFile> & pictures);
 ///@}
 } // namespace shapeton
 

@@ -1,5 +1,6 @@
 #include "shapetonColonFlatteningReport.h"
 
+#include "shapetonColonFigures.h"
 #include "shapetonCsvTable.h"
 #include "shapetonFlatColonRows.h"
 #include "shapetonTriangleQualityChart.h"
@@ -103,13 +104,10 @@ AddPictures(HtmlReport &              html,
   for (const FlatColoring coloring : colorings)
   {
     files.push_back({ outputPath(folder + "/flat-" + NameOf(coloring) + ".png"),
-                      [&pictures, coloring] { return pictures.Draw(coloring, "", pixelsOfRow); } });
+                      [&pictures, coloring] { return pictures.Draw(coloring, "", pixelsOfRow); },
+                      CaptionOf(coloring) });
   }
-  WritePngs(files);
-  for (std::size_t i = 0; i < files.size(); ++i)
-  {
-    html.AddPicture(files[i].path, CaptionOf(colorings[i]));
-  }
+  AddPictures(html, files);
 }
 
 void
@@ -214,10 +212,7 @@ AnnotationsOfHandles(const ColonFlattening & flattening)
   std::vector<FlatAnnotation> annotations;
   for (const SurfaceHandle & handle : flattening.handles.handles)
   {
-    FlatAnnotation annotation;
-    annotation.text = std::to_string(annotations.size() + 1);
-    annotation.point = handle.place;
-    annotations.push_back(annotation);
+    annotations.push_back({ FlatAnnotation::Kind::Mark, std::to_string(annotations.size() + 1), {}, handle.place });
   }
   return annotations;
 }

@@ -18,10 +18,7 @@ ColonFlatteningViews::ColonFlatteningViews(CommandLine & commandLine) : m_Comman
   m_Report = commandLine.GetString("report");
   RequireParameter(!commandLine.IsGiven("volume") || this->ArePicturesWanted(),
                    "--volume requires --picture or --report");
-  if (!m_Report.empty())
-  {
-    commandLine.MakeFolder(m_Report);
-  }
+  commandLine.MakeFolderOf("report");
 }
 
 bool

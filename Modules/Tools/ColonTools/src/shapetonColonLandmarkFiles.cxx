@@ -5,7 +5,6 @@
 #include "shapetonCommandLine.h"
 #include "shapetonExaminationFiles.h"
 #include "shapetonJson.h"
-#include "shapetonSlicerMarkups.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonExceptions.h"
 
@@ -65,6 +64,17 @@ ColonLandmarkFiles::WriteOrRemove(const std::string & name, const CurveSet & cur
 }
 
 void
+ColonLandmarkFiles::WriteOrRemove(const std::string & name, const std::vector<Markup> & markups) const
+{
+  if (markups.empty())
+  {
+    RemoveOld(this->PathOf(name));
+    return;
+  }
+  WriteMarkups(markups, m_CommandLine.Output(this->PathOf(name)));
+}
+
+void
 ColonLandmarkFiles::WriteTaeniaMarkups(const CurveSet & taeniae) const
 {
   std::vector<Markup> markups;
@@ -74,12 +84,7 @@ ColonLandmarkFiles::WriteTaeniaMarkups(const CurveSet & taeniae) const
     markups.back().name = "taenia-" + std::to_string(t + 1);
     markups.back().color = yellow;
   }
-  if (markups.empty())
-  {
-    RemoveOld(this->PathOf(examination::taeniaMarkups.name));
-    return;
-  }
-  WriteMarkups(markups, m_CommandLine.Output(this->PathOf(examination::taeniaMarkups.name)));
+  this->WriteOrRemove(examination::taeniaMarkups.name, markups);
 }
 
 void
@@ -102,45 +107,38 @@ ColonLandmarkFiles::WriteFlexureMarkups(const ColonLandmarks & landmarks, const 
     markups.back().name = NameOfFlexure(border.number) + "-loop";
     markups.back().color = points.color;
   }
-  if (markups.empty())
+  if (!markups.empty())
   {
-    RemoveOld(this->PathOf(examination::flexureMarkups.name));
-    return;
+    markups.insert(markups.begin(), points);
   }
-  markups.insert(markups.begin(), points);
-  WriteMarkups(markups, m_CommandLine.Output(this->PathOf(examination::flexureMarkups.name)));
+  this->WriteOrRemove(examination::flexureMarkups.name, markups);
 }
 
 void
 ColonLandmarkFiles::WriteValveMarkup(const std::optional<IleocecalValve> & valve) const
 {
-  const std::string path = this->PathOf(examination::valveMarkup.name);
-  if (!valve)
+  std::vector<Markup> markups;
+  if (valve)
   {
-    RemoveOld(path);
-    return;
+    Markup & markup = markups.emplace_back();
+    markup.name = "ileocecal-valve";
+    markup.color = green;
+    markup.points = { valve->position };
+    markup.labels = { "ileocecal valve" };
+    markup.descriptions = { "confidence " + std::to_string(static_cast<int>(100.0 * valve->confidence)) + " %" };
   }
-  Markup markup;
-  markup.name = "ileocecal-valve";
-  markup.color = green;
-  markup.points = { valve->position };
-  markup.labels = { "ileocecal valve" };
-  markup.descriptions = { "confidence " + std::to_string(static_cast<int>(100.0 * valve->confidence)) + " %" };
-  WriteMarkups({ markup }, m_CommandLine.Output(path));
+  this->WriteOrRemove(examination::valveMarkup.name, markups);
 }
 
 void
 ColonLandmarkFiles::WriteDocument(const ColonLandmarks & landmarks, const ColonPieces * pieces) const
 {
-  Json document;
-  document["provenance"] = ProvenanceToJson(m_CommandLine.GetProvenance());
-  document["warnings"] = m_CommandLine.GetWarnings();
-  document.update(ColonLandmarksToJson(landmarks));
+  Json document = ColonLandmarksToJson(landmarks);
   if (pieces != nullptr)
   {
     document["pieces"] = ColonPiecesToJson(*pieces);
   }
-  WriteJson(document, m_CommandLine.Output(this->PathOf(examination::landmarks.name)));
+  m_CommandLine.WriteDocument(document, m_CommandLine.Output(this->PathOf(examination::landmarks.name)));
 }
 
 void

@@ -113,26 +113,21 @@ HowTaeniaeWereFound(const ColonTaeniae & taeniae)
 }
 } // namespace
 
-ColonLandmarkReport::ColonLandmarkReport(CommandLine & commandLine, const std::string & folder)
-  : m_CommandLine(commandLine), m_Folder(folder)
-{
-  if (!m_Folder.empty())
-  {
-    commandLine.MakeFolder(m_Folder);
-  }
-}
-
 void
-ColonLandmarkReport::Write(const FlatColon & flat, const ColonLandmarks & landmarks, const ColonPieces * pieces) const
+WriteColonLandmarkReport(CommandLine &          commandLine,
+                         const std::string &    folder,
+                         const FlatColon &      flat,
+                         const ColonLandmarks & landmarks,
+                         const ColonPieces *    pieces)
 {
-  if (m_Folder.empty())
+  if (folder.empty())
   {
     return;
   }
   HtmlReport report("Landmarks of a colon");
   report.AddParagraph("For research use; not a diagnosis.");
-  report.AddWarnings(m_CommandLine.GetWarnings());
-  const auto                     path = [&](const char * name) { return m_CommandLine.Output(m_Folder + '/' + name); };
+  report.AddWarnings(commandLine.GetWarnings());
+  const auto                     path = [&](const char * name) { return commandLine.Output(folder + '/' + name); };
   const ColonLandmarkParts       parts{ &flat, &landmarks };
   const std::vector<PictureFile> pictures{
     { path("landmarks-anterior.png"), [&] { return DrawColonLandmarks(parts, PatientSide::Anterior); } },
@@ -158,7 +153,7 @@ ColonLandmarkReport::Write(const FlatColon & flat, const ColonLandmarks & landma
     report.AddTable(PieceTable(*pieces), "Conformal moduli of the segments, each cut along a taenia");
   }
   report.AddHeading("Provenance");
-  report.AddFacts(m_CommandLine.GetProvenance());
-  report.Write(m_CommandLine.Output(m_Folder + "/index.html"));
+  report.AddFacts(commandLine.GetProvenance());
+  report.Write(commandLine.Output(folder + "/index.html"));
 }
 } // namespace shapeton

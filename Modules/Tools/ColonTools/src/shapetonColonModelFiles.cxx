@@ -4,6 +4,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonExaminationFiles.h"
 #include "shapetonJson.h"
+#include "shapetonMappedImage.h"
 #include "shapetonParallelFor.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonVolumeWriter.h"
@@ -21,18 +22,11 @@ namespace
 itk::Image<short, 3>::Pointer
 RoundedToHU(const itk::Image<float, 3> * image)
 {
-  const auto rounded = itk::Image<short, 3>::New();
-  rounded->CopyInformation(image);
-  rounded->SetRegions(image->GetLargestPossibleRegion());
-  rounded->Allocate();
-  const float * const from = image->GetBufferPointer();
-  const float * const end = from + image->GetLargestPossibleRegion().GetNumberOfPixels();
-  std::transform(from, end, rounded->GetBufferPointer(), [](float value) {
+  return MapVoxels<short>(image, [](float value) {
     constexpr float least = std::numeric_limits<short>::min();
     constexpr float greatest = std::numeric_limits<short>::max();
     return static_cast<short>(std::lround(std::clamp(value, least, greatest)));
   });
-  return rounded;
 }
 
 CurveSet
@@ -51,11 +45,8 @@ LabelsOf(const ColonModel & model)
   {
     return model.lumen.labels;
   }
-  constexpr unsigned char ileumLabel = 3;
-  const auto              labels = LabelImage::New();
-  labels->CopyInformation(model.lumen.labels);
-  labels->SetRegions(model.lumen.labels->GetLargestPossibleRegion());
-  labels->Allocate();
+  constexpr unsigned char     ileumLabel = 3;
+  const auto                  labels = NewImageOn<LabelImage>(model.lumen.labels);
   const unsigned char * const colon = model.lumen.labels->GetBufferPointer();
   const std::size_t           voxels = labels->GetLargestPossibleRegion().GetNumberOfPixels();
   std::transform(colon,

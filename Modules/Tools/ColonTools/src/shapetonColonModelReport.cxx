@@ -29,20 +29,13 @@ InputFacts(const Volume & volume)
     sizes += between + std::to_string(size[axis]);
     spacings += between + CsvTable::Rounded(spacing[axis], 4);
   }
-  Facts facts = { { "Identity", volume.identity }, { "Voxels", sizes }, { "Spacing", spacings + " mm" } };
-  if (!volume.modality.empty())
-  {
-    facts.insert(facts.begin(), { "Modality", volume.modality });
-  }
-  if (volume.sliceThickness > 0.0)
-  {
-    facts.emplace_back("Slice thickness", CsvTable::Rounded(volume.sliceThickness, 4) + " mm");
-  }
-  if (!volume.patientPosition.empty())
-  {
-    facts.emplace_back("Patient position in the header", volume.patientPosition);
-  }
-  return facts;
+  return KnownFacts(
+    { { "Modality", volume.modality },
+      { "Identity", volume.identity },
+      { "Voxels", sizes },
+      { "Spacing", spacings + " mm" },
+      { "Slice thickness", volume.sliceThickness > 0.0 ? CsvTable::Rounded(volume.sliceThickness, 4) + " mm" : "" },
+      { "Patient position in the header", volume.patientPosition } });
 }
 
 void
@@ -122,22 +115,13 @@ SummaryFacts(const ColonModel & model)
     gas += piece.gasMl;
     fluid += piece.fluidMl;
   }
-  Facts facts;
-  if (!model.failure.empty())
-  {
-    facts.emplace_back("Result", "partial: " + model.failure);
-  }
-  facts.emplace_back("Resolution", InWords(model.resolution));
-  facts.emplace_back(model.hasIntensities ? "Gas" : "Lumen", Milliliters(gas));
-  if (model.hasIntensities)
-  {
-    facts.emplace_back("Tagged fluid", Milliliters(fluid));
-  }
-  facts.emplace_back("Pieces of the lumen", std::to_string(model.lumen.pieces.size()));
-  if (model.lumen.catheter)
-  {
-    facts.emplace_back("Rectal catheter", CatheterInWords(*model.lumen.catheter));
-  }
+  Facts facts =
+    KnownFacts({ { "Result", model.failure.empty() ? "" : "partial: " + model.failure },
+                 { "Resolution", InWords(model.resolution) },
+                 { model.hasIntensities ? "Gas" : "Lumen", Milliliters(gas) },
+                 { "Tagged fluid", model.hasIntensities ? Milliliters(fluid) : "" },
+                 { "Pieces of the lumen", std::to_string(model.lumen.pieces.size()) },
+                 { "Rectal catheter", model.lumen.catheter ? CatheterInWords(*model.lumen.catheter) : "" } });
   AddLineFacts(model, facts);
   AddValveFacts(model, facts);
   AddWallFacts(model.wall, facts);
@@ -150,26 +134,20 @@ ParameterFacts(const ColonLumen & lumen)
   const ColonThresholds & thresholds = lumen.thresholds;
   constexpr int           digits = 5;
   const auto              hu = [](double value) { return CsvTable::Rounded(std::round(value), digits) + " HU"; };
-  Facts                   facts = { { "Position of the patient",
-                                      NameOfGravity(lumen.gravity) +
-                                        (lumen.gravitySource == ColonGravitySource::PatientPosition ? ", as given"
-                                         : lumen.gravitySource == ColonGravitySource::Levels ? ", from the fluid levels"
-                                                                                             : ", assumed") },
-                                    { "Noise", hu(lumen.noise) },
-                                    { "Gas, soft tissue", hu(thresholds.gas) + ", " + hu(thresholds.tissue) },
-                                    { "Wall under gas at", hu(thresholds.gasBoundary) } };
-  if (lumen.isTagged)
-  {
-    facts.emplace_back("Tagged fluid, its boundary", hu(thresholds.fluid) + ", " + hu(thresholds.fluidBoundary));
-  }
-  if (lumen.smoothing > 0.0)
-  {
-    facts.emplace_back("Smoothed against noise", CsvTable::Rounded(lumen.smoothing, 3) + " mm");
-  }
-  return facts;
+  return KnownFacts(
+    { { "Position of the patient",
+        NameOfGravity(lumen.gravity) + (lumen.gravitySource == ColonGravitySource::PatientPosition ? ", as given"
+                                        : lumen.gravitySource == ColonGravitySource::Levels ? ", from the fluid levels"
+                                                                                            : ", assumed") },
+      { "Noise", hu(lumen.noise) },
+      { "Gas, soft tissue", hu(thresholds.gas) + ", " + hu(thresholds.tissue) },
+      { "Wall under gas at", hu(thresholds.gasBoundary) },
+      { "Tagged fluid, its boundary",
+        lumen.isTagged ? hu(thresholds.fluid) + ", " + hu(thresholds.fluidBoundary) : "" },
+      { "Smoothed against noise", lumen.smoothing > 0.0 ? CsvTable::Rounded(lumen.smoothing, 3) + " mm" : "" } });
 }
 
-std::vector<std::pair<std::string, std::string>>
+Facts
 LeftOutFacts(const ColonLumen & lumen)
 {
   constexpr std::size_t most = 12;
@@ -183,19 +161,14 @@ LeftOutFacts(const ColonLumen & lumen)
 }
 } // namespace
 
-ColonModelReport::ColonModelReport(CommandLine & commandLine, const std::string & folder)
-  : m_CommandLine(commandLine), m_Folder(folder)
-{
-  if (!folder.empty())
-  {
-    commandLine.MakeFolder(folder);
-  }
-}
-
 void
-ColonModelReport::Write(const ColonModel & model, const Volume & volume, bool atOnce) const
+WriteColonModelReport(CommandLine &       commandLine,
+                      const std::string & folder,
+                      const ColonModel &  model,
+                      const Volume &      volume,
+                      bool                atOnce)
 {
-  if (m_Folder.empty() || model.lumen.pieces.empty())
+  if (folder.empty() || model.lumen.pieces.empty())
   {
     return;
   }
@@ -209,16 +182,16 @@ ColonModelReport::Write(const ColonModel & model, const Volume & volume, bool at
   content.parameters = model.hasIntensities ? ParameterFacts(model.lumen) : Facts{ { "Lumen", "a mask, as given" } };
   const Facts leftOut = LeftOutFacts(model.lumen);
   content.parameters.insert(content.parameters.end(), leftOut.begin(), leftOut.end());
-  content.warnings = m_CommandLine.GetWarnings();
-  content.provenance = m_CommandLine.GetProvenance();
+  content.warnings = commandLine.GetWarnings();
+  content.provenance = commandLine.GetProvenance();
   std::vector<std::string> written;
-  WriteColonReport(content, m_Folder, [&](const std::string & path) {
+  WriteColonReport(content, folder, [&](const std::string & path) {
     written.push_back(path);
-    return m_CommandLine.Output(path);
+    return commandLine.Output(path);
   });
   for (std::size_t i = 0; atOnce && i < written.size(); ++i)
   {
-    m_CommandLine.Publish(written[i]);
+    commandLine.Publish(written[i]);
   }
 }
 } // namespace shapeton

@@ -1,115 +1,79 @@
 #include "shapetonColonReport.h"
 
+#include "shapetonColonFigures.h"
 #include "shapetonCsvTable.h"
 #include "shapetonDistensionChart.h"
 #include "shapetonHtmlReport.h"
 #include "shapetonLumenBox.h"
 
-#include <cmath>
-
 namespace shapeton
 {
 namespace
 {
-/** Writes pictures as files and embeds them into the page. */
-class PicturePages
-{
-public:
-  PicturePages(HtmlReport & html, const std::string & folder, const OutputPath & outputPath)
-    : m_Html(html), m_Folder(folder), m_OutputPath(outputPath)
-  {}
-
-  struct Drawing
-  {
-    std::string                       name;
-    std::function<Picture::Pointer()> draw;
-    std::string                       caption;
-  };
-
-  void
-  Add(const std::vector<Drawing> & drawings)
-  {
-    std::vector<PictureFile> files;
-    for (const Drawing & drawing : drawings)
-    {
-      files.push_back({ m_OutputPath(m_Folder + "/" + drawing.name), drawing.draw });
-    }
-    WritePngs(files);
-    for (std::size_t i = 0; i < files.size(); ++i)
-    {
-      m_Html.AddPicture(files[i].path, drawings[i].caption);
-    }
-  }
-
-private:
-  HtmlReport &       m_Html;
-  std::string        m_Folder;
-  const OutputPath & m_OutputPath;
-};
-
 void
-AddDistension(HtmlReport & html, PicturePages & pages, const ColonReportContent & content)
+AddDistension(HtmlReport & html, const OutputPath & pathOf, const ColonReportContent & content)
 {
   html.AddHeading("Distension");
-  pages.Add(
-    { { "distension.png",
+  AddPictures(
+    html,
+    { { pathOf("distension.png"),
         [&] { return DrawDistensionChart(*content.colon.centerline, {}); },
         "Caliber (diameter of the maximum inscribed sphere) along the centerline. The dashed line marks 10 mm." } });
 }
 
 void
-AddSurface(HtmlReport & html, PicturePages & pages, const ColonParts & colon)
+AddSurface(HtmlReport & html, const OutputPath & pathOf, const ColonParts & colon)
 {
   html.AddHeading("Surface");
-  std::vector<PicturePages::Drawing> drawings;
+  std::vector<PictureFile> drawings;
   if (colon.centerline)
   {
     drawings.push_back(
-      { "inside-anterior.png",
+      { pathOf("inside-anterior.png"),
         [&] { return DrawColonWall(colon, PatientSide::Anterior, false); },
         "The transparent wall from the front, with the centerline colored by the distance from the anal verge." });
-    drawings.push_back({ "inside-left.png",
+    drawings.push_back({ pathOf("inside-left.png"),
                          [&] { return DrawColonWall(colon, PatientSide::Left, false); },
                          "The same view from the patient's left side." });
   }
-  drawings.push_back({ "wall-anterior.png",
+  drawings.push_back({ pathOf("wall-anterior.png"),
                        [&] { return DrawColonWall(colon, PatientSide::Anterior, true); },
                        "The wall from the front." });
-  pages.Add(drawings);
+  AddPictures(html, drawings);
 }
 
 void
-AddProjections(HtmlReport & html, PicturePages & pages, const ColonParts & colon)
+AddProjections(HtmlReport & html, const OutputPath & pathOf, const ColonParts & colon)
 {
   html.AddHeading("Projections");
-  std::vector<PicturePages::Drawing> drawings;
+  std::vector<PictureFile> drawings;
   for (const SlicePlane plane : { SlicePlane::Coronal, SlicePlane::Sagittal })
   {
-    drawings.push_back({ "projection-" + NameOf(plane) + ".png",
+    drawings.push_back({ pathOf("projection-" + NameOf(plane) + ".png"),
                          [&colon, plane] { return DrawColonProjection(colon, plane); },
                          "Thickness of gas and fluid (mm), " + NameOf(plane) + " view" +
                            (colon.centerline ? ", with the centerline." : ".") });
   }
-  pages.Add(drawings);
+  AddPictures(html, drawings);
 }
 
 void
-AddSlices(HtmlReport & html, PicturePages & pages, const ColonParts & colon)
+AddSlices(HtmlReport & html, const OutputPath & pathOf, const ColonParts & colon)
 {
   html.AddHeading("Slices");
   if (!colon.ct)
   {
     html.AddParagraph("The input is a lumen mask; the outlines are shown without a CT.");
   }
-  std::vector<PicturePages::Drawing> drawings;
+  std::vector<PictureFile> drawings;
   for (const SlicePlane plane : { SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal })
   {
     drawings.push_back(
-      { "slices-" + NameOf(plane) + ".png",
+      { pathOf("slices-" + NameOf(plane) + ".png"),
         [&colon, plane] { return DrawColonSlices(colon, plane); },
         "Outlines of gas and fluid in " + NameOf(plane) + " slices, including the one with the largest lumen area." });
   }
-  pages.Add(drawings);
+  AddPictures(html, drawings);
 }
 } // namespace
 
@@ -118,19 +82,19 @@ WriteColonReport(const ColonReportContent & content, const std::string & folder,
 {
   const ColonParts & colon = content.colon;
   CheckParts(colon);
-  HtmlReport   html(content.title);
-  PicturePages pages(html, folder, outputPath);
+  HtmlReport       html(content.title);
+  const OutputPath pathOf = [&](const std::string & name) { return outputPath(folder + '/' + name); };
   html.AddHead(content.summary, content.warnings);
   if (colon.wall)
   {
-    AddSurface(html, pages, colon);
+    AddSurface(html, pathOf, colon);
   }
   if (colon.centerline)
   {
-    AddDistension(html, pages, content);
+    AddDistension(html, pathOf, content);
   }
-  AddProjections(html, pages, colon);
-  AddSlices(html, pages, colon);
+  AddProjections(html, pathOf, colon);
+  AddSlices(html, pathOf, colon);
   html.AddHeading("Input");
   html.AddFacts(content.input);
   html.AddHeading("Parameters");

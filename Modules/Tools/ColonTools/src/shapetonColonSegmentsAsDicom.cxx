@@ -5,6 +5,7 @@
 #include "shapetonColorTable.h"
 #include "shapetonDicomText.h"
 #include "shapetonLumenAlong.h"
+#include "shapetonMappedImage.h"
 #include "shapetonNumberText.h"
 
 #include <Eigen/Geometry>
@@ -86,32 +87,6 @@ ColorOfCandidate(int number)
   const auto       color = ColorOfLabel(number);
   const auto       byte = [](double share) { return static_cast<unsigned char>(std::lround(greatest * share)); };
   return { byte(color[0]), byte(color[1]), byte(color[2]) };
-}
-
-LumenMaskImage::Pointer
-ColonMask(const DicomLabelImage * lumen)
-{
-  const auto mask = LumenMaskImage::New();
-  mask->CopyInformation(lumen);
-  mask->SetRegions(lumen->GetBufferedRegion());
-  mask->Allocate();
-  const unsigned short * const first = lumen->GetBufferPointer();
-  std::transform(first,
-                 first + lumen->GetBufferedRegion().GetNumberOfPixels(),
-                 mask->GetBufferPointer(),
-                 [](unsigned short label) { return label == 1 || label == 2; });
-  return mask;
-}
-
-/** Labels without any voxel on this grid. */
-DicomLabelImage::Pointer
-NoLabels(const DicomLabelImage * grid)
-{
-  const auto labels = DicomLabelImage::New();
-  labels->CopyInformation(grid);
-  labels->SetRegions(grid->GetBufferedRegion());
-  labels->Allocate(true);
-  return labels;
 }
 } // namespace
 
@@ -211,10 +186,12 @@ ColonSegmentsAsDicom::AddColonSegments()
 {
   if (m_Exam.segments.empty())
   {
-    m_Anatomy.labels = NoLabels(m_Exam.lumen);
+    m_Anatomy.labels = NewImageOn<DicomLabelImage>(m_Exam.lumen, true);
     return;
   }
-  m_Anatomy.labels = LabelLumenAlong(ColonMask(m_Exam.lumen), m_Exam.centerline, [&](double arcLength) {
+  const auto colon = MapVoxels<LumenMaskImage::PixelType>(
+    m_Exam.lumen.GetPointer(), [](unsigned short label) { return label == 1 || label == 2; });
+  m_Anatomy.labels = LabelLumenAlong(colon, m_Exam.centerline, [&](double arcLength) {
     const ColonSegmentExtent * const segment = FindSegment(m_Exam.segments, arcLength);
     return segment != nullptr ? static_cast<unsigned short>(segment->label) : 0;
   });
@@ -240,17 +217,8 @@ ColonSegmentsAsDicom::Add(File &                               file,
                           int                                  label,
                           const std::array<unsigned char, 3> & color)
 {
-  DicomSegment segment;
-  segment.name = name;
-  segment.description = DicomResearchNote;
-  segment.category = category;
-  segment.type = type;
-  segment.region = colonterms::colon;
-  segment.trackingID = name;
-  segment.trackingUID = this->UIDOf(role);
-  segment.color = color;
-  segment.labels = file.labels;
-  segment.label = static_cast<unsigned short>(label);
+  DicomSegment segment{ name, DicomResearchNote, category, type,        colonterms::colon,
+                        name, this->UIDOf(role), color,    file.labels, static_cast<unsigned short>(label) };
   file.segments.push_back(segment);
 }
 

@@ -7,7 +7,6 @@
 #include "shapetonCsvTable.h"
 #include "shapetonJson.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,7 +14,7 @@ namespace shapeton
 {
 namespace
 {
-/** A number of a document, or NaN. */
+/** A number in a document, or NaN. */
 double
 NumberOrNaN(const Json & document, const char * pointer)
 {

@@ -7,9 +7,6 @@
 #include "shapetonSurfaceRendering.h"
 #include "shapetonFlatPictureSize.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace shapeton
 {
 namespace
@@ -62,9 +59,7 @@ AddTaeniae(SurfaceScene & scene, const CurveSet & taeniae)
   {
     return;
   }
-  CurveActor actor;
-  actor.curves = &taeniae;
-  actor.radius = radiusOfTaeniae;
+  CurveActor actor{ &taeniae, radiusOfTaeniae };
   actor.vertexColors.resize(taeniae.V.rows());
   for (std::size_t curve = 0; curve < taeniae.curves.size(); ++curve)
   {
@@ -81,11 +76,7 @@ AddFlexureLoops(SurfaceScene & scene, const CurveSet & flexures)
 {
   if (!flexures.curves.empty())
   {
-    CurveActor actor;
-    actor.curves = &flexures;
-    actor.radius = radiusOfLoops;
-    actor.color = loopColor;
-    scene.curves.push_back(actor);
+    scene.curves.push_back({ &flexures, radiusOfLoops, loopColor });
   }
 }
 
@@ -122,9 +113,7 @@ void
 AddCenterline(SurfaceScene & scene, SurfaceRenderingOptions & options, const CurveSet & centerline)
 {
   const SurfaceArray * const distance = FindSurfaceArray(centerline.pointArrays, "arcLength");
-  CurveActor                 actor;
-  actor.curves = &centerline;
-  actor.radius = radiusOfLine;
+  CurveActor                 actor{ &centerline, radiusOfLine };
   if (distance && distance->values.size() > 0)
   {
     options.colorBar = ColorScale{ "distance from the anal verge (cm)", 0.0, distance->values.maxCoeff() };
@@ -158,12 +147,7 @@ FlatTaeniae(const CurveSet & taeniae)
 FlatOutlines
 OutlinesOf(const unsigned short * labels, int columns, int rows, const RGBColor & color)
 {
-  FlatOutlines outlines;
-  outlines.labels = labels;
-  outlines.columns = columns;
-  outlines.rows = rows;
-  outlines.colorOf = [=](int) { return color; };
-  outlines.thickness = 1;
+  FlatOutlines outlines{ labels, columns, rows, [=](int) { return color; }, 1 };
   return outlines;
 }
 

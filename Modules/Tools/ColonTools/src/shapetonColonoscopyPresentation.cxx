@@ -92,13 +92,12 @@ private:
       results.device = ChooseFlatVolumeDevice(results.ct, ReadDevice(m_CommandLine));
       m_CommandLine.AddRunFact("device", results.device.Describe());
     }
-    ColonoscopyReportContent content;
-    content.results = &results;
-    content.quality = MeasureColonoscopyQuality(results);
-    content.failure = m_Presentation.failure;
-    content.warnings = m_Presentation.warnings;
-    content.provenance = m_Presentation.provenance;
-    Json record;
+    ColonoscopyReportContent content{ &results,
+                                      MeasureColonoscopyQuality(results),
+                                      m_Presentation.failure,
+                                      m_Presentation.warnings,
+                                      m_Presentation.provenance };
+    Json                     record;
     record["signature"] = signature;
     const auto publish = [&](const std::string & name) {
       m_CommandLine.Publish(m_Folder + '/' + name); // keep the report even if the run fails

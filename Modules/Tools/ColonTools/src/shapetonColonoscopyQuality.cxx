@@ -1,10 +1,10 @@
 #include "shapetonColonoscopyQuality.h"
 
 #include "shapetonColonFigures.h"
+#include "shapetonReportTable.h"
 #include "shapetonHiddenInBoth.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace shapeton
 {
@@ -21,7 +21,7 @@ HiddenWallsOf(const Json & flatStatistics)
   return hidden;
 }
 
-/** What the other position, and at least one of them, show of the segments of this one. */
+/** Adds how much of each segment is shown by the other position, and by at least one of the positions. */
 void
 AddOtherPosition(const ColonoscopyPair & pair, ColonoscopyQuality & quality)
 {
@@ -67,11 +67,9 @@ MeasureColonoscopyQuality(const ColonoscopyResults & results)
   {
     return quality;
   }
-  SegmentQualityInput input;
-  input.centerline = &results.centerline;
-  input.wall = &results.labeled;
-  input.segments = results.segments;
-  input.hidden = HiddenWallsOf(results.flatStatistics);
+  SegmentQualityInput input{
+    &results.centerline, &results.labeled, results.segments, HiddenWallsOf(results.flatStatistics), nullptr, {}
+  };
   if (results.ct)
   {
     input.lumen = results.lumen;
@@ -91,44 +89,27 @@ MeasureColonoscopyQuality(const ColonoscopyResults & results)
 CsvTable
 QualityTable(const ColonoscopyQuality & quality)
 {
-  std::vector<std::string> columns{ "Segment",
-                                    "From (cm)",
-                                    "To (cm)",
-                                    "Distension",
-                                    "Caliber (mm)",
-                                    "Evaluable wall",
-                                    "Under tagged fluid",
-                                    "Fluid (HU)",
-                                    "Tagged residue (cm^2)",
-                                    "Untagged fluid",
-                                    "Not on flat map (cm^2)" };
-  const bool               hasOther = !quality.either.empty();
-  if (hasOther)
+  using Segment = SegmentQuality;
+  constexpr auto                    untagged = static_cast<std::size_t>(ColonHindrance::UntaggedFluid);
+  std::vector<TableColumn<Segment>> columns{
+    { "Segment", [](const Segment & one) { return one.extent.name; } },
+    { "From (cm)", [](const Segment & one) { return NumberOfCentimeters(one.extent.begin); } },
+    { "To (cm)", [](const Segment & one) { return NumberOfCentimeters(one.extent.end); } },
+    { "Distension", [](const Segment & one) { return NameOf(one.grade); } },
+    { "Caliber (mm)", [](const Segment & one) { return CalibersOf(one.distension); } },
+    { "Evaluable wall", [](const Segment & one) { return WholePercent(one.EvaluableShare()); } },
+    { "Under tagged fluid", [](const Segment & one) { return WholePercent(one.submergedShare); } },
+    { "Fluid (HU)", [](const Segment & one) { return WholeNumber(one.fluidAttenuation); } },
+    { "Tagged residue (cm^2)", [](const Segment & one) { return SquareCentimeters(one.residueArea); } },
+    { "Untagged fluid", [](const Segment & one) { return Centimeters(one.assessability.lengths.at(untagged)); } },
+    { "Not on flat map (cm^2)", [](const Segment & one) { return SquareCentimeters(one.hiddenArea); } }
+  };
+  if (!quality.either.empty())
   {
-    columns.insert(columns.begin() + 6, { "Other position", "Either position" });
+    columns.insert(columns.begin() + 6,
+                   { { "Other position", [](const Segment & one) { return WholePercent(one.otherShare); } },
+                     { "Either position", [](const Segment & one) { return WholePercent(one.eitherShare); } } });
   }
-  CsvTable table(columns);
-  for (std::size_t i = 0; i < quality.segments.size(); ++i)
-  {
-    const SegmentQuality &   one = quality.segments[i];
-    const auto               untagged = static_cast<std::size_t>(ColonHindrance::UntaggedFluid);
-    std::vector<std::string> cells{ one.extent.name,
-                                    NumberOfCentimeters(one.extent.begin),
-                                    NumberOfCentimeters(one.extent.end),
-                                    NameOf(one.grade),
-                                    CalibersOf(one.distension),
-                                    WholePercent(one.EvaluableShare()),
-                                    WholePercent(one.submergedShare),
-                                    WholeNumber(one.fluidAttenuation),
-                                    SquareCentimeters(one.residueArea),
-                                    Centimeters(one.assessability.lengths.at(untagged)),
-                                    SquareCentimeters(one.hiddenArea) };
-    if (hasOther)
-    {
-      cells.insert(cells.begin() + 6, { WholePercent(one.otherShare), WholePercent(one.eitherShare) });
-    }
-    table.AddRow(cells);
-  }
-  return table;
+  return TableOf(quality.segments, columns);
 }
 } // namespace shapeton

@@ -41,26 +41,15 @@ public:
     m_Html.AddPicture(path, caption);
   }
 
-  struct Drawing
-  {
-    std::function<Picture::Pointer()> draw;
-    std::string                       caption;
-  };
-
-  /** Draws several pictures in parallel. */
+  /** Draws several pictures in parallel; their names do not matter. */
   void
-  Add(const std::vector<Drawing> & drawings)
+  Add(std::vector<PictureFile> pictures)
   {
-    std::vector<PictureFile> files;
-    for (const Drawing & drawing : drawings)
+    for (std::size_t i = 0; i < pictures.size(); ++i)
     {
-      files.push_back({ (m_Folder / (std::to_string(files.size()) + ".png")).string(), drawing.draw });
+      pictures[i].path = (m_Folder / (std::to_string(i) + ".png")).string();
     }
-    WritePngs(files);
-    for (std::size_t i = 0; i < files.size(); ++i)
-    {
-      m_Html.AddPicture(files[i].path, drawings[i].caption);
-    }
+    AddPictures(m_Html, pictures);
   }
 
 private:
@@ -99,16 +88,18 @@ AddViews(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & 
   const bool        hasLandmarks = results.labeled.F.rows() > 0;
   const std::string what =
     hasLandmarks ? "The wall colored by segments; taeniae 1 yellow, 2 blue, 3 pink; flexures dark." : "The wall.";
-  std::vector<PagePictures::Drawing> drawings{ { [&] { return DrawSegments(results, PatientSide::Anterior); }, what },
-                                               { [&] { return DrawSegments(results, PatientSide::Posterior); },
-                                                 "The same view from the back." } };
+  std::vector<PictureFile> drawings{
+    { "", [&] { return DrawSegments(results, PatientSide::Anterior); }, what },
+    { "", [&] { return DrawSegments(results, PatientSide::Posterior); }, "The same view from the back." }
+  };
   if (!results.centerline.curves.empty())
   {
-    drawings.push_back({ [&] { return DrawInside(results, PatientSide::Anterior); },
+    drawings.push_back({ "",
+                         [&] { return DrawInside(results, PatientSide::Anterior); },
                          "The transparent wall with the centerline colored by the distance from the anal verge" +
                            std::string(results.flexures.curves.empty() ? "." : ", and the flexures.") });
     drawings.push_back(
-      { [&] { return DrawInside(results, PatientSide::Left); }, "The same view from the patient's left side." });
+      { "", [&] { return DrawInside(results, PatientSide::Left); }, "The same view from the patient's left side." });
   }
   pictures.Add(drawings);
 }
@@ -128,20 +119,22 @@ AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & r
   marks += results.original ? " Yellow outlines: wall coated by tagged residue. Thin serrated lines: seams of "
                               "electronic cleansing at fluid levels."
                             : "";
-  const std::vector<unsigned short>  coated = CoatedPixels(results);
-  std::vector<PagePictures::Drawing> drawings;
+  const std::vector<unsigned short> coated = CoatedPixels(results);
+  std::vector<PictureFile>          drawings;
   if (results.ct)
   {
-    drawings.push_back({ [&] { return DrawFlat(results, coated, FlatColoring::Volume); },
+    drawings.push_back({ "",
+                         [&] { return DrawFlat(results, coated, FlatColoring::Volume); },
                          "The wall, rendered from the CT along its normals." + marks });
   }
-  drawings.push_back({ [&] { return DrawFlat(results, coated, FlatColoring::Curvature); },
+  drawings.push_back({ "",
+                       [&] { return DrawFlat(results, coated, FlatColoring::Curvature); },
                        "Mean curvature: red bulges into the lumen (folds, polyps), blue outwards." + marks });
   pictures.Add(drawings);
 }
 
-/** Adds what identifies the examination, which is printed on each page: the series or the beginning of the hash of the
- * input, and the version. */
+/** Adds the identification of the examination that is printed on each page: the series or the beginning of the input's
+ * hash, and the version. */
 void
 AddIdentity(HtmlReport & html, const ColonoscopyReportContent::Facts & provenance)
 {
@@ -212,11 +205,10 @@ AddFirstPage(HtmlReport & html, const ColonoscopyReportContent & content)
 void
 AddPolyps(HtmlReport & html, const ColonoscopyResults & results)
 {
-  PolypCards cards;
-  cards.polyps = PolypsOf(results);
-  cards.grid = results.lumen;
-  cards.viewer = results.IsDone(colonoscopystage::viewer) ? viewerPage : "";
-  cards.otherPage = (results.isSecond ? std::string("..") : secondPositionFolder) + "/report.html";
+  PolypCards cards{ PolypsOf(results),
+                    results.lumen,
+                    results.IsDone(colonoscopystage::viewer) ? viewerPage : "",
+                    (results.isSecond ? std::string("..") : secondPositionFolder) + "/report.html" };
   cards.pictureOf = [&](int number) {
     const auto i = static_cast<std::size_t>(number);
     return i < results.polypPictures.size() ? results.polypPictures[i] : std::string();

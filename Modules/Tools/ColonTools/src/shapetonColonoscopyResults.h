@@ -16,7 +16,6 @@
 #include "itkImage.h"
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 

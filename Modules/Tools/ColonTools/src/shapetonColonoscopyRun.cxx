@@ -1,5 +1,6 @@
 #include "shapetonColonoscopyRun.h"
 
+#include "shapetonColonFigures.h"
 #include "shapetonColonoscopyPresentation.h"
 #include "shapetonColonoscopyStages.h"
 #include "shapetonExaminationFolder.h"
@@ -19,17 +20,6 @@ namespace shapeton
 {
 namespace
 {
-std::string
-Joined(const std::vector<std::string> & words)
-{
-  std::string text;
-  for (const std::string & word : words)
-  {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return text;
-}
-
 /** Options of the registration; they do not affect the results of a single series. */
 const std::vector<std::string> optionsOfPair{ "matching", "refine", "segmentWise", "evaluate" };
 
@@ -49,7 +39,7 @@ LastStages(const CommandLine & commandLine, ColonoscopySeries series)
   return stages;
 }
 
-/** Where stages begin in the progress of the whole run, and their share of it. */
+/** Where the stages begin in the progress of the whole run, and their fraction of it. */
 struct PartOfProgress
 {
   double begin;
@@ -97,8 +87,8 @@ public:
     return true;
   }
 
-  /** Runs two independent stages, in parallel if there are enough threads, which they share; both run even if one
-   * fails. Reports the progress of the second one, which takes longer. */
+  /** Runs two independent stages, in parallel if there are enough threads to share; both run even if one fails. Reports
+   * the progress of the second one, which takes longer. */
   bool
   RunBoth(const ColonoscopyStage & shorter, const ColonoscopyStage & longer, const PartOfProgress & part)
   {
@@ -122,7 +112,8 @@ public:
     return this->Status() == 0;
   }
 
-  /** Runs two stages one after the other; the second one also if the first one fails, because it can do without. */
+  /** Runs two stages one after the other; the second one runs even if the first one fails, because it does not require
+   * the first one's results. */
   bool
   RunInTurn(const ColonoscopyStage & first, const ColonoscopyStage & second, const PartOfProgress & part)
   {
@@ -168,7 +159,7 @@ public:
                 (text.empty() ? " failed: " : ": ") + stage.message;
       }
     }
-    return text + "; kept: " + (kept.empty() ? "nothing" : Joined(kept)) + ", report.html";
+    return text + "; kept: " + (kept.empty() ? "nothing" : Joined(kept, ", ")) + ", report.html";
   }
 
   ColonoscopyPresentation

@@ -4,7 +4,6 @@
 #include "shapetonColorTable.h"
 #include "shapetonSlicerMarkups.h"
 
-#include <algorithm>
 #include <array>
 
 namespace shapeton

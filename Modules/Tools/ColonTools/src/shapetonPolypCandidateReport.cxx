@@ -93,7 +93,7 @@ PartnerOf(const PolypCandidate & candidate, const std::vector<PolypCandidate> & 
   return found == others.end() ? nullptr : &*found;
 }
 
-/** The lesions of two positions; none for one position, whose numbers suffice. */
+/** The lesions of two positions; none for a single position, for which candidate numbers suffice. */
 class LesionsOfPage
 {
 public:
@@ -116,7 +116,7 @@ public:
     return found == m_Lesions.end() ? PolypLesion() : *found;
   }
 
-  /** "J, K": letters of the lesions that one position calls something else; "" for none. */
+  /** "J, K": letters of the lesions that one position recognizes as something else; "" for none. */
   std::string
   Disputed() const
   {
@@ -152,57 +152,59 @@ Select(const std::vector<PolypCandidate> & candidates, bool arePolyps)
   return selected;
 }
 
+using CandidateColumn = TableColumn<PolypCandidate>;
+
+/** What all tables show about a candidate. */
+const CandidateColumn scoreColumn{ "Score", [](const PolypCandidate & one) { return ProbabilityInWords(one.score); } };
+const CandidateColumn segmentColumn{ "Segment", [](const PolypCandidate & one) { return NameOfSegment(one.segment); } };
+const CandidateColumn placeColumn{ "At (cm)",
+                                   [](const PolypCandidate & one) { return NumberOfCentimeters(one.arcLength); } };
+const CandidateColumn sizeColumn{ "Size (mm)", SizesOf };
+const CandidateColumn attenuationColumn{ "Mean attenuation (HU)", AttenuationsOf };
+
+CandidateColumn
+NumberColumn(const char * heading)
+{
+  return { heading, [](const PolypCandidate & one) { return std::to_string(one.number); } };
+}
+
 CsvTable
 TableOfCandidates(const PolypsOfPage & polyps)
 {
   const LesionsOfPage lesions(polyps);
-  CsvTable            table({ "Lesion",
-                              "Candidate",
-                              "Score",
-                              "Segment",
-                              "At (cm)",
-                              "Size (mm)",
-                              "Morphology",
-                              "Mean attenuation (HU)",
-                              "Other position",
-                              "Size there (mm)",
-                              "Remark" });
-  for (const PolypCandidate & one : Select(polyps.here, true))
-  {
+  const auto          sizesThere = [&](const PolypCandidate & one) {
     const PolypCandidate * const partner = PartnerOf(one, polyps.there);
-    table.AddRow({ lesions.Find(one.number).letter,
-                   std::to_string(one.number),
-                   ProbabilityInWords(one.score),
-                   NameOfSegment(one.segment),
-                   NumberOfCentimeters(one.arcLength),
-                   SizesOf(one),
-                   MorphologyInWords(one),
-                   AttenuationsOf(one),
-                   OtherPosition(one),
-                   partner ? SizesAndForm(*partner, one) : "",
-                   one.remark });
-  }
-  return table;
+    return partner ? SizesAndForm(*partner, one) : "";
+  };
+  return TableOf<PolypCandidate>(
+    Select(polyps.here, true),
+    { { "Lesion", [&](const PolypCandidate & one) { return lesions.Find(one.number).letter; } },
+      NumberColumn("Candidate"),
+      scoreColumn,
+      segmentColumn,
+      placeColumn,
+      sizeColumn,
+      { "Morphology", MorphologyInWords },
+      attenuationColumn,
+      { "Other position", OtherPosition },
+      { "Size there (mm)", sizesThere },
+      { "Remark", [](const PolypCandidate & one) { return one.remark; } } });
 }
 
 CsvTable
 TableOfLookalikes(const std::vector<PolypCandidate> & candidates)
 {
-  CsvTable table({ "Candidate", "Recognized as", "Score", "Segment", "At (cm)", "Size (mm)", "Mean attenuation (HU)" });
-  for (const PolypCandidate & one : candidates)
-  {
-    table.AddRow({ std::to_string(one.number),
-                   RecognizedAs(one),
-                   ProbabilityInWords(one.score),
-                   NameOfSegment(one.segment),
-                   NumberOfCentimeters(one.arcLength),
-                   SizesOf(one),
-                   AttenuationsOf(one) });
-  }
-  return table;
+  return TableOf<PolypCandidate>(candidates,
+                                 { NumberColumn("Candidate"),
+                                   { "Recognized as", RecognizedAs },
+                                   scoreColumn,
+                                   segmentColumn,
+                                   placeColumn,
+                                   sizeColumn,
+                                   attenuationColumn });
 }
 
-/** "Lesion B: candidate 5, sigmoid, 15.6 cm from the anal verge"; without letter for a single position. */
+/** "Lesion B: candidate 5, sigmoid, 15.6 cm from the anal verge"; without a letter for a single position. */
 std::string
 TitleOfCard(const PolypCandidate & candidate, const std::string & letter)
 {
@@ -241,7 +243,7 @@ OtherPositionOnCard(const PolypCandidate & candidate)
          (std::isfinite(other.confidence) ? ", confidence of the map " + ProbabilityInWords(other.confidence) : "");
 }
 
-/** "Sessile, on a fold"; what the form of a head under fluid rests on. */
+/** "Sessile, on a fold", with a note if the head is mostly under fluid. */
 std::string
 MorphologyOnCard(const PolypCandidate & candidate)
 {
@@ -256,20 +258,16 @@ MorphologyOnCard(const PolypCandidate & candidate)
 std::vector<std::pair<std::string, std::string>>
 FactsOfCard(const PolypCandidate & candidate, const itk::ImageBase<3> * grid)
 {
-  std::vector<std::pair<std::string, std::string>> facts{
-    { "Place", PlaceInSlices(candidate.position, grid) },
-    { "Score", ScoreInWords(candidate) },
-    { "Largest diameter", SizeInWords(candidate) },
-    { "Height", WholeMillimeters(candidate.height) },
-    { "Morphology", MorphologyOnCard(candidate) },
-    { "Mean attenuation inside the head, 5th to 95th percentile (HU)", AttenuationInWords(candidate) },
-    { "Recognized as", RecognizedAs(candidate) },
-    { "Other position", OtherPositionOnCard(candidate) },
-    { "Remark", candidate.remark }
-  };
-  facts.erase(std::remove_if(facts.begin(), facts.end(), [](const auto & fact) { return fact.second.empty(); }),
-              facts.end());
-  return facts;
+  return KnownFacts(
+    { { "Place", PlaceInSlices(candidate.position, grid) },
+      { "Score", ScoreInWords(candidate) },
+      { "Largest diameter", SizeInWords(candidate) },
+      { "Height", WholeMillimeters(candidate.height) },
+      { "Morphology", MorphologyOnCard(candidate) },
+      { "Mean attenuation inside the head, 5th to 95th percentile (HU)", AttenuationInWords(candidate) },
+      { "Recognized as", RecognizedAs(candidate) },
+      { "Other position", OtherPositionOnCard(candidate) },
+      { "Remark", candidate.remark } });
 }
 
 std::string
@@ -351,33 +349,30 @@ AddPolypCandidateTable(HtmlReport & report, const CurveSet & centerline, const P
 void
 AddPolypsOfOtherPosition(HtmlReport & report, const PolypsOfPage & polyps)
 {
-  const LesionsOfPage lesions(polyps);
-  CsvTable            table({ "Lesion",
-                              "Candidate there",
-                              "Score",
-                              "Segment",
-                              "At (cm)",
-                              "Size (mm)",
-                              "Mean attenuation (HU)",
-                              "In this position" });
-  for (const PolypCandidate & one : Select(polyps.there, true))
-  {
-    const PolypCandidate * const partner = PartnerOf(one, polyps.here);
-    if (!partner || !IsListedAsPolyp(*partner))
-    {
-      table.AddRow({ lesions.Find(one.number, false).letter,
-                     std::to_string(one.number),
-                     ProbabilityInWords(one.score),
-                     NameOfSegment(one.segment),
-                     NumberOfCentimeters(one.arcLength),
-                     SizesOf(one),
-                     AttenuationsOf(one),
-                     partner ? "candidate " + std::to_string(partner->number) + ", recognized as " +
-                                 RecognizedAs(*partner) + ": the positions disagree"
-                             : "no candidate" });
-    }
-  }
-  if (!table.GetRows().empty())
+  const LesionsOfPage         lesions(polyps);
+  std::vector<PolypCandidate> others = Select(polyps.there, true);
+  const auto                  partnerOf = [&](const PolypCandidate & one) { return PartnerOf(one, polyps.here); };
+  const auto                  isListedHere = [&](const PolypCandidate & one) {
+    return partnerOf(one) && IsListedAsPolyp(*partnerOf(one));
+  };
+  others.erase(std::remove_if(others.begin(), others.end(), isListedHere), others.end());
+  const auto here = [&](const PolypCandidate & one) {
+    const PolypCandidate * const partner = partnerOf(one);
+    return partner ? "candidate " + std::to_string(partner->number) + ", recognized as " + RecognizedAs(*partner) +
+                       ": the positions disagree"
+                   : "no candidate";
+  };
+  const CsvTable table = TableOf<PolypCandidate>(
+    others,
+    { { "Lesion", [&](const PolypCandidate & one) { return lesions.Find(one.number, false).letter; } },
+      NumberColumn("Candidate there"),
+      scoreColumn,
+      segmentColumn,
+      placeColumn,
+      sizeColumn,
+      attenuationColumn,
+      { "In this position", here } });
+  if (!others.empty())
   {
     report.AddTable(table,
                     "Candidates of the other position only, or recognized differently in this one; places there");

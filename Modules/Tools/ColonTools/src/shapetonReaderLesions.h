@@ -9,9 +9,9 @@ namespace shapeton
 /** A candidate of the program with the reader's verdict, or a finding of the reader. */
 struct ShapetonColonTools_EXPORT ReaderLesion
 {
-  /** See NameOfCandidate(); the id of a finding. */
+  /** NameOfCandidate(), or the id of a finding. */
   std::string id;
-  /** 0, or 1 for the second position of the patient. */
+  /** 0 for the first position of the patient, 1 for the second. */
   std::size_t position{ 0 };
   /** Polyp for a finding. */
   ReaderVerdict verdict{ ReaderVerdict::Unread };
@@ -25,7 +25,7 @@ struct ShapetonColonTools_EXPORT ReaderLesion
   /** The candidate; empty for a finding. */
   std::optional<PolypCandidate> candidate;
   /** The accepted candidate of the first position that shows the same polyp; empty if there is none. */
-  std::string sameAs;
+  std::string sameAs{};
 
   bool
   IsSizeByReader() const;
@@ -34,7 +34,7 @@ struct ShapetonColonTools_EXPORT ReaderLesion
   Size() const;
   bool
   IsMorphologyByReader() const;
-  /** The reader's, else that measured by the program. */
+  /** That of the reader if there is one, otherwise that of the program. */
   PolypMorphology
   Morphology() const;
 };
@@ -43,7 +43,7 @@ struct ShapetonColonTools_EXPORT ReaderLesion
  *
  * A polyp that was accepted in both positions counts once: an accepted candidate of the second position that the
  * registration matched with an accepted one of the first is marked as the same, and a size or morphology that the
- * reader entered only for it is taken over. */
+ * reader entered only for the second one is copied to the first. */
 ShapetonColonTools_EXPORT std::vector<ReaderLesion>
 LesionsOf(const ReaderVerdicts & verdicts, const std::vector<std::vector<PolypCandidate>> & candidates);
 

@@ -4,6 +4,7 @@
 #include "shapetonJson.h"
 #include "shapetonPdfFile.h"
 #include "shapetonReaderReportPage.h"
+#include "shapetonReportTable.h"
 #include "shapetonSha256.h"
 
 #include <cmath>
@@ -24,7 +25,7 @@ ReadPositions(const ColonExamination & exam, bool isAnonymous)
   return positions;
 }
 
-/** Names that the runs do not state, or state twice, are replaced by "first" and "second". */
+/** If a name is missing or both are equal, uses "first" and "second" instead, followed by the name, if any. */
 std::vector<ReadPosition>
 WithDistinctNames(std::vector<ReadPosition> positions)
 {
@@ -51,54 +52,31 @@ ContentOf(const ReaderReportInput & input)
   return content;
 }
 
-std::vector<std::string>
-RowOf(const ReaderLesion & one, const std::vector<ReadPosition> & positions)
-{
-  const auto        cell = [](double value) { return std::isfinite(value) ? CsvTable::Number(value) : ""; };
-  const auto        by = [](bool isByReader) { return isByReader ? "reader" : "program"; };
-  const std::string morphology = NameOf(one.Morphology());
-  return { one.id,
-           one.candidate ? "candidate" : "finding",
-           NameOf(one.verdict),
-           positions[one.position].name,
-           cell(one.place.x()),
-           cell(one.place.y()),
-           cell(one.place.z()),
-           NameOfSegment(one.segment),
-           cell(one.arcLength),
-           cell(one.Size()),
-           std::isfinite(one.Size()) ? by(one.IsSizeByReader()) : "",
-           morphology,
-           morphology.empty() ? "" : by(one.IsMorphologyByReader()),
-           one.sameAs,
-           one.candidate ? cell(one.candidate->score) : "",
-           one.statement.note };
-}
-
 CsvTable
-TableOf(const ReaderReportContent & content)
+LesionTable(const ReaderReportContent & content)
 {
-  CsvTable table({ "id",
-                   "kind",
-                   "verdict",
-                   "position",
-                   "x",
-                   "y",
-                   "z",
-                   "segment",
-                   "arcLength",
-                   "size",
-                   "sizeBy",
-                   "morphology",
-                   "morphologyBy",
-                   "sameAs",
-                   "score",
-                   "note" });
-  for (const ReaderLesion & one : content.lesions)
-  {
-    table.AddRow(RowOf(one, content.positions));
-  }
-  return table;
+  using Lesion = ReaderLesion;
+  const auto cell = [](double value) { return std::isfinite(value) ? CsvTable::Number(value) : ""; };
+  const auto by = [](bool isByReader) { return isByReader ? "reader" : "program"; };
+  return TableOf<Lesion>(
+    content.lesions,
+    { { "id", [](const Lesion & one) { return one.id; } },
+      { "kind", [](const Lesion & one) { return one.candidate ? "candidate" : "finding"; } },
+      { "verdict", [](const Lesion & one) { return NameOf(one.verdict); } },
+      { "position", [&](const Lesion & one) { return content.positions[one.position].name; } },
+      { "x", [&](const Lesion & one) { return cell(one.place.x()); } },
+      { "y", [&](const Lesion & one) { return cell(one.place.y()); } },
+      { "z", [&](const Lesion & one) { return cell(one.place.z()); } },
+      { "segment", [](const Lesion & one) { return NameOfSegment(one.segment); } },
+      { "arcLength", [&](const Lesion & one) { return cell(one.arcLength); } },
+      { "size", [&](const Lesion & one) { return cell(one.Size()); } },
+      { "sizeBy", [&](const Lesion & one) { return std::isfinite(one.Size()) ? by(one.IsSizeByReader()) : ""; } },
+      { "morphology", [](const Lesion & one) { return NameOf(one.Morphology()); } },
+      { "morphologyBy",
+        [&](const Lesion & one) { return NameOf(one.Morphology()).empty() ? "" : by(one.IsMorphologyByReader()); } },
+      { "sameAs", [](const Lesion & one) { return one.sameAs; } },
+      { "score", [&](const Lesion & one) { return one.candidate ? cell(one.candidate->score) : ""; } },
+      { "note", [](const Lesion & one) { return one.statement.note; } } });
 }
 
 } // namespace
@@ -109,7 +87,7 @@ WriteReaderReport(const ReaderReportInput & input, const std::string & folder, c
   const ReaderReportContent content = ContentOf(input);
   const std::string         page = outputPath(folder + "/reader-report.html");
   WriteReaderReportPage(content, page);
-  TableOf(content).Write(outputPath(folder + "/reader-report.csv"));
+  LesionTable(content).Write(outputPath(folder + "/reader-report.csv"));
   return PrintPage(page, folder + "/reader-report.pdf", outputPath);
 }
 } // namespace shapeton

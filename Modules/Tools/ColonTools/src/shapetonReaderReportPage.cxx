@@ -17,7 +17,7 @@ namespace
 {
 using ReaderFacts = std::vector<std::pair<std::string, std::string>>;
 
-/** The reader's size as entered; whole millimeters of the program. */
+/** The reader's size as entered, or the program's size in whole millimeters. */
 std::string
 SizeCell(const ReaderLesion & lesion)
 {
@@ -192,7 +192,7 @@ private:
     }
   }
 
-  /** The segments of the colon that the program found not or only partly evaluable. */
+  /** The segments of the colon that the program found to be not evaluable or only partly evaluable. */
   void
   AddNotAssessable(HtmlReport & html) const
   {
@@ -250,7 +250,7 @@ private:
     return m_Positions[position].name + " at " + PlaceInWords(place) + " (LPS)";
   }
 
-  /** The picture and the facts of an accepted candidate; the place of a finding. */
+  /** The picture and the facts of an accepted candidate, or the position of a finding. */
   void
   AddCard(HtmlReport & html, const ReaderLesion & one) const
   {
@@ -282,25 +282,13 @@ private:
   ReaderFacts
   FactsOf(const ReaderLesion & one) const
   {
-    ReaderFacts facts;
-    if (one.IsSizeByReader())
-    {
-      facts.emplace_back("Size by the reader", CsvTable::Number(one.statement.size) + " mm");
-    }
-    if (one.candidate && std::isfinite(one.candidate->diameter))
-    {
-      facts.emplace_back("Size by the program", WholeMillimeters(one.candidate->diameter));
-    }
-    if (one.Morphology() != PolypMorphology::Unknown)
-    {
-      facts.emplace_back("Morphology", MorphologyCell(one));
-    }
-    facts.emplace_back("Place", this->PlaceOf(one.position, one.place));
-    if (!one.statement.note.empty())
-    {
-      facts.emplace_back("Note of the reader", one.statement.note);
-    }
-    return facts;
+    const double measured = one.candidate ? one.candidate->diameter : std::nan("");
+    return KnownFacts(
+      { { "Size by the reader", one.IsSizeByReader() ? CsvTable::Number(one.statement.size) + " mm" : "" },
+        { "Size by the program", WholeMillimeters(measured) },
+        { "Morphology", MorphologyCell(one) },
+        { "Place", this->PlaceOf(one.position, one.place) },
+        { "Note of the reader", one.statement.note } });
   }
 
   /** "polyp candidate", or what the program recognized. */

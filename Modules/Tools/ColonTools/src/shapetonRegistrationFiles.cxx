@@ -84,11 +84,7 @@ RegistrationFiles::Write(const RegistrationResults & results) const
   });
   this->WriteFile(examination::matches.name, [&](const std::string & path) { TableOfMatches(results).Write(path); });
   this->WriteErrors(results);
-  Json document;
-  document["provenance"] = ProvenanceToJson(m_CommandLine.GetProvenance());
-  document["warnings"] = m_CommandLine.GetWarnings();
-  document.update(results.document);
-  WriteJson(document, m_CommandLine.Output(this->PathOf(examination::registration.name)));
+  m_CommandLine.WriteDocument(results.document, m_CommandLine.Output(this->PathOf(examination::registration.name)));
 }
 
 void

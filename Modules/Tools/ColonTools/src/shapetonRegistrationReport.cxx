@@ -1,5 +1,6 @@
 #include "shapetonRegistrationReport.h"
 
+#include "shapetonReportTable.h"
 #include "shapetonColonFigures.h"
 #include "shapetonCommandLine.h"
 #include "shapetonHtmlReport.h"
@@ -29,45 +30,40 @@ Percent(const Json & share)
 CsvTable
 MatchTable(const RegistrationResults & results)
 {
-  const bool               hasTruth = !results.points.empty();
-  std::vector<std::string> columns{ "Segment", "Confidence",   "Supine folds", "Prone folds",
-                                    "Matched", "Contradicted", "Supine only",  "Prone only" };
-  if (hasTruth)
-  {
-    columns.insert(columns.end(), { "Correct", "Wrong", "Not matched" });
-  }
-  CsvTable   table(columns);
-  const auto add = [&](const SegmentMatches & row, const std::string & name) {
-    std::vector<std::string> cells{ name, std::isfinite(row.confidence) ? CsvTable::Rounded(row.confidence, 2) : "" };
-    for (const int number :
-         { row.supineFolds, row.proneFolds, row.followed, row.contradicted, row.supineAlone, row.proneAlone })
-    {
-      cells.push_back(std::to_string(number));
-    }
-    if (hasTruth)
-    {
-      cells.insert(cells.end(),
-                   { std::to_string(row.correct), std::to_string(row.wrong), std::to_string(row.unmatched) });
-    }
-    table.AddRow(cells);
+  std::vector<std::pair<std::string, int SegmentMatches::*>> counts{
+    { "Supine folds", &SegmentMatches::supineFolds }, { "Prone folds", &SegmentMatches::proneFolds },
+    { "Matched", &SegmentMatches::followed },         { "Contradicted", &SegmentMatches::contradicted },
+    { "Supine only", &SegmentMatches::supineAlone },  { "Prone only", &SegmentMatches::proneAlone }
   };
-  SegmentMatches sum;
-  for (const SegmentMatches & row : results.segments)
+  if (!results.points.empty()) // known points
   {
-    add(row, row.segment.empty() ? "not known" : row.segment);
-    sum.supineFolds += row.supineFolds;
-    sum.proneFolds += row.proneFolds;
-    sum.followed += row.followed;
-    sum.contradicted += row.contradicted;
-    sum.supineAlone += row.supineAlone;
-    sum.proneAlone += row.proneAlone;
-    sum.correct += row.correct;
-    sum.wrong += row.wrong;
-    sum.unmatched += row.unmatched;
+    counts.insert(counts.end(),
+                  { { "Correct", &SegmentMatches::correct },
+                    { "Wrong", &SegmentMatches::wrong },
+                    { "Not matched", &SegmentMatches::unmatched } });
   }
-  sum.confidence = std::nan("");
-  add(sum, "all");
-  return table;
+  std::vector<TableColumn<SegmentMatches>> columns{
+    { "Segment", [](const SegmentMatches & row) { return row.segment.empty() ? "not known" : row.segment; } },
+    { "Confidence",
+      [](const SegmentMatches & row) {
+        return std::isfinite(row.confidence) ? CsvTable::Rounded(row.confidence, 2) : "";
+      } }
+  };
+  SegmentMatches all;
+  all.segment = "all";
+  all.confidence = std::nan("");
+  for (const auto & [heading, count] : counts)
+  {
+    columns.push_back(
+      { heading, [number = count](const SegmentMatches & row) { return std::to_string(row.*number); } });
+    for (const SegmentMatches & row : results.segments)
+    {
+      all.*count += row.*count;
+    }
+  }
+  std::vector<SegmentMatches> rows = results.segments;
+  rows.push_back(all);
+  return TableOf(rows, columns);
 }
 
 Facts
@@ -148,33 +144,24 @@ AddRegistrationSection(HtmlReport &                 html,
   }
 }
 
-RegistrationReport::RegistrationReport(CommandLine & commandLine, const std::string & folder)
-  : m_CommandLine(commandLine), m_Folder(folder)
-{
-  if (!m_Folder.empty())
-  {
-    commandLine.MakeFolder(m_Folder);
-  }
-}
-
 void
-RegistrationReport::Write(const RegistrationParts & parts) const
+WriteRegistrationReport(CommandLine & commandLine, const std::string & folder, const RegistrationParts & parts)
 {
-  if (m_Folder.empty())
+  if (folder.empty())
   {
     return;
   }
   HtmlReport html("A colon in two positions");
-  html.AddHead(RegistrationFacts(parts), m_CommandLine.GetWarnings());
+  html.AddHead(RegistrationFacts(parts), commandLine.GetWarnings());
   html.AddHeading("Supine and prone");
   AddRegistrationSection(
     html, parts, [&](const Picture * picture, const std::string & name, const std::string & caption) {
-      const std::string path = m_CommandLine.Output(m_Folder + '/' + name + ".png");
+      const std::string path = commandLine.Output(folder + '/' + name + ".png");
       WritePng(picture, path);
       html.AddPicture(path, caption);
     });
   html.AddHeading("Provenance");
-  html.AddFacts(m_CommandLine.GetProvenance());
-  html.Write(m_CommandLine.Output(m_Folder + "/index.html"));
+  html.AddFacts(commandLine.GetProvenance());
+  html.Write(commandLine.Output(folder + "/index.html"));
 }
 } // namespace shapeton

@@ -9,8 +9,6 @@ using Kind = Stage::Argument::Kind;
 
 Stage::Stage(const std::string & name, const std::string & program) : m_Name(name), m_Program(program) {}
 
-Stage::~Stage() = default;
-
 Stage &
 Stage::Option(const std::string & flag, const std::string & value)
 {

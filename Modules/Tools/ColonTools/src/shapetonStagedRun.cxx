@@ -72,12 +72,7 @@ HashIn(const std::string & identity)
 StageResult
 CannotStart(const Stage & stage, const OutputError & error)
 {
-  StageResult result;
-  result.name = stage.GetName();
-  result.program = stage.GetProgram();
-  result.status = 1;
-  result.message = error.what();
-  return result;
+  return { stage.GetName(), stage.GetProgram(), {}, 1, error.what(), {}, {} };
 }
 } // namespace
 
@@ -124,7 +119,7 @@ StagedRun::IdentityOfInput(const Stage::Argument & argument)
   return "sha256:" + Sha256OfBytes(lines);
 }
 
-/** Inputs that are results of stages, of this run or of another one. */
+/** Inputs that are results of stages, either of this run or of another one. */
 FileHashes
 StagedRun::ResultsReadBy(const Stage & stage)
 {

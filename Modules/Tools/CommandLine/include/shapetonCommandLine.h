@@ -2,6 +2,7 @@
 #define shapetonCommandLine_h
 
 #include "ShapetonCommandLineExport.h"
+#include "shapetonJsonForward.h"
 #include "shapetonProgress.h"
 #include "shapetonProvenance.h"
 #include "shapetonRemarks.h"
@@ -12,7 +13,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace shapeton
@@ -70,9 +70,9 @@ public:
   CommandLine &
   operator=(const CommandLine &) = delete;
 
-  /** \name Values by the `name` of the parameter in the XML; the default of the XML if no value was given.
-   * Numbers, enumerations and constraints have been checked. Throws std::logic_error for a name that is not in the XML.
-   * Reading a number with neither a value nor a default throws ParameterError; a vector is then empty. */
+  /** \name Values by the `name` of the parameter in the XML; the default from the XML if no value was given. Numbers,
+   * enumerations and constraints have been checked. Throws std::logic_error for a name that is not in the XML. Reading
+   * a number with neither a value nor a default throws ParameterError; a vector is then empty. */
   ///@{
   /** True if the parameter differs from its default; 3D Slicer passes the defaults as well. */
   bool
@@ -114,6 +114,10 @@ public:
   std::string
   OutputOf(const std::string & name);
 
+  /** OutputOf() for the main result, with the record of the run next to it; see RecordRun(). */
+  std::string
+  MainOutput(const std::string & name);
+
   /** Renames the file written to Output(path) to its final name while the run continues; Output(path) may then be
    * called again. For files that are watched during the run or needed after a crash, such as previews and checkpoints.
    * Throws OutputError. */
@@ -130,13 +134,17 @@ public:
   void
   MakeFolder(const std::string & path);
 
+  /** Returns the folder that a parameter names, after MakeFolder(); empty if the option was not given. */
+  std::string
+  MakeFolderOf(const std::string & name);
+
   /** Throws ParameterError if a result folder is the input folder or inside it, which would change the input. Throws
    * InputError if the input does not exist; `advice` completes the message. */
   static void
   RequireApart(const std::string & input, const std::string & outputFolder, const std::string & advice);
 
-  /** Replaces parameters in the text by options: `the parameter "p" = 2` becomes `--p 2`. Every option has the name of
-   * its parameter. */
+  /** Replaces parameters in the text with options: `the parameter "p" = 2` becomes `--p 2`. Every option has the name
+   * of its parameter. */
   static std::string
   InOptions(const std::string & text);
 
@@ -169,16 +177,20 @@ public:
   void
   Return(const std::string & name, const std::string & value);
 
-  /** States the identity of an input: "sha256:..." or "seriesInstanceUID:...". If `name` is a parameter, the provenance
-   * contains the identity instead of the value, which may be a path. */
+  /** Records the identity of an input: "sha256:..." or "seriesInstanceUID:...". If `name` is a parameter, the
+   * provenance contains the identity instead of the value, which may be a path. */
   void
   AddInput(const std::string & name, const std::string & identity);
 
   /** Provenance of a result: tool, version, inputs, repairs, and the options that affect it. Options include defaults
    * and have a canonical spelling (`1e3` and `1000` are the same); booleans are listed only if true. Threads, device,
-   * paths, dates, host and durations are excluded, so equal runs give equal bytes. */
+   * paths, dates, host and durations are excluded, so identical runs yield identical bytes. */
   Provenance
   GetProvenance() const;
+
+  /** Writes a JSON document: provenance, warnings and the entries of `content`. Throws OutputError. */
+  void
+  WriteDocument(const Json & content, const std::string & path) const;
 
   /** Adds a fact to the provenance, for example a repair of the input. */
   void
@@ -188,12 +200,12 @@ public:
   void
   LeaveOutOfProvenance(const std::string & name);
 
-  /** Adds a key to the files of RecordRun(), for facts that may differ between equal runs, such as the device. */
+  /** Adds a key to the files of RecordRun(), for facts that may differ between identical runs, such as the device. */
   void
   AddRunFact(const std::string & key, const std::string & value);
 
-  /** Requests a JSON file at `path` that records the run, including all data that may differ between equal runs. Its
-   * keys are tool, version, arguments, host, threads, start (UTC), seconds, stages (seconds of each progress
+  /** Requests a JSON file at `path` that records the run, including all data that may differ between identical runs.
+   * Its keys are tool, version, arguments, host, threads, start (UTC), seconds, stages (seconds of each progress
    * stage), warnings and the keys of AddRunFact(). Usually `<output>.run.json`. */
   void
   RecordRun(const std::string & path);

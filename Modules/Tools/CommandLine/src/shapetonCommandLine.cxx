@@ -1,6 +1,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonArguments.h"
 #include "shapetonFileBytes.h"
+#include "shapetonJson.h"
 #include "shapetonModuleDescription.h"
 #include "shapetonModuleHelp.h"
 #include "shapetonOutputFiles.h"
@@ -16,14 +17,9 @@
 #include "itkCommand.h"
 #include "itkProcessObject.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -139,184 +135,161 @@ struct CommandLine::State
   const std::chrono::steady_clock::time_point steadyStart{ std::chrono::steady_clock::now() };
 
   const Parameter &
-  Find(const std::string & name) const;
-  void
-  CheckInteger(const std::string & name) const;
-  const std::vector<std::string> *
-  FindGiven(const std::string & name) const;
-  void
-  RequireNoInput(const std::string & path) const;
-  bool
-  IsInProvenance(const Parameter & parameter) const;
-  std::string
-  ProvenanceOf(const Parameter & parameter) const;
-  void
-  Answer(const std::string & question) const;
-  void
-  Prepare(const CommandLine & commandLine);
-  void
-  Finish();
-  std::string
-  ReturnText() const;
-  std::string
-  RunRecordText() const;
-};
-
-const Parameter &
-CommandLine::State::Find(const std::string & name) const
-{
-  const auto parameter = std::find_if(
-    module.parameters.begin(), module.parameters.end(), [&](const Parameter & p) { return p.name == name; });
-  if (parameter == module.parameters.end())
+  Find(const std::string & name) const
   {
-    throw std::logic_error("the module description has no parameter \"" + name + '"');
-  }
-  return *parameter;
-}
-
-// A double may exceed the range of int.
-void
-CommandLine::State::CheckInteger(const std::string & name) const
-{
-  if (!this->Find(name).IsInteger())
-  {
-    throw std::logic_error("\"" + name + "\" is not an integer parameter");
-  }
-}
-
-// An output must not replace an input of the same run.
-void
-CommandLine::State::RequireNoInput(const std::string & path) const
-{
-  for (const auto & parameter : module.parameters)
-  {
-    const auto * values = parameter.channel == "input" && parameter.IsPath() && replaceable.count(parameter.name) == 0
-                            ? this->FindGiven(parameter.name)
-                            : nullptr;
-    for (const auto & value : values ? *values : std::vector<std::string>())
+    const auto parameter = std::find_if(
+      module.parameters.begin(), module.parameters.end(), [&](const Parameter & p) { return p.name == name; });
+    if (parameter == module.parameters.end())
     {
-      std::error_code error;
-      if (std::filesystem::equivalent(value, path, error))
+      throw std::logic_error("the module description has no parameter \"" + name + '"');
+    }
+    return *parameter;
+  }
+
+  /** A double may exceed the range of int. */
+  void
+  CheckInteger(const std::string & name) const
+  {
+    if (!this->Find(name).IsInteger())
+    {
+      throw std::logic_error("\"" + name + "\" is not an integer parameter");
+    }
+  }
+
+  /** Null if the default applies. */
+  const std::vector<std::string> *
+  FindGiven(const std::string & name) const
+  {
+    const auto values = parsed.given.find(name);
+    return values == parsed.given.end() ? nullptr : &values->second;
+  }
+
+  /** An output must not replace an input of the same run. */
+  void
+  RequireNoInput(const std::string & path) const
+  {
+    for (const auto & parameter : module.parameters)
+    {
+      const auto * values = parameter.channel == "input" && parameter.IsPath() && replaceable.count(parameter.name) == 0
+                              ? this->FindGiven(parameter.name)
+                              : nullptr;
+      for (const auto & value : values ? *values : std::vector<std::string>())
       {
-        throw ParameterError("the output " + Quoted(path) + " is an input of this run; use another name");
+        std::error_code error;
+        if (std::filesystem::equivalent(value, path, error))
+        {
+          throw ParameterError("the output " + Quoted(path) + " is an input of this run; use another name");
+        }
       }
     }
   }
-}
 
-// Null if the default applies.
-const std::vector<std::string> *
-CommandLine::State::FindGiven(const std::string & name) const
-{
-  const auto values = parsed.given.find(name);
-  return values == parsed.given.end() ? nullptr : &values->second;
-}
+  /** Inputs are recorded by identity; output locations and devices do not affect the result. */
+  bool
+  IsInProvenance(const Parameter & parameter) const
+  {
+    const bool isStated = std::any_of(facts.begin(), facts.end(), [&](const auto & fact) {
+      return fact.first == "input." + parameter.name || fact.first == "option." + parameter.name;
+    });
+    return !parameter.IsPath() && parameter.channel != "output" && idle.count(parameter.name) == 0 && !isStated;
+  }
 
-// Inputs are recorded by identity; output locations and devices do not affect the result.
-bool
-CommandLine::State::IsInProvenance(const Parameter & parameter) const
-{
-  const bool isStated = std::any_of(facts.begin(), facts.end(), [&](const auto & fact) {
-    return fact.first == "input." + parameter.name || fact.first == "option." + parameter.name;
-  });
-  return !parameter.IsPath() && parameter.channel != "output" && idle.count(parameter.name) == 0 && !isStated;
-}
+  std::string
+  ProvenanceOf(const Parameter & parameter) const
+  {
+    const auto * values = this->FindGiven(parameter.name);
+    if (!values)
+    {
+      return parameter.defaultValue.empty() ? "" : CanonicalValue(parameter, parameter.defaultValue);
+    }
+    std::string text;
+    for (const auto & value : *values)
+    {
+      text += (text.empty() ? "" : ",") + CanonicalValue(parameter, value);
+    }
+    return text;
+  }
 
-std::string
-CommandLine::State::ProvenanceOf(const Parameter & parameter) const
-{
-  const auto * values = this->FindGiven(parameter.name);
-  if (!values)
+  void
+  Answer(const std::string & question) const
   {
-    return parameter.defaultValue.empty() ? "" : CanonicalValue(parameter, parameter.defaultValue);
+    const std::string answer = question == "--xml"       ? xml
+                               : question == "--version" ? module.version + '\n'
+                                                         : HelpText(module, program);
+    std::fputs(answer.c_str(), stdout);
+    FlushStdout();
   }
-  std::string text;
-  for (const auto & value : *values)
-  {
-    text += (text.empty() ? "" : ",") + CanonicalValue(parameter, value);
-  }
-  return text;
-}
 
-void
-CommandLine::State::Answer(const std::string & question) const
-{
-  const std::string answer = question == "--xml"       ? xml
-                             : question == "--version" ? module.version + '\n'
-                                                       : HelpText(module, program);
-  std::fputs(answer.c_str(), stdout);
-  FlushStdout();
-}
+  void
+  Prepare(const CommandLine & commandLine)
+  {
+    parsed = ParseArguments(module, arguments);
+    display.SetMode(parsed.quiet ? ProgressDisplay::Mode::Off : ProgressDisplay::ModeOfStdout());
+    if (!parsed.returnFile.empty())
+    {
+      returnFile = outputs.Add(parsed.returnFile);
+    }
+    ThreadOptions options;
+    ReadOptions(commandLine, options);
+    if (options.threads > 0)
+    {
+      SetNumberOfThreads(static_cast<unsigned int>(options.threads));
+    }
+  }
 
-void
-CommandLine::State::Prepare(const CommandLine & commandLine)
-{
-  parsed = ParseArguments(module, arguments);
-  display.SetMode(parsed.quiet ? ProgressDisplay::Mode::Off : ProgressDisplay::ModeOfStdout());
-  if (!parsed.returnFile.empty())
+  void
+  Finish()
   {
-    returnFile = outputs.Add(parsed.returnFile);
+    display.Complete();
+    display.End();
+    FlushStdout();
+    for (const auto & record : runRecords)
+    {
+      WriteJson(this->RunRecord(), record);
+    }
+    if (!returnFile.empty())
+    {
+      WriteFileBytes(returnFile, this->ReturnText());
+    }
+    outputs.Commit();
   }
-  ThreadOptions options;
-  ReadOptions(commandLine, options);
-  if (options.threads > 0)
-  {
-    SetNumberOfThreads(static_cast<unsigned int>(options.threads));
-  }
-}
 
-void
-CommandLine::State::Finish()
-{
-  display.Complete();
-  display.End();
-  FlushStdout();
-  for (const auto & record : runRecords)
+  std::string
+  ReturnText() const
   {
-    WriteFileBytes(record, this->RunRecordText());
+    std::string text;
+    for (const auto & value : returned)
+    {
+      text += value.first + " = " + value.second + '\n';
+    }
+    return text;
   }
-  if (!returnFile.empty())
-  {
-    WriteFileBytes(returnFile, this->ReturnText());
-  }
-  outputs.Commit();
-}
 
-std::string
-CommandLine::State::ReturnText() const
-{
-  std::string text;
-  for (const auto & value : returned)
+  Json
+  RunRecord() const
   {
-    text += value.first + " = " + value.second + '\n';
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - steadyStart;
+    Json                                record;
+    record["tool"] = program;
+    record["version"] = module.version;
+    record["arguments"] = arguments;
+    record["host"] = HostName();
+    record["threads"] = NumberOfThreads();
+    record["start"] = TimeText(start);
+    record["seconds"] = elapsed.count();
+    record["stages"] = Json::object();
+    for (const auto & [stage, seconds] : display.StageSeconds())
+    {
+      record["stages"][stage] = seconds;
+    }
+    record["warnings"] = warnings;
+    for (const auto & [key, value] : runFacts)
+    {
+      record[key] = value;
+    }
+    return record;
   }
-  return text;
-}
-
-std::string
-CommandLine::State::RunRecordText() const
-{
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - steadyStart;
-  nlohmann::ordered_json              record;
-  record["tool"] = program;
-  record["version"] = module.version;
-  record["arguments"] = arguments;
-  record["host"] = HostName();
-  record["threads"] = NumberOfThreads();
-  record["start"] = TimeText(start);
-  record["seconds"] = elapsed.count();
-  record["stages"] = nlohmann::ordered_json::object();
-  for (const auto & [stage, seconds] : display.StageSeconds())
-  {
-    record["stages"][stage] = seconds;
-  }
-  record["warnings"] = warnings;
-  for (const auto & [key, value] : runFacts)
-  {
-    record[key] = value;
-  }
-  return record.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-}
+};
 
 CommandLine::CommandLine(const char * xml) : m_State(std::make_unique<State>())
 {
@@ -496,10 +469,29 @@ CommandLine::OutputOf(const std::string & name)
   return this->IsGiven(name) ? this->Output(this->GetString(name)) : std::string();
 }
 
+std::string
+CommandLine::MainOutput(const std::string & name)
+{
+  const std::string path = this->OutputOf(name);
+  this->RecordRun(this->GetString(name) + ".run.json");
+  return path;
+}
+
 void
 CommandLine::MakeFolder(const std::string & path)
 {
   m_State->outputs.MakeFolder(path);
+}
+
+std::string
+CommandLine::MakeFolderOf(const std::string & name)
+{
+  const std::string path = this->GetString(name);
+  if (!path.empty())
+  {
+    this->MakeFolder(path);
+  }
+  return path;
 }
 
 void
@@ -605,6 +597,16 @@ CommandLine::GetProvenance() const
     }
   }
   return provenance;
+}
+
+void
+CommandLine::WriteDocument(const Json & content, const std::string & path) const
+{
+  Json document;
+  document["provenance"] = ProvenanceToJson(this->GetProvenance());
+  document["warnings"] = this->GetWarnings();
+  document.update(content);
+  WriteJson(document, path);
 }
 
 void

@@ -8,7 +8,6 @@
 #include "shapetonPicture.h"
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +16,8 @@ namespace shapeton
 /** One row per object: object, parent, kind (warm, cold), timeStep, heat, voxels, volume (mm^3), x, y, z (LPS, mm),
  * meanIntensity (of the voxels whose smallest object it is), probability, growth, range, contrast, compactness, cut,
  * and meanHeat_<time step> for each heat volume. `names` are the time steps, or other names of the volumes. For objects
- * of FindWindowObjects(), `windows` has the window of each volume: then windowLower and windowUpper follow timeStep,
- * and the last column is meanHeat. \ingroup ShapetonHeatTools */
+ * of FindWindowObjects(), `windows` contains the window of each volume; then windowLower and windowUpper follow
+ * timeStep, and the last column is meanHeat. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT CsvTable
 HeatObjectTable(const HeatObjectList &                     list,
                 const std::vector<int> &                   objects,
@@ -26,8 +25,8 @@ HeatObjectTable(const HeatObjectList &                     list,
                 const std::vector<std::string> &           names,
                 const std::vector<std::array<double, 2>> & windows = {});
 
-/** The objects that contain a point, LPS in mm, the smallest first. Throws ParameterError if it is outside of the
- * volume, and InputError if it is in no object. \ingroup ShapetonHeatTools */
+/** The objects that contain a point, LPS in mm, the smallest first. Throws ParameterError if the point is outside the
+ * volume, and InputError if no object contains it. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT std::vector<int>
                          ObjectsAt(const HeatObjectList & list, const itk::Point<double, 3> & point);
 

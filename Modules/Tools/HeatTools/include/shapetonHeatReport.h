@@ -10,14 +10,12 @@
 #include "shapetonHeatExplorer.h"
 #include "shapetonHeatHistogram.h"
 #include "shapetonHeatParameterChoice.h"
-#include "shapetonHeatRanges.h"
 #include "shapetonOutputPath.h"
 #include "shapetonObjectColors.h"
 #include "itkImage.h"
 #include "shapetonShapeQuantity.h"
 #include "shapetonShapeTransferFunction.h"
 #include "shapetonVolumeRendering.h"
-#include "shapetonSliceMontage.h"
 
 #include <cstdint>
 #include <optional>
@@ -27,40 +25,27 @@
 
 namespace shapeton
 {
-/** Content of a diffusion report, for heat or shapetons. The pointers are not owned and must not be null.
+/** Content of a diffusion report, for heat or shapetons. With `ranges`, a second histogram shows the last one, and a
+ * second rendering the lines in it; `lines` and `objects` are not used.
  * \ingroup ShapetonHeatTools */
-struct HeatReportContent
+struct HeatReportContent : public HeatExplorerContent
 {
   using Facts = std::vector<std::pair<std::string, std::string>>;
 
-  std::string title{ "Cumulative heat diffusion" };
-  /** Quantity stored in `heat`. */
-  ShapeQuantity quantity;
+  HeatReportContent() { title = "Cumulative heat diffusion"; }
+
   /** Input, for example its name, modality, repairs. The geometry of `gray` is added. */
   Facts input;
   /** Parameters of the run, with the source of automatic values. */
   Facts   parameters;
   Facts   provenance;
   Remarks warnings;
-
-  const HeatHistogram * histogram{ nullptr };
-  /** Histogram that defines axis and colors; null for `histogram`. */
-  const HeatHistogram * axisHistogram{ nullptr };
-  HeatScale             scale{ HeatScale::Equalized };
-  /** Zoomed ranges; none by default. With ranges, a second histogram shows the last one, a second rendering shows the
-   * lines in it, and the explorer starts with it. */
-  HeatRanges ranges;
   /** Time steps marked in the histogram. */
   std::vector<std::uint64_t> markedTimeSteps;
-
-  /** The intensity image and the heat, on the same grid. */
-  const itk::Image<float, 3> * gray{ nullptr };
+  /** The quantity, on the grid of `gray`. */
   const itk::Image<float, 3> * heat{ nullptr };
   /** The time step of `heat`, if known. */
   std::optional<std::uint64_t> timeStep;
-  /** Intensity window of the slices. */
-  IntensityWindow window;
-
   /** The classes of `heat`. */
   std::vector<HeatClass> classes;
   /** Transfer function of the rendering; by default ShapeTransferFunction::FromClasses. */

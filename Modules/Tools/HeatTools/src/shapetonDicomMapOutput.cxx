@@ -4,6 +4,7 @@
 #include "shapetonDicomPictures.h"
 #include "shapetonExceptions.h"
 #include "shapetonImageFile.h"
+#include "shapetonMappedImage.h"
 
 #include <algorithm>
 
@@ -62,12 +63,7 @@ DicomMapOutput::Write(const itk::Image<unsigned int, 3> * image,
 {
   if (m_Source)
   {
-    const auto values = itk::Image<float, 3>::New();
-    values->CopyInformation(image);
-    values->SetRegions(image->GetBufferedRegion());
-    values->Allocate();
-    const unsigned int * const first = image->GetBufferPointer();
-    std::copy(first, first + image->GetBufferedRegion().GetNumberOfPixels(), values->GetBufferPointer());
+    const auto values = MapVoxels<float>(image, [](unsigned int count) { return static_cast<float>(count); });
     this->Write(values.GetPointer(), code, meaning);
   }
 }

@@ -5,6 +5,7 @@
 #include "shapetonHeatHistogramPicture.h"
 #include "shapetonHtmlReport.h"
 #include "shapetonJson.h"
+#include "shapetonSliceMontage.h"
 #include "shapetonTransferFunctionPicture.h"
 
 #include <algorithm>
@@ -123,7 +124,7 @@ ColumnsOfClasses(const HeatAxis & axis, const ShapeQuantity & quantity)
   return columns;
 }
 
-/** The columns of a file, in which some are the last ones. */
+/** The columns of a file; those named in `last` are moved to the end. */
 ClassColumns
 FileColumns(const HeatAxis & axis, const ShapeQuantity & quantity, const std::vector<std::string> & last)
 {
@@ -137,7 +138,7 @@ FileColumns(const HeatAxis & axis, const ShapeQuantity & quantity, const std::ve
   return columns;
 }
 
-/** A table with the heading and the text of each column. */
+/** A table with the given heading and text of each column. */
 template <typename TText>
 CsvTable
 TableOf(const std::vector<HeatClass> & classes,
@@ -174,7 +175,7 @@ JsonOf(const Facts & facts)
   return object;
 }
 
-/** Classes with some columns, or all. */
+/** The classes, with the named columns, or with all columns if there are no names. */
 Json
 JsonOf(const std::vector<HeatClass> & classes,
        const HeatAxis &               axis,
@@ -259,7 +260,7 @@ JsonOf(const HeatReportContent & content, const HeatAxis & axis, const ShapeTran
   return document;
 }
 
-/** The lines, and whether classes of objects follow them. */
+/** The lines as text, and a note if there are also classes of objects. */
 std::string
 TextOfClasses(const ShapeTransferFunction & lines, const ShapeTransferFunction & classes)
 {
@@ -277,10 +278,7 @@ Slices(const HeatReportContent &        content,
        const HeatColoring &             coloring,
        const std::vector<LegendEntry> & legend)
 {
-  SliceMontageOptions options;
-  options.title = title;
-  options.window = content.window;
-  options.legend = legend;
+  SliceMontageOptions options{ title, content.window, {}, legend };
   return DrawSliceMontage(content.gray, content.heat, coloring, options);
 }
 
@@ -564,16 +562,8 @@ void
 WriteExplorer(const HeatReportContent & content, HeatExplorer & explorer)
 {
   explorer.AddStep(content.heat, content.timeStep.value_or(0));
-  HeatExplorerContent page;
-  page.title = content.title;
-  page.quantity = content.quantity;
-  page.histogram = content.histogram;
-  page.axisHistogram = content.axisHistogram;
-  page.scale = content.scale;
-  page.gray = content.gray;
-  page.window = content.window;
+  HeatExplorerContent page = content;
   page.lines = ShownLines(content);
-  page.ranges = content.ranges;
   explorer.Write(page);
 }
 

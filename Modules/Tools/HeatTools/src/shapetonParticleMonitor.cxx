@@ -54,9 +54,7 @@ DrawParticlePreview(const itk::Image<float, 3> *         gray,
                     const ParticleProgress &             progress)
 {
   const ShapeAnalysis shape = AnalyzeVisits(visits, progress.measures.step, false);
-  SliceMontageOptions options;
-  options.title = DescribeProgress(progress);
-  options.cut = cut;
+  SliceMontageOptions options{ DescribeProgress(progress), {}, cut };
   return DrawSliceMontage(gray, shape.values, ColorByHeat(HeatAxis(shape.axisHistogram)), options);
 }
 

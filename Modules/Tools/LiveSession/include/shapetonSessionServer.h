@@ -3,7 +3,6 @@
 
 #include "ShapetonLiveSessionExport.h"
 
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -18,7 +17,7 @@ struct SessionServerSettings
   std::string address{ "127.0.0.1" };
   /** 0: a free port. */
   unsigned short port{ 0 };
-  /** The session ends this many seconds after its last page was closed. */
+  /** The session ends this many seconds after its last page has been closed. */
   double secondsWithoutPage{ 10.0 };
   /** A connection that does not answer is dropped after this time. */
   double secondsOfSilence{ 30.0 };
@@ -28,13 +27,12 @@ struct SessionServerSettings
  * \brief Serves the page of a LiveSession by HTTP and its commands and frames by WebSocket (Boost.Beast).
  *
  * All work is done in the thread of Run(): pieces of the session's work alternate with messages. A message of a page is
- * a JSON command, as for LiveSession::Do(), with two more: {"do": "view", "place": [x, y, z]} and {"do": "ready"},
- * which requests the next frame, and {"do": "picture", ...}, see LiveSession::Draw(). The server answers each command
- * by
- * {"kind": "answer", ...} or {"kind": "error", "text": ...}, with the "id" of the command.
+ * a JSON command, as for LiveSession::Do(), with three more: {"do": "view", "place": [x, y, z]}, {"do": "ready"}, which
+ * requests the next frame, and {"do": "picture", ...}, see LiveSession::Draw(). The server answers each command with
+ * {"kind": "answer", ...} or {"kind": "error", "text": ...} and the "id" of the command.
  *
  * Only requests with the secret token of the URL are answered. The header Host must name this machine, which prevents
- * DNS rebinding, and a page of another origin cannot open a WebSocket. Messages have at most 256 KB; a page receives
+ * DNS rebinding, and a page of another origin cannot open a WebSocket. Messages are limited to 256 KB; a page receives
  * the next frame only after it has asked for it, so a slow page does not use memory.
  *
  * \ingroup ShapetonLiveSession */

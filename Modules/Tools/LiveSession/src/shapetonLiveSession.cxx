@@ -3,6 +3,7 @@
 #include "shapetonExceptions.h"
 #include "shapetonExplorerInfo.h"
 #include "shapetonInterruption.h"
+#include "shapetonMappedImage.h"
 #include "shapetonObjectParameters.h"
 #include "shapetonSavedTransferFunction.h"
 #include "shapetonSessionCommands.h"
@@ -26,7 +27,7 @@ namespace
 using ImageType = itk::Image<float, 3>;
 using Clock = std::chrono::steady_clock;
 
-/** A walk in more voxels takes some time until it is placed. */
+/** Placing a walk in more voxels than this takes a while, so a preview is shown first. */
 constexpr std::size_t mostWithoutPreview = std::size_t{ 1 } << 21;
 /** Duration of a piece of the walk; commands wait for its end. */
 constexpr double secondsOfPiece = 0.03;
@@ -37,7 +38,7 @@ struct Finish
   SessionWork & work;
 };
 
-/** Work was left because a command has arrived. */
+/** Thrown to leave work because a command has arrived. */
 struct Interrupted
 {};
 
@@ -70,7 +71,7 @@ struct LiveSession::Impl
   }
 
   // ---- work ----
-  /** Changes the state, and releases what it no longer has. */
+  /** Changes the state, and releases data that the new state does not include. */
   void
   Note(SessionEvent event)
   {
@@ -177,8 +178,8 @@ struct LiveSession::Impl
     ++version;
   }
 
-  /** Places the shapetons at the start, or where they were parked, and moves them. A large volume takes some time until
-   * its shapetons move; a coarse picture comes first. */
+  /** Places the shapetons at the start, or where they were parked, and moves them. In a large volume, it takes a while
+   * until shapetons move, so a coarse picture is shown first. */
   void
   PlaceWalk()
   {
@@ -245,7 +246,7 @@ struct LiveSession::Impl
     walk.GetMeasures().step == goal ? pictures.OutdateHistogram() : pictures.OutdateOldHistogram();
   }
 
-  /** Steps until the next command is read; 0 if the limited speed allows none yet. */
+  /** Number of steps until the next command is read; 0 if the speed limit does not allow any yet. */
   std::uint64_t
   StepsOfPiece() const
   {
@@ -281,10 +282,7 @@ struct LiveSession::Impl
   ComputeExactHeat()
   {
     ParkWalk();
-    auto exact = ImageType::New();
-    exact->CopyInformation(volume.image);
-    exact->SetRegions(volume.image->GetBufferedRegion());
-    exact->Allocate();
+    const auto exact = NewImageOn<ImageType>(volume.image);
     Tell("heat", 0.0);
     DiffuseCumulativeHeat(
       view, HeatSettings(), exact->GetBufferPointer(), nullptr, {}, [this](double part) { Tell("heat", part); });
@@ -301,7 +299,7 @@ struct LiveSession::Impl
     Note(SessionEvent::ObjectsFound);
   }
 
-  /** Sets window, p, smoothing and time such that objects separate. */
+  /** Sets window, p, smoothing and time so that objects separate. */
   void
   ChooseParameters()
   {
@@ -332,7 +330,7 @@ struct LiveSession::Impl
   }
 
   // ---- commands ----
-  /** A change of the diffusion: everything is computed again. */
+  /** A change to the diffusion: everything is recomputed. */
   void
   Restart(SessionEvent event, const std::string & change)
   {
@@ -624,7 +622,7 @@ struct LiveSession::Impl
                     : !preview.values.empty() || (state.walk == SessionState::Walk::Placed);
   }
 
-  /** What is shown, in the selected object only if there is one. */
+  /** The displayed values, restricted to the selected object if there is one. */
   SessionScene
   Scene() const
   {

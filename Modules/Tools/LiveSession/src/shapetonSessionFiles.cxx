@@ -37,6 +37,12 @@ InQuotes(const std::string & text)
   return quoted + "'";
 }
 
+void
+Append(std::vector<std::string> & words, const std::vector<std::string> & more)
+{
+  words.insert(words.end(), more.begin(), more.end());
+}
+
 /** The options that heat and shapetons share. */
 std::vector<std::string>
 CommonArguments(const ParticleDiffusionOptions & options, std::uint64_t timeStep)
@@ -56,13 +62,20 @@ CommonArguments(const ParticleDiffusionOptions & options, std::uint64_t timeStep
 std::vector<std::string>
 WalkArguments(const ParticleDiffusionOptions & options, std::uint64_t timeStep)
 {
-  auto                           arguments = CommonArguments(options, timeStep);
-  const std::vector<std::string> own{
-    "--shapetons",         std::to_string(options.shapetons), "--distance", CsvTable::Number(options.distance),
-    "--directionSampling", NameOf(options.directionSampling), "--pathRule", NameOf(options.pathRule),
-    "--placement",         NameOf(options.placement),         "--seed",     std::to_string(options.seed)
-  };
-  arguments.insert(arguments.end(), own.begin(), own.end());
+  auto arguments = CommonArguments(options, timeStep);
+  Append(arguments,
+         { "--shapetons",
+           std::to_string(options.shapetons),
+           "--distance",
+           CsvTable::Number(options.distance),
+           "--directionSampling",
+           NameOf(options.directionSampling),
+           "--pathRule",
+           NameOf(options.pathRule),
+           "--placement",
+           NameOf(options.placement),
+           "--seed",
+           std::to_string(options.seed) });
   return arguments;
 }
 
@@ -110,7 +123,7 @@ SessionFiles::Note(const std::string & change)
   m_Lines.push_back("# " + change);
 }
 
-/** The tool's own command line gives the same provenance, temporary names and record of the run. */
+/** The tool's own command line yields the same provenance, temporary names and record of the run. */
 void
 SessionFiles::RunTool(const char * xml, const std::string & tool, const Arguments & arguments, const Body & body) const
 {
@@ -185,8 +198,8 @@ SessionFiles::Save(const SavedResult & result, const ParticleDiffusionOptions & 
   {
     all.insert(all.end(), { Flag("mask"), m_Folder.PathOf(result.mask).string() });
   }
-  arguments.insert(arguments.end(), m_ReadingArguments.begin(), m_ReadingArguments.end());
-  all.insert(all.end(), arguments.begin(), arguments.end());
+  Append(arguments, m_ReadingArguments);
+  Append(all, arguments);
   this->RunTool(ShapetonDiffusionXML, "ShapetonDiffusion", all, [&](CommandLine & commandLine) {
     const ParticleResultFiles files(commandLine);
     commandLine.LeaveOutOfProvenance("previewEvery"); // as ParticleMonitor does
@@ -204,10 +217,7 @@ SessionFiles::Save(const SavedResult & result, const ParticleDiffusionOptions & 
     m_Lines.back() += " " + Flag("mask") + " \"$session\"/" + InQuotes(result.mask);
   }
   auto names = VolumeNamesOf(result);
-  for (const std::string & name : this->WriteLines(result, shape.quantity.greatestVisits))
-  {
-    names.push_back(name);
-  }
+  Append(names, this->WriteLines(result, shape.quantity.greatestVisits));
   return names;
 }
 
@@ -222,8 +232,8 @@ SessionFiles::Save(const SavedResult & result, const ParticleDiffusionOptions & 
     inResults.insert(inResults.begin() + 1, Flag("labels"));
     all.insert(all.end(), { Flag("labels"), m_Folder.PathOf(LabelsNameOf(result)).string() });
   }
-  arguments.insert(arguments.end(), m_ReadingArguments.begin(), m_ReadingArguments.end());
-  all.insert(all.end(), arguments.begin(), arguments.end());
+  Append(arguments, m_ReadingArguments);
+  Append(all, arguments);
   this->RunTool(CumulativeHeatDiffusionXML, "CumulativeHeatDiffusion", all, [&](CommandLine & commandLine) {
     const HeatResultFiles files(commandLine);
     this->AddInput(commandLine);
@@ -234,14 +244,8 @@ SessionFiles::Save(const SavedResult & result, const ParticleDiffusionOptions & 
   });
   this->NoteCommand("CumulativeHeatDiffusion", inResults, arguments);
   auto names = VolumeNamesOf(result);
-  for (const std::string & name : this->WriteObjects(result))
-  {
-    names.push_back(name);
-  }
-  for (const std::string & name : this->WriteLines(result, 1.0))
-  {
-    names.push_back(name);
-  }
+  Append(names, this->WriteObjects(result));
+  Append(names, this->WriteLines(result, 1.0));
   return names;
 }
 
@@ -260,14 +264,12 @@ SessionFiles::WriteObjects(const SavedResult & result)
   {
     all.push_back(m_Folder.PathOf(name).string());
   }
-  all.insert(all.end(), m_ReadingArguments.begin(), m_ReadingArguments.end());
+  Append(all, m_ReadingArguments);
   std::vector<int> numbers(result.objects->objects.size());
   std::iota(numbers.begin(), numbers.end(), 1);
   this->RunTool(HeatObjectsXML, "HeatObjects", all, [&](CommandLine & commandLine) {
-    const std::string output = commandLine.GetString("labels");
-    const std::string labelsFile = commandLine.Output(output);
+    const std::string labelsFile = commandLine.MainOutput("labels");
     const std::string tableFile = commandLine.OutputOf("table");
-    commandLine.RecordRun(output + ".run.json");
     this->AddInput(commandLine);
     commandLine.AddInput("heatVolume", ReadVolume(commandLine.GetString("heatVolume")).identity);
     HeatObjectTable(*result.objects, numbers, m_Volume.image, { std::to_string(result.timeStep) }).Write(tableFile);

@@ -4,7 +4,6 @@
 #include "shapetonJson.h"
 
 #include <string>
-#include <vector>
 
 namespace shapeton
 {

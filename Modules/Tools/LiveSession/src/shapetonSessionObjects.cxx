@@ -4,6 +4,7 @@
 #include "shapetonExplorerInfo.h"
 #include "shapetonHeatObjectTable.h"
 #include "shapetonJson.h"
+#include "shapetonMappedImage.h"
 #include "shapetonParallelFor.h"
 
 namespace shapeton
@@ -45,10 +46,7 @@ SessionObjects::Select(int object)
   RequireParameter(this->AreFound(), "no objects have been found yet; find them first");
   m_Mask = MaskOfObject(*m_List, object);
   m_Selected = object;
-  m_SelectedHeat = HeatType::New();
-  m_SelectedHeat->CopyInformation(m_Heat);
-  m_SelectedHeat->SetRegions(m_Heat->GetBufferedRegion());
-  m_SelectedHeat->Allocate();
+  m_SelectedHeat = NewImageOn<HeatType>(m_Heat);
   const float * const         from = m_Heat->GetBufferPointer();
   const unsigned char * const isIn = m_Mask->GetBufferPointer();
   float * const               to = m_SelectedHeat->GetBufferPointer();

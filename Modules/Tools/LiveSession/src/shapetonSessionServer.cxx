@@ -18,7 +18,6 @@
 #include <chrono>
 #include <csignal>
 #include <deque>
-#include <random>
 #include <set>
 
 namespace shapeton
@@ -135,8 +134,8 @@ struct SessionServer::Impl
   Accept();
 
   // ---- checks of a request ----
-  /** Another name would be that of a foreign page whose name was made to resolve to this machine. The port may be that
-   * of an SSH tunnel. */
+  /** Any other name may be that of a foreign site made to resolve to this machine. The port may be that of an SSH
+   * tunnel. */
   bool
   IsOurHost(std::string_view host) const
   {
@@ -280,7 +279,7 @@ struct SessionServer::Impl
   Clock::time_point                     lastPage{};
   std::size_t                           connections{ 0 };
   std::set<std::shared_ptr<Connection>> pages; ///< with an open WebSocket
-  /** Commands, each with its page; a page's next message is read after its command was executed. */
+  /** Commands, each with its page; a page's next message is read after its command has been executed. */
   std::deque<std::pair<std::shared_ptr<Connection>, Json>> commands;
 };
 
@@ -355,7 +354,7 @@ struct SessionServer::Impl::Connection : std::enable_shared_from_this<Connection
     });
   }
 
-  /** Views and requests for frames need no work of the session and are answered at once. */
+  /** Views and requests for frames require no work by the session and are answered at once. */
   void
   Take(const std::string & text)
   {

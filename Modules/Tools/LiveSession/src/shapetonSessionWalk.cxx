@@ -1,5 +1,7 @@
 #include "shapetonSessionWalk.h"
 
+#include "shapetonMappedImage.h"
+
 #include <algorithm>
 #include <chrono>
 
@@ -75,10 +77,7 @@ SessionWalk::Build(const std::function<void()> & poll)
   m_Diffusion.reset(); // before the memory of the next one is used
   if (!m_Visits)
   {
-    m_Visits = VisitsType::New();
-    m_Visits->CopyInformation(m_Image);
-    m_Visits->SetRegions(m_Image->GetBufferedRegion());
-    m_Visits->Allocate();
+    m_Visits = NewImageOn<VisitsType>(m_Image);
   }
   m_Diffusion = std::make_unique<ParticleDiffusion>(VolumeView(m_Image.GetPointer()),
                                                     m_Options,

@@ -37,24 +37,18 @@ public:
   void
   Advance(std::uint64_t steps);
 
-  /** Releases the memory of the weights and the visits, and restores them. */
+  /** Park() releases the memory of the weights and the visits, Resume() restores them. */
   void
   Park();
   void
   Resume(const std::function<void()> & poll);
-  bool
-  IsParked() const
-  {
-    return m_Parked.has_value();
-  }
-
   const ParticleMeasures &
   GetMeasures() const
   {
     return m_Measures;
   }
 
-  /** Visits of each voxel; not while the walk is parked. */
+  /** Visits of each voxel; not available while the walk is parked. */
   const VisitsType *
   GetVisits() const
   {
@@ -75,8 +69,8 @@ private:
 };
 
 /** \class CoarseWalk
- * \brief A first picture of a walk on blocks of 2^3 voxels, in less than a fifth of the time of placing shapetons in
- * the volume. */
+ * \brief A first picture of a walk on blocks of 2^3 voxels, in less than a fifth of the time needed to place shapetons
+ * in the volume. */
 class CoarseWalk
 {
 public:

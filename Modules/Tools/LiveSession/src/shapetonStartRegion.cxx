@@ -7,7 +7,7 @@ namespace shapeton
 {
 namespace
 {
-/** The voxels around a ball, clipped to the volume. */
+/** The bounding box of a ball in voxels, clipped to the volume. */
 itk::ImageRegion<3>
 BoxOf(const itk::ImageBase<3> * image, const Ball & ball)
 {
@@ -32,11 +32,8 @@ BoxOf(const itk::ImageBase<3> * image, const Ball & ball)
 StartMask::Pointer
 MaskOfBalls(const itk::ImageBase<3> * image, const std::vector<Ball> & balls)
 {
-  const auto mask = StartMask::New();
-  mask->CopyInformation(image);
-  mask->SetRegions(image->GetLargestPossibleRegion());
-  mask->Allocate(true);
-  bool isEmpty = true;
+  const auto mask = NewImageOn<StartMask>(image, true);
+  bool       isEmpty = true;
   for (const Ball & ball : balls)
   {
     const auto    box = BoxOf(image, ball);

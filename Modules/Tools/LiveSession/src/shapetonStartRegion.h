@@ -2,6 +2,7 @@
 #define shapetonStartRegion_h
 
 #include "shapetonImageGrid.h"
+#include "shapetonMappedImage.h"
 
 #include "itkImage.h"
 
@@ -27,10 +28,7 @@ template <typename TInside>
 StartMask::Pointer
 MaskOfComponent(const itk::ImageBase<3> * image, const itk::Index<3> & seed, const TInside & isInside)
 {
-  const auto mask = StartMask::New();
-  mask->CopyInformation(image);
-  mask->SetRegions(image->GetLargestPossibleRegion());
-  mask->Allocate(true);
+  const auto mask = NewImageOn<StartMask>(image, true);
   const auto first = static_cast<std::size_t>(mask->ComputeOffset(seed));
   return FillComponent(GridOf(mask), first, isInside, mask->GetBufferPointer()) ? mask : nullptr;
 }

@@ -17,7 +17,7 @@ struct FlatAnnotation
 {
   enum class Kind
   {
-    /** Start of a colon segment; the text is its name. Only the position along the colon counts. */
+    /** Start of a colon segment; the text is its name. Only the position along the colon matters. */
     Segment,
     /** A ring of `diameter`. */
     Polyp,
@@ -29,11 +29,11 @@ struct FlatAnnotation
   /** \name Position: exactly one of these */
   ///@{
   /** mm of the map. */
-  std::optional<Eigen::Vector2d> uv;
+  std::optional<Eigen::Vector2d> uv{};
   /** LPS, mm; moved to the nearest point of the wall. */
-  std::optional<Eigen::Vector3d> point;
+  std::optional<Eigen::Vector3d> point{};
   /** mm along the centerline; for segments only. */
-  std::optional<double> distance;
+  std::optional<double> distance{};
   ///@}
   /** Diameter of a polyp on the surface, mm. */
   double diameter{ 6.0 };
@@ -51,17 +51,17 @@ struct FlatColonPageOptions
   /** Maximum length (pixels) of a section that is bridged all around and hence interpolated; longer sections are
    * shortened, with a break in the strip, because a conformal map enlarges such narrow places. 0 shows all. */
   int longestBridge{ 60 };
-  /** Fraction of the circumference by which the picture is repeated above and below, paler, to avoid structures cut
-   * in two. 0 to 0.5. */
+  /** Fraction of the circumference that is repeated, in paler colors, above and below the picture, so that no structure
+   * is cut in two. 0 to 0.5. */
   double overlap{ 0.08 };
   /** Color bar at the right of the page. */
-  std::optional<ColorScale> colorBar;
+  std::optional<ColorScale> colorBar{};
 };
 
-/** A page with a strip in rows.
+/** A page that shows a strip in rows.
  *
  * Below each row is a ruler with the distance along the centerline in cm; if `distanceOfColumns` is empty, the ruler
- * counts along the map. Above each row is a scale bar of round length with the row's local scale: the median, and the
+ * measures along the map. Above each row is a scale bar of round length with the row's local scale: the median, and the
  * range from 10 to 90 % of the pixels. Wall interpolated over a gap is hatched.
  *
  * Throws std::invalid_argument if the strip does not have the size of the grid, the distances do not match its columns,
@@ -77,7 +77,7 @@ ShapetonColonViews_EXPORT Picture::Pointer
 /** Corresponding positions in two strips. \ingroup ShapetonColonViews */
 struct FlatColonLink
 {
-  /** (u, v), mm of the map of the grid, in the upper and in the lower strip. */
+  /** Positions (u, v) in the upper and in the lower strip, in mm on the map. */
   Eigen::Vector2d upper{ Eigen::Vector2d::Zero() };
   Eigen::Vector2d lower{ Eigen::Vector2d::Zero() };
   RGBColor        color;
@@ -88,7 +88,7 @@ struct FlatColonPair
 {
   const Picture * upper{ nullptr };
   const Picture * lower{ nullptr };
-  /** Names at the left of the strips, for example "supine" and "prone". */
+  /** Names to the left of the strips, for example "supine" and "prone". */
   std::string upperName;
   std::string lowerName;
   /** Lines between the strips, at the columns of the positions. */

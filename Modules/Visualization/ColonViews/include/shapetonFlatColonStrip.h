@@ -9,13 +9,18 @@
 
 namespace shapeton
 {
-/** \defgroup FlatColonStrip Pictures of a whole flat colon with one pixel per grid sample
- * A filet view: the wall as seen by an eye that moves along the axis of the tube and looks sideways in all directions.
- * Each pixel is lit in the frame of the smooth tube (FrameAt()), from the left (along u) and above. Folds are thus
- * transverse bands with a bright and a dark side, independent of the bends of the colon. Pixels without a face are
- * gray. The axis must belong to the grid. Equal input gives equal bytes for any number of threads.
+/** \defgroup FlatColonStrip Pictures of a whole flat colon with one pixel per grid sample A filet view: the wall as
+ * seen by an eye that moves along the axis of the tube and looks sideways in all directions. Each pixel is lit in the
+ * frame of the smooth tube (FrameAt()), from the left (along u) and above. Folds are thus transverse bands with a
+ * bright and a dark side, independent of the bends of the colon. Pixels without a face are gray. The axis must belong
+ * to the grid. Identical input yields identical bytes for any number of threads.
  * \ingroup ShapetonColonViews */
 ///@{
+
+/** The grid of a picture: curvatures and normals averaged over lengths at which folds are distinct. `pixelSize`: mm of
+ * the map. */
+ShapetonColonViews_EXPORT FlatColonGridOptions
+PictureGridOptions(double pixelSize);
 
 /** Appearance of a relief. */
 struct FlatReliefOptions
@@ -47,7 +52,8 @@ struct FlatVolumeOptions
   /** Opacity rises from 0 to 1 between these values: the boundary of gas and wall. */
   double gas{ -750.0 };
   double tissue{ -250.0 };
-  /** Distance from the surface into the lumen where a ray starts; it starts later if tissue is nearer. */
+  /** Distance from the surface into the lumen where a ray starts; it starts closer to the surface if tissue is in the
+   * way. */
   double depthOfLumen{ 3.0 };
   /** Distance beyond the surface where the ray ends. */
   double depthOfWall{ 4.0 };
@@ -56,9 +62,9 @@ struct FlatVolumeOptions
 };
 
 /** Direct volume rendering (dissertation 5.5.1). Casts one ray per pixel from the lumen outwards along the wall normal,
- * through the trilinear CT. Colored by intensity (fat, soft tissue, contrast medium), lit by its gradient. The volume's
- * origin, spacing and direction are respected. A cleansed CT shows the wall below the fluid, any other CT the surface
- * of the fluid.
+ * through the trilinearly interpolated CT. Colored by intensity (fat, soft tissue, contrast medium), lit by its
+ * gradient. The volume's origin, spacing and direction are respected. A cleansed CT shows the wall below the fluid, any
+ * other CT the surface of the fluid.
  *
  * Throws InputError if more than 5 % of the wall is outside the CT, ParameterError for options out of range. */
 ShapetonColonViews_EXPORT Picture::Pointer
@@ -68,8 +74,8 @@ ShapetonColonViews_EXPORT Picture::Pointer
                                           const FlatVolumeOptions &    options = {},
                                           const DeviceUse &            use = {});
 
-/** The device for rendering as requested by `use`; all devices give the same bytes. Throws DeviceError if the GPU is
- * requested and not usable. */
+/** The device for rendering as requested by `use`; all devices produce the same bytes. Throws DeviceError if the GPU is
+ * requested but not usable. */
 ShapetonColonViews_EXPORT DeviceUse
 ChooseFlatVolumeDevice(const itk::Image<float, 3> * ct, Device wanted);
 

@@ -17,11 +17,7 @@ const RGBColor stripe = MakeColor(70, 74, 84);
 FlatColonGridOptions
 OptionsFor(const FlatColon & flat, double pixelsAround)
 {
-  FlatColonGridOptions options;
-  options.pixelSize = flat.Grid().Circumference() / pixelsAround;
-  options.curvatureLength = 2.0;
-  options.normalLength = 1.0;
-  return options;
+  return PictureGridOptions(flat.Grid().Circumference() / pixelsAround);
 }
 
 const FlatColonGrid &

@@ -76,13 +76,11 @@ ObliquePlane(const SurfaceMesh & wall, const PolypCandidate & candidate)
 {
   constexpr double leastShare = 0.2; // of the distance; below, the foot is directly below the head
   const Vector3d   foot = TowardFoot(wall, candidate);
-  CandidatePlane   plane;
-  plane.title = "Oblique, along the axis";
-  plane.center = candidate.position;
-  plane.up = candidate.axis;
-  plane.right = foot.norm() > leastShare ? foot.normalized() : candidate.axis.unitOrthogonal();
-  plane.width = WidthOf(candidate);
-  return plane;
+  return { "Oblique, along the axis",
+           candidate.position,
+           foot.norm() > leastShare ? foot.normalized() : candidate.axis.unitOrthogonal(),
+           candidate.axis,
+           WidthOf(candidate) };
 }
 } // namespace
 

@@ -87,11 +87,7 @@ AddTaeniae(const ColonTaeniae & taeniae, std::vector<CurveSet> & sets, SurfaceSc
   }
   for (std::size_t t = 0; t < sets.size(); ++t)
   {
-    CurveActor actor;
-    actor.curves = &sets[t];
-    actor.radius = radiusOfTaeniae;
-    actor.color = ColorOfTaenia(static_cast<int>(t) + 1);
-    scene.curves.push_back(actor);
+    scene.curves.push_back({ &sets[t], radiusOfTaeniae, ColorOfTaenia(static_cast<int>(t) + 1) });
   }
 }
 
@@ -99,9 +95,7 @@ AddTaeniae(const ColonTaeniae & taeniae, std::vector<CurveSet> & sets, SurfaceSc
 FlatLine
 LineOfLoop(const ColonWallTube & tube, const SurfaceWalk & loop)
 {
-  FlatLine line;
-  line.color = colorOfLoops;
-  line.thickness = 3.0;
+  FlatLine line{ {}, colorOfLoops, 3.0 };
   for (const int vertex : loop.vertices)
   {
     line.places.push_back(tube.Uv(vertex));
@@ -134,11 +128,7 @@ DrawOnStrip(const ColonLandmarks & landmarks, const FlatColonGrid & grid, Pictur
 FlatAnnotation
 SegmentAnnotation(const std::string & name, double begin)
 {
-  FlatAnnotation annotation;
-  annotation.kind = FlatAnnotation::Kind::Segment;
-  annotation.text = name;
-  annotation.distance = begin;
-  return annotation;
+  return { FlatAnnotation::Kind::Segment, name, {}, {}, begin };
 }
 
 std::vector<FlatAnnotation>
@@ -212,11 +202,7 @@ DrawColonLandmarks(const ColonLandmarkParts & parts, PatientSide side)
   const CurveSet loops = FlexureCurves(landmarks);
   if (!loops.curves.empty())
   {
-    CurveActor actor;
-    actor.curves = &loops;
-    actor.radius = radiusOfLoops;
-    actor.color = colorOfLoops;
-    scene.curves.push_back(actor);
+    scene.curves.push_back({ &loops, radiusOfLoops, colorOfLoops });
   }
   const PatientView view = ViewOfScene(scene, options);
   for (const SegmentBorder & border : landmarks.segments.borders)
@@ -272,13 +258,14 @@ DrawFlatLandmarks(const ColonLandmarkParts & parts, int greatestColumns)
     DrawFlatHatching(strip, grid, distances, *parts.landmarks->hindered);
   }
   DrawOnStrip(*parts.landmarks, grid, strip);
-  FlatColonPageOptions options;
-  options.title = "Taeniae and flexures on the flat colon";
-  options.note = std::string("Yellow, blue, pink: taeniae 1 to 3; black: borders of segments; ") +
-                 (parts.landmarks->valve ? "green: ileocecal valve; " : "") +
-                 "white: markers that were set. Seen from the lumen, rectum at the left. For research use; not a "
-                 "diagnosis.";
-  options.greatestColumns = greatestColumns;
+  FlatColonPageOptions options{
+    "Taeniae and flexures on the flat colon",
+    std::string("Yellow, blue, pink: taeniae 1 to 3; black: borders of segments; ") +
+      (parts.landmarks->valve ? "green: ileocecal valve; " : "") +
+      "white: markers that were set. Seen from the lumen, rectum at the left. For research use; not a "
+      "diagnosis.",
+    greatestColumns
+  };
   return DrawFlatColonPage(strip, grid, distances, SegmentNames(parts.landmarks->segments), options);
 }
 } // namespace shapeton

@@ -201,12 +201,11 @@ DrawEnd(Picture *                 picture,
   const auto       place = PixelOf(view, station.point);
   DrawLine(picture, place[0], place[1], place[0], place[1], background, diameterWithRim);
   DrawLine(picture, place[0], place[1], place[0], place[1], scale.ColorOf(station.distance), diameter);
-  TextStyle style;
-  style.size = 16;
-  style.bold = true;
-  style.color = MixColors(scale.ColorOf(station.distance), MakeColor(255, 255, 255), shareOfWhite);
-  style.vertical = VerticalAnchor::Center;
-  style.horizontal = HorizontalAnchor::Center;
+  TextStyle style{ 16,
+                   MixColors(scale.ColorOf(station.distance), MakeColor(255, 255, 255), shareOfWhite),
+                   true,
+                   HorizontalAnchor::Center,
+                   VerticalAnchor::Center };
   const Box box = BoxBeside(static_cast<int>(std::lround(place[0])),
                             static_cast<int>(std::lround(place[1])),
                             MeasureText(name, style).width,
@@ -265,10 +264,7 @@ MakePage(const Picture * panel, const std::string & title, const std::vector<Col
   const int     barStep = colorBarWidth + 10;
   const int     bars = static_cast<int>(scales.size()) * barStep + 34;
   auto      page = NewPicture(static_cast<unsigned int>(width + bars), height + titleHeight + footHeight, background);
-  TextStyle style;
-  style.size = titleSize;
-  style.bold = true;
-  style.color = annotation;
+  TextStyle style{ titleSize, annotation, true };
   DrawText(page, title, edge, 10, style);
   if (hasGaps)
   {

@@ -107,10 +107,7 @@ DrawHead(Picture * picture, const ColonParts & colon, const std::string & title)
   constexpr int legendBottom = 40;
   constexpr int distanceOfLegend = 160; // from the title
   constexpr int distanceOfEntries = 46; // from text to text
-  TextStyle     style;
-  style.size = titleSize;
-  style.bold = true;
-  style.color = InkColor;
+  TextStyle     style{ titleSize, InkColor, true };
   DrawText(picture, title, margin, titleTop, style);
   std::vector<LegendEntry> legend{ { gasColor, "gas" }, { fluidColor, "fluid" } };
   if (colon.wall)
@@ -157,10 +154,8 @@ DrawColonSlices(const ColonParts & colon, SlicePlane plane, int number, const In
   std::string title = NameOf(plane) + " slices";
   title[0] = static_cast<char>(title[0] - 'a' + 'A');
   DrawHead(picture, colon, title);
-  TextStyle style;
-  style.size = textSize;
-  style.color = InkColor;
-  int left = margin;
+  TextStyle style{ textSize, InkColor };
+  int       left = margin;
   for (const itk::IndexValueType slice : slices)
   {
     const SliceView   view(colon.lumen, focus, plane, slice, scale);

@@ -52,9 +52,7 @@ AddCenterline(SurfaceScene & scene, SurfaceRenderingOptions & options, const Cur
 {
   const std::vector<CenterlineStation> stations = StationsOf(centerline);
   options.colorBar = DistanceScale(stations);
-  CurveActor actor;
-  actor.curves = &centerline;
-  actor.radius = radiusOfLine;
+  CurveActor actor{ &centerline, radiusOfLine };
   actor.vertexColors.resize(centerline.V.rows());
   bool hasGaps = false;
   for (const CenterlineStation & station : stations)

@@ -95,11 +95,7 @@ DrawPattern(const SurfaceMesh &               shape,
   scene.surfaces.push_back(actor);
   for (std::size_t i = 0; i < curves.size(); ++i)
   {
-    CurveActor curve;
-    curve.curves = &curves[i];
-    curve.radius = radiusOfCurves * extent;
-    curve.color = ColorOfBoundary(i);
-    scene.curves.push_back(curve);
+    scene.curves.push_back({ &curves[i], radiusOfCurves * extent, ColorOfBoundary(i) });
   }
   return RenderSurfaces(scene, options);
 }

@@ -104,10 +104,7 @@ DrawLimit(Picture * picture, const PlotFrame & frame)
   {
     FillRectangle(picture, frame.left + x, y - 1, std::min(dash, frame.width - x), 2, limitColor);
   }
-  TextStyle style;
-  style.size = labelSize;
-  style.color = limitColor;
-  style.vertical = VerticalAnchor::Center;
+  TextStyle style{ labelSize, limitColor, false, HorizontalAnchor::Left, VerticalAnchor::Center };
   DrawText(picture, CsvTable::Rounded(LeastDistendedCaliber, 3) + " mm", frame.left + frame.width + 6, y, style);
 }
 
@@ -125,9 +122,7 @@ DrawSegments(Picture * picture, const PlotFrame & frame, const std::vector<Colon
     {
       FillRectangle(picture, x, frame.top - 8, 1, frame.height + 8, labelInk);
     }
-    TextStyle style;
-    style.size = labelSize;
-    style.color = InkColor;
+    TextStyle style{ labelSize, InkColor };
     const int textWidth = MeasureText(segment.name, style).width;
     const int start = std::clamp(
       (left + right - textWidth) / 2, frame.left, std::max(frame.left + frame.width + 40 - textWidth, frame.left));
@@ -141,16 +136,13 @@ DrawSegments(Picture * picture, const PlotFrame & frame, const std::vector<Colon
 void
 DrawKey(Picture * picture, const PlotFrame & frame, const DistensionChartOptions & options, bool hasGaps)
 {
-  constexpr int titleSize = 22;
-  constexpr int titleTop = 12;
-  constexpr int legendSize = 15;
-  constexpr int legendTop = 16;
-  constexpr int legendBottom = 40;
-  constexpr int distanceOfEntries = 40; // from text to text
-  TextStyle     style;
-  style.size = titleSize;
-  style.bold = true;
-  style.color = InkColor;
+  constexpr int   titleSize = 22;
+  constexpr int   titleTop = 12;
+  constexpr int   legendSize = 15;
+  constexpr int   legendTop = 16;
+  constexpr int   legendBottom = 40;
+  constexpr int   distanceOfEntries = 40; // from text to text
+  TextStyle       style{ titleSize, InkColor, true };
   const TextStyle title = FitText(options.title, style, frame.width / 3);
   DrawText(picture, options.title, frame.left, titleTop, title);
   std::vector<LegendEntry> legend{ { wide, "at least 10 mm" }, { narrow, "narrower" } };

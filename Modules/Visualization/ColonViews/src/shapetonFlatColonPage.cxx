@@ -130,11 +130,8 @@ DrawHead(Picture * picture, const FlatColonPageOptions & options, int width)
 {
   constexpr int titleSize = 21;
   constexpr int noteSize = 14;
-  TextStyle     style;
-  style.size = titleSize;
-  style.bold = true;
-  style.color = InkColor;
-  int y = 10;
+  TextStyle     style{ titleSize, InkColor, true };
+  int           y = 10;
   if (!options.title.empty())
   {
     DrawText(picture, options.title, leftMargin, y, FitText(options.title, style, width));
@@ -177,12 +174,9 @@ LayOut(const FlatColonGrid & grid, const FlatColonPageOptions & options, int str
   int                      top = HeadHeight(options);
   for (const FlatColonRow & row : BreakIntoRows(grid, options.greatestColumns, options.longestBridge))
   {
-    FlatPageRow place;
-    place.row = row;
-    place.left = leftMargin;
-    place.top = top;
-    place.turn = grid.Rows();
-    place.overlap = static_cast<int>(std::lround(options.overlap * grid.Rows()));
+    FlatPageRow place{
+      row, leftMargin, top, static_cast<int>(std::lround(options.overlap * grid.Rows())), grid.Rows()
+    };
     top = place.Bottom() + (strips - 1) * (place.StripHeight() + gapOfLinks) + gapBetweenRows;
     places.push_back(place);
   }
@@ -211,12 +205,7 @@ struct PageParts
 void
 DrawNameOfStrip(Picture * picture, const FlatPageRow & place, const std::string & name)
 {
-  TextStyle style;
-  style.size = 16;
-  style.color = InkColor;
-  style.upwards = true;
-  style.horizontal = HorizontalAnchor::Right;
-  style.vertical = VerticalAnchor::Center;
+  TextStyle style{ 16, InkColor, false, HorizontalAnchor::Right, VerticalAnchor::Center, true };
   DrawText(picture, name, place.left - 8, place.StripTop() + place.StripHeight() / 2, style);
 }
 

@@ -11,16 +11,6 @@ namespace
 constexpr unsigned int samples = 2;        ///< in each direction of a pixel
 constexpr double       mostSamples = 16e6; // of a picture; chosen, bounds the time
 
-FlatColonGridOptions
-OptionsFor(double pixelSize)
-{
-  FlatColonGridOptions options;
-  options.pixelSize = pixelSize;
-  options.curvatureLength = 2.0;
-  options.normalLength = 1.0;
-  return options;
-}
-
 std::string
 NoteOn(const FlatColonGrid & grid, FlatColoring coloring)
 {
@@ -40,19 +30,19 @@ NameOf(FlatColoring coloring)
 }
 
 FlatColonPictures::FlatColonPictures(const FlatColonParts & parts, double pixelSize)
-  : m_Parts(parts), m_Grid(&parts.flat->Grid(OptionsFor(pixelSize)))
+  : m_Parts(parts), m_Grid(&parts.flat->Grid(PictureGridOptions(pixelSize)))
 {
-  FlatColonGridOptions painted = OptionsFor(pixelSize);
+  FlatColonGridOptions painted = PictureGridOptions(pixelSize);
   if (static_cast<double>(m_Grid->Columns()) * m_Grid->Rows() * samples * samples <= mostSamples)
   {
-    painted = OptionsFor(m_Grid->PixelSize() / samples);
+    painted = PictureGridOptions(m_Grid->PixelSize() / samples);
     m_Fine = &parts.flat->Grid(painted);
   }
   m_Axis = &parts.flat->Axis(painted);
   m_Distances = DistanceOfColumns(*m_Grid);
   if (m_Distances.empty() && parts.centerline)
   {
-    m_Distances = DistanceOfColumns(parts.flat->Axis(OptionsFor(pixelSize)), *parts.centerline);
+    m_Distances = DistanceOfColumns(parts.flat->Axis(PictureGridOptions(pixelSize)), *parts.centerline);
   }
 }
 
@@ -93,10 +83,7 @@ FlatColonPictures::Draw(FlatColoring coloring, const std::string & title, int gr
   {
     DrawFlatLine(strip, *m_Grid, line);
   }
-  FlatColonPageOptions options;
-  options.title = title;
-  options.note = NoteOn(*m_Grid, coloring);
-  options.greatestColumns = greatestColumns;
+  FlatColonPageOptions options{ title, NoteOn(*m_Grid, coloring), greatestColumns };
   if (coloring == FlatColoring::Curvature)
   {
     options.colorBar = CurvatureScale();

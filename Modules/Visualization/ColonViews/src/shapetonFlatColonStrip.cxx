@@ -7,6 +7,16 @@
 
 namespace shapeton
 {
+FlatColonGridOptions
+PictureGridOptions(double pixelSize)
+{
+  FlatColonGridOptions options;
+  options.pixelSize = pixelSize;
+  options.curvatureLength = 2.0;
+  options.normalLength = 1.0;
+  return options;
+}
+
 Picture::Pointer
 ReduceStrip(const Picture * strip, unsigned int factor, unsigned int width, unsigned int height)
 {

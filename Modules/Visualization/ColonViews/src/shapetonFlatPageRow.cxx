@@ -21,12 +21,7 @@ constexpr int nameSize = 15; ///< font height of names of segments, polyps and m
 TextStyle
 StyleOf(int size, const RGBColor & color, HorizontalAnchor horizontal, VerticalAnchor vertical)
 {
-  TextStyle style;
-  style.size = size;
-  style.color = color;
-  style.horizontal = horizontal;
-  style.vertical = vertical;
-  return style;
+  return { size, color, false, horizontal, vertical };
 }
 
 /** A ring of short lines, with a dark outline for contrast on any background. */
@@ -115,7 +110,7 @@ LabelStep(double pixelsPerCm, double least)
   return step;
 }
 
-/** Length along the ruler in mm, without omitted sections. */
+/** Length along the ruler in mm, excluding omitted sections. */
 double
 LengthShown(const FlatColonRow & row, const std::vector<double> & distanceOfColumns)
 {

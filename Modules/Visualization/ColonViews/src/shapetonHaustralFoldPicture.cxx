@@ -13,16 +13,6 @@ namespace
 const RGBColor colorOfEnds = MakeColor(40, 220, 70);
 const RGBColor colorOfTaeniae = MakeColor(255, 214, 0);
 
-FlatColonGridOptions
-GridOptionsFor(double pixelSize)
-{
-  FlatColonGridOptions options;
-  options.pixelSize = pixelSize;
-  options.curvatureLength = 2.0;
-  options.normalLength = 1.0;
-  return options;
-}
-
 /** Colors of consecutive folds differ, and contrast with the mucosa, the green ends and the yellow taeniae. */
 RGBColor
 ColorOf(int label)
@@ -39,11 +29,9 @@ DrawFolds(Picture * strip, const FlatColonGrid & grid, const HaustralFolds & fol
   constexpr double leastRadius = 1.5;         // pixels, of an end with reliability 0
   constexpr double radiusOfReliability = 1.5; // pixels
   const auto       size = folds.labels->GetLargestPossibleRegion().GetSize();
-  FlatOutlines     outlines;
-  outlines.labels = folds.labels->GetBufferPointer();
-  outlines.columns = static_cast<int>(size[0]);
-  outlines.rows = static_cast<int>(size[1]);
-  outlines.colorOf = ColorOf;
+  FlatOutlines     outlines{
+    folds.labels->GetBufferPointer(), static_cast<int>(size[0]), static_cast<int>(size[1]), ColorOf
+  };
   DrawFlatOutlines(strip, grid, outlines);
   for (const HaustralFold & fold : folds.folds)
   {
@@ -84,17 +72,14 @@ DrawHaustralFolds(const HaustralFoldPictureContent & content,
                   const std::string &                title,
                   int                                greatestColumns)
 {
-  const FlatColonGrid &  grid = content.flat->Grid(GridOptionsFor(pixelSize));
-  const Picture::Pointer strip = PaintFlatRelief(grid, content.flat->Axis(GridOptionsFor(pixelSize)));
+  const FlatColonGrid &  grid = content.flat->Grid(PictureGridOptions(pixelSize));
+  const Picture::Pointer strip = PaintFlatRelief(grid, content.flat->Axis(PictureGridOptions(pixelSize)));
   if (content.taeniae)
   {
     DrawTaeniae(strip, grid, *content.taeniae);
   }
   DrawFolds(strip, grid, *content.folds);
-  FlatColonPageOptions options;
-  options.title = title;
-  options.note = NoteOn(content);
-  options.greatestColumns = greatestColumns;
+  FlatColonPageOptions options{ title, NoteOn(content), greatestColumns };
   return DrawFlatColonPage(strip, grid, DistanceOfColumns(grid), content.annotations, options);
 }
 } // namespace shapeton

@@ -40,7 +40,7 @@ constexpr double widestCloseUp = 60.0;
 constexpr double greatestMagnification = 1000.0;
 /** Pixels around the flat colon. */
 constexpr double pixelsAroundFlat = 200.0;
-/** Share of the color `head` on the head of a polyp; the mucosa shines through. */
+/** Fraction of the color `head` on the head of a polyp; the mucosa shows through. */
 constexpr double shareOfHead = 0.7;
 const RGBColor   mucosa = MakeColor(232, 164, 144);
 const RGBColor   head = MakeColor(92, 138, 236);
@@ -66,7 +66,7 @@ Lit(const RGBColor & color, const FlatColonFrame & frame, const Vector3d & norma
   return lit;
 }
 
-/** Local scale: mm of wall per mm of the map. The heads of polyps are small on the map. */
+/** Local scale: mm of wall per mm on the map. The heads of polyps are small on the map. */
 double
 MeanScaleAround(const FlatColonGrid & grid, const FlatPixel & middle, int reach)
 {
@@ -105,9 +105,7 @@ void
 DrawLabel(Picture * picture, const std::string & text, int left, int top, unsigned int width)
 {
   constexpr int size = 14;
-  TextStyle     style;
-  style.size = size;
-  style.color = lightInk;
+  TextStyle     style{ size, lightInk };
   DrawText(picture, text, left, top, FitText(text, style, static_cast<int>(width) - 4));
 }
 
@@ -152,12 +150,12 @@ AnnotationsOf(const std::vector<PolypCandidate> & candidates)
   std::vector<FlatAnnotation> annotations;
   for (const PolypCandidate & candidate : candidates)
   {
-    FlatAnnotation one;
-    one.kind = IsListedAsPolyp(candidate) ? FlatAnnotation::Kind::Polyp : FlatAnnotation::Kind::Mark;
-    one.text = std::to_string(candidate.number);
-    one.point = candidate.position;
-    one.diameter = std::max(smallestRing, ringOfDiameter * candidate.diameter);
-    annotations.push_back(one);
+    annotations.push_back({ IsListedAsPolyp(candidate) ? FlatAnnotation::Kind::Polyp : FlatAnnotation::Kind::Mark,
+                            std::to_string(candidate.number),
+                            {},
+                            candidate.position,
+                            {},
+                            std::max(smallestRing, ringOfDiameter * candidate.diameter) });
   }
   return annotations;
 }
@@ -207,7 +205,7 @@ struct PolypCandidatePictures::Data
     return Lit(MixColors(mucosa, head, shareOfHead * std::clamp(share, 0.0, 1.0)), frame, normal.normalized());
   }
 
-  /** Point of the flat surface at a place of the map; NaN outside and in holes. */
+  /** Point of the flat surface at a position on the map; NaN outside and in holes. */
   Vector3d
   PointAt(const Eigen::Vector2d & uv) const
   {
@@ -231,7 +229,7 @@ struct PolypCandidatePictures::Data
     return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   }
 
-  /** Relief of the map around a candidate; `step` is in mm of the map per pixel. */
+  /** Relief of the map around a candidate; `step` is in mm on the map per pixel. */
   Picture::Pointer
   PaintMap(const PolypCandidate & candidate, double step, unsigned int width, unsigned int height) const
   {

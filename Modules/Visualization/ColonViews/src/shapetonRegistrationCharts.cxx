@@ -51,11 +51,8 @@ struct Chart
   {
     constexpr int nameSize = 14;
     constexpr int lineHeight = 18;
-    TextStyle     style;
-    style.size = nameSize;
-    style.color = InkColor;
-    style.vertical = VerticalAnchor::Bottom;
-    int ends[2] = { frame.left - 8, frame.left - 8 };
+    TextStyle     style{ nameSize, InkColor, false, HorizontalAnchor::Left, VerticalAnchor::Bottom };
+    int           ends[2] = { frame.left - 8, frame.left - 8 };
     for (const ColonSegmentExtent & segment : segments)
     {
       const int x = static_cast<int>(std::lround(frame.PixelOfX(std::max(segment.begin, frame.x.lower))));

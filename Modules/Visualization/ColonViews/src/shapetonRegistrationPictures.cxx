@@ -88,9 +88,7 @@ private:
   void
   DrawCrest(Picture * strip, const HaustralFold & fold, bool isProne, const RGBColor & color, double thickness) const
   {
-    FlatLine line;
-    line.color = color;
-    line.thickness = thickness;
+    FlatLine line{ {}, color, thickness };
     for (const Eigen::Vector2d & uv : { fold.endUv[0], fold.centerUv, fold.endUv[1] })
     {
       line.places.push_back(isProne ? m_Colons.InSupineFrame(uv) : uv);
@@ -142,10 +140,9 @@ DrawAlignedColons(const RegistrationParts & parts, const AlignedColonsOptions & 
   FoldDrawing(parts, colons, pair).Draw(upper, lower);
   colons.Hatch(upper);
   colons.Hatch(lower);
-  FlatColonPageOptions page;
-  page.title = "Both positions, the prone one in the supine frame";
-  page.note = NoteOnMatches(*parts.results);
-  page.greatestColumns = options.greatestColumns;
+  FlatColonPageOptions page{ "Both positions, the prone one in the supine frame",
+                             NoteOnMatches(*parts.results),
+                             options.greatestColumns };
   return DrawFlatColonPairPage(
     pair, colons.Grid(), colons.Distances(), SegmentAnnotations(parts.supine->segments), page);
 }
@@ -172,12 +169,13 @@ DrawCurvatureCheckerboard(const RegistrationParts & parts, const AlignedColonsOp
     }
   }
   colons.Hatch(board);
-  FlatColonPageOptions page;
-  page.title = "Curvature of both walls in squares";
-  page.note = std::string("Greenish squares: prone; the others: supine. Folds continue across squares where the map is "
-                          "correct.\nStriped: no correspondence, narrow or hidden.\n") +
-              seenFrom;
-  page.greatestColumns = options.greatestColumns;
+  FlatColonPageOptions page{
+    "Curvature of both walls in squares",
+    std::string("Greenish squares: prone; the others: supine. Folds continue across squares where the map is "
+                "correct.\nStriped: no correspondence, narrow or hidden.\n") +
+      seenFrom,
+    options.greatestColumns
+  };
   return DrawFlatColonPage(board, colons.Grid(), colons.Distances(), SegmentAnnotations(parts.supine->segments), page);
 }
 } // namespace shapeton

@@ -3,10 +3,9 @@
 
 #include "ShapetonGraphViewsExport.h"
 #include "shapetonEmbeddingCertificate.h"
+#include "shapetonProvenance.h"
 
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace shapeton
 {
@@ -14,13 +13,12 @@ namespace shapeton
  * WriteGraphVtp() does, genus 1 on a torus (see TorusInSpace), higher genus on a sphere with handles (see
  * SurfaceWithHandles), whose triangles are also in the file. Dummies are omitted.
  *
- * Cell arrays from genus 1 on: kind (0 node, 1 edge, 2 triangle) and id, counted from 0 for each kind. Field arrays of
- * the torus, whose radius is 1: tubeRadius and dilatation; of the sphere with handles: twist, the turns of the edges
- * on each handle. Throws OutputError, and InputError if the handles do not all fit. \ingroup ShapetonGraphViews */
+ * Cell arrays for genus 1 and higher: kind (0 node, 1 edge, 2 triangle) and id, counted from 0 for each kind. Field
+ * arrays of the torus, whose radius is 1: tubeRadius and dilatation; of the sphere with handles: twist, the turns of
+ * the edges on each handle. Throws OutputError, and InputError if the handles do not all fit. \ingroup
+ * ShapetonGraphViews */
 ShapetonGraphViews_EXPORT void
-WriteGraphInSpace(const EmbeddingCertificate &                             certificate,
-                  const std::vector<std::pair<std::string, std::string>> & facts,
-                  const std::string &                                      path);
+WriteGraphInSpace(const EmbeddingCertificate & certificate, const Provenance & facts, const std::string & path);
 } // namespace shapeton
 
 #endif

@@ -3,11 +3,11 @@
 
 #include "ShapetonGraphViewsExport.h"
 #include "shapetonEmbeddingCertificate.h"
+#include "shapetonProvenance.h"
 #include "shapetonRemarks.h"
 #include "shapetonSurfaceMesh.h"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace shapeton
@@ -20,8 +20,8 @@ struct GraphOnMesh
   std::vector<std::vector<Eigen::Vector3d>> edges;
   /** Axis ratio of the affine map of the lattices of a torus; 1 on a sphere, where the map is conformal. */
   double dilatation{ 1.0 };
-  /** Largest distance of a point from the developed surface, relative to the size of that (rounding errors), or on a
-   * torus with inverted faces the gaps between them. */
+  /** Largest distance of a point from the developed surface, relative to the surface's size. Caused by rounding errors
+   * or, on a torus with inverted faces, by gaps between faces. */
   double  gap{ 0.0 };
   Remarks warnings;
 };
@@ -41,10 +41,10 @@ MapGraphOntoMesh(const EmbeddingCertificate & certificate, const SurfaceMesh & m
 /** Writes nodes (points), edges (polylines) and the surface (triangles) as VTP, with the cell arrays kind (0 node, 1
  * edge, 2 triangle) and id, and the field array dilatation. Throws OutputError. \ingroup ShapetonGraphViews */
 ShapetonGraphViews_EXPORT void
-WriteGraphOnMesh(const GraphOnMesh &                                      graph,
-                 const SurfaceMesh &                                      mesh,
-                 const std::vector<std::pair<std::string, std::string>> & facts,
-                 const std::string &                                      path);
+WriteGraphOnMesh(const GraphOnMesh & graph,
+                 const SurfaceMesh & mesh,
+                 const Provenance &  facts,
+                 const std::string & path);
 } // namespace shapeton
 
 #endif

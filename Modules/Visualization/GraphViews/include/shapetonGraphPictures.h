@@ -3,10 +3,10 @@
 
 #include "ShapetonGraphViewsExport.h"
 #include "shapetonEmbeddingCertificate.h"
+#include "shapetonProvenance.h"
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace shapeton
@@ -24,7 +24,7 @@ struct GraphColorBar
 {
   /** Quantity and unit. */
   std::string title;
-  /** Values up to this magnitude are shown, > 0. */
+  /** Largest magnitude shown, > 0. */
   double most{ 1.0 };
 };
 
@@ -41,8 +41,8 @@ struct GraphView
   /** Pages only: key of each node, shared with the corresponding nodes of other graphs. If empty, nodes correspond by
    * name. */
   std::vector<int> nodeKeys{};
-  /** Color of each edge, "#rrggbb"; empty for one color. With edge colors, outlines are gray, and
-   * the tiles of the universal cover white and without the fundamental polygon. */
+  /** Color of each edge, "#rrggbb"; empty for one color. With edge colors, outlines are gray, the tiles of the
+   * universal cover are white, and the fundamental polygon is omitted. */
   std::vector<std::string> edgeColors{};
   /** Legend of node and edge colors, or none. */
   std::optional<GraphColorBar> colorBar{};
@@ -80,9 +80,7 @@ WriteGraphSheetSvg(const std::vector<GraphView> & views, const GraphPictureOptio
  * disk, z = 0. Cell arrays: kind (0 node, 1 edge, 2 circle of a node, 3 circle of a face), id of the node, edge or
  * face, radius. Dummies are omitted. Throws OutputError. \ingroup ShapetonGraphViews */
 ShapetonGraphViews_EXPORT void
-WriteGraphVtp(const EmbeddingCertificate &                             certificate,
-              const std::vector<std::pair<std::string, std::string>> & facts,
-              const std::string &                                      path);
+WriteGraphVtp(const EmbeddingCertificate & certificate, const Provenance & facts, const std::string & path);
 
 /** `count` colors of different hues, for corresponding nodes.
  * \ingroup ShapetonGraphViews */
@@ -90,8 +88,8 @@ ShapetonGraphViews_EXPORT std::vector<std::string>
                           DistinctColors(int count);
 
 /** Color of a value between -1 and 1: orange, gray at 0, blue; values outside are clamped. Orange and blue are
- * distinguishable for color-blind readers (Okabe and Ito). `lightness` from 0 to 1 mixes with white, for areas behind
- * lines. \ingroup ShapetonGraphViews */
+ * distinguishable for color-blind readers (Okabe and Ito). `lightness`, 0 to 1, is the amount of white mixed into the
+ * color, for areas behind lines. \ingroup ShapetonGraphViews */
 ShapetonGraphViews_EXPORT std::string
                           DivergingColor(double value, double lightness = 0.0);
 

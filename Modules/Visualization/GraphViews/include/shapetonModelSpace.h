@@ -16,6 +16,12 @@ struct Place
   double z{ 0.0 };
 };
 
+inline double
+Dot(const Place & p, const Place & q)
+{
+  return p.x * q.x + p.y * q.y + p.z * q.z;
+}
+
 /** An isometry of the plane or the disk: z -> z + b, or z -> (a z + b) / (conj(b) z + conj(a)). */
 struct Motion
 {
@@ -51,11 +57,12 @@ public:
   static Place
   OnArc(const Place & from, const Place & to, double distance);
 
-  /** Half the angle at the center of a circle of radius r in its kite with a circle of radius s; plane and disk. */
+  /** Half the angle at the center of a circle of radius r in the kite that it forms with a circle of radius s; plane
+   * and disk only. */
   double
   HalfKiteAngle(double r, double s) const;
 
-  /** Distance between the centers of orthogonal circles; plane and disk. */
+  /** Distance between the centers of orthogonal circles; plane and disk only. */
   double
   KiteDiagonal(double r, double s) const;
 

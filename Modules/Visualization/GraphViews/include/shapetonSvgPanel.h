@@ -54,6 +54,14 @@ ShapetonGraphViews_EXPORT std::string
 ShapetonGraphViews_EXPORT std::string
                           SvgText(const std::string & text);
 
+/** A text element of a font size in pixels at a position; `anchor` is start, middle or end. */
+std::string
+SvgLabel(double x, double y, const char * anchor, int size, const std::string & text);
+
+/** An SVG file of this size in pixels with a white background. */
+std::string
+SvgDocument(double width, double height, const std::string & content);
+
 /** Content of one panel, in pixels. Items outside the panel or too small are skipped. */
 class ShapetonGraphViews_EXPORT SvgPanel
 {

@@ -206,7 +206,7 @@ EmbeddedGraph::FindFront()
     total += radius;
     sum = { sum.x + radius * nodes[node].x, sum.y + radius * nodes[node].y, sum.z + radius * nodes[node].z };
   }
-  const double length = std::sqrt(sum.x * sum.x + sum.y * sum.y + sum.z * sum.z);
+  const double length = std::sqrt(Dot(sum, sum));
   front = length > uneven * total ? Place{ sum.x / length, sum.y / length, sum.z / length } : oblique;
 }
 

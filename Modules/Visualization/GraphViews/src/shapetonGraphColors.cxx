@@ -37,13 +37,26 @@ Mixed(const Channels & a, const Channels & b, double share)
   return mixed;
 }
 
-std::string
-Text(double x, double y, const char * anchor, const std::string & text)
-{
-  return "<text x=\"" + SvgNumber(x) + "\" y=\"" + SvgNumber(y) +
-         "\" font-size=\"11\" font-family=\"sans-serif\" text-anchor=\"" + anchor + "\">" + SvgText(text) + "</text>\n";
-}
 } // namespace
+
+std::vector<std::string>
+DistinctColors(int count)
+{
+  constexpr double         golden = 0.61803398874989485; // golden ratio: consecutive hues differ strongly
+  constexpr Channels       shifts{ 5.0, 3.0, 1.0 };      // of red, green and blue; a turn is 6
+  std::vector<std::string> colors;
+  for (int i = 0; i < count; ++i)
+  {
+    const double hue = 6.0 * std::fmod(i * golden, 1.0);
+    Channels     color{};
+    std::transform(shifts.begin(), shifts.end(), color.begin(), [hue](double shift) {
+      const double k = std::fmod(shift + hue, 6.0);
+      return 255.0 * (0.95 - 0.55 * std::clamp(std::min(k, 4.0 - k), 0.0, 1.0));
+    });
+    colors.push_back(HexColor(color));
+  }
+  return colors;
+}
 
 std::string
 DivergingColor(double value, double lightness)
@@ -61,7 +74,7 @@ ColorBarMarkup(const GraphColorBar & bar, int left, int top)
 {
   constexpr double width = 290.0, height = 46.0, margin = 8.0;
   constexpr double titleLine = 13.0, barTop = 18.0, barHeight = 10.0, numberLine = 41.0;
-  constexpr int    steps = 32;
+  constexpr int    steps = 32, fontSize = 11;
   const double     length = width - 2.0 * margin;
   std::string text = "<g class=\"colorBar\" transform=\"translate(" + std::to_string(left) + ' ' + std::to_string(top) +
                      ")\">\n<rect width=\"" + SvgNumber(width) + "\" height=\"" + SvgNumber(height) +
@@ -73,8 +86,9 @@ ColorBarMarkup(const GraphColorBar & bar, int left, int top)
             SvgNumber(length / steps + 0.5) + "\" height=\"" + SvgNumber(barHeight) + "\" fill=\"" +
             DivergingColor(middle) + "\"/>\n";
   }
-  return text + Text(margin, titleLine, "start", bar.title) + Text(margin, numberLine, "start", SvgNumber(-bar.most)) +
-         Text(width / 2.0, numberLine, "middle", "0") + Text(width - margin, numberLine, "end", SvgNumber(bar.most)) +
-         "</g>\n";
+  return text + SvgLabel(margin, titleLine, "start", fontSize, bar.title) +
+         SvgLabel(margin, numberLine, "start", fontSize, SvgNumber(-bar.most)) +
+         SvgLabel(width / 2.0, numberLine, "middle", fontSize, "0") +
+         SvgLabel(width - margin, numberLine, "end", fontSize, SvgNumber(bar.most)) + "</g>\n";
 }
 } // namespace shapeton

@@ -6,8 +6,6 @@
 #include "shapetonSurfaceWithHandles.h"
 #include "shapetonTorusInSpace.h"
 
-#include <numeric>
-
 namespace shapeton
 {
 namespace
@@ -25,24 +23,13 @@ VerticesOf(const std::vector<std::array<double, 3>> & points)
 }
 
 void
-WriteOnTorus(const EmbeddingCertificate &                             certificate,
-             const std::vector<std::pair<std::string, std::string>> & facts,
-             const std::string &                                      path)
+WriteOnTorus(const EmbeddingCertificate & certificate, const Provenance & facts, const std::string & path)
 {
   const TorusInSpace               torus(certificate);
   const auto                       edges = torus.Edges();
   std::vector<TorusInSpace::Point> points = torus.Nodes();
   CurveSet                         set;
-  for (std::size_t node = 0; node < points.size(); ++node)
-  {
-    set.curves.push_back({ static_cast<int>(node) });
-  }
-  for (const std::vector<TorusInSpace::Point> & edge : edges)
-  {
-    set.curves.emplace_back(edge.size());
-    std::iota(set.curves.back().begin(), set.curves.back().end(), static_cast<int>(points.size()));
-    points.insert(points.end(), edge.begin(), edge.end());
-  }
+  set.curves = CurvesInSpace(edges, points);
   set.V = VerticesOf(points);
   set.cellArrays = CellArraysInSpace({ torus.Nodes().size(), edges.size(), 0 });
   set.fieldArrays = { { "tubeRadius", Column({ torus.TubeRadius() }), false },
@@ -52,9 +39,7 @@ WriteOnTorus(const EmbeddingCertificate &                             certificat
 }
 
 void
-WriteOnSurfaceWithHandles(const EmbeddingCertificate &                             certificate,
-                          const std::vector<std::pair<std::string, std::string>> & facts,
-                          const std::string &                                      path)
+WriteOnSurfaceWithHandles(const EmbeddingCertificate & certificate, const Provenance & facts, const std::string & path)
 {
   const SurfaceWithHandles surface(MapOfRotation(certificate.graph, certificate.rotation));
   const std::size_t        nodes = certificate.graph.nodes;
@@ -77,9 +62,7 @@ WriteOnSurfaceWithHandles(const EmbeddingCertificate &                          
 } // namespace
 
 void
-WriteGraphInSpace(const EmbeddingCertificate &                             certificate,
-                  const std::vector<std::pair<std::string, std::string>> & facts,
-                  const std::string &                                      path)
+WriteGraphInSpace(const EmbeddingCertificate & certificate, const Provenance & facts, const std::string & path)
 {
   if (certificate.genus == 0)
   {

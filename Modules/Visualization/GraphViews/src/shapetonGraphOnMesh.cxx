@@ -4,6 +4,7 @@
 #include "shapetonExceptions.h"
 #include "shapetonFlatSurface.h"
 #include "shapetonModelSpace.h"
+#include "shapetonPathsOfEdges.h"
 #include "shapetonSpaceCells.h"
 #include "shapetonSurfaceLocator.h"
 #include "shapetonSurfaceRicciFlow.h"
@@ -12,7 +13,6 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <numeric>
 
 namespace shapeton
 {
@@ -20,7 +20,7 @@ namespace
 {
 using Complex = std::complex<double>;
 
-/** A surface developed on the sphere or in the plane, and the way back. */
+/** A surface developed on the sphere or in the plane, and the inverse map. */
 class DevelopedMesh
 {
 public:
@@ -90,22 +90,6 @@ PiecesOf(double length, double edge)
   return static_cast<int>(std::min(mostPieces, std::ceil(2.0 * length / edge) + 1.0));
 }
 
-/** The half-edges of the packed map along each edge of the graph. */
-std::vector<std::vector<int>>
-PathsOfEdges(const EmbeddingCertificate & certificate)
-{
-  std::vector<std::vector<int>> paths;
-  for (std::size_t edge = 0; edge < certificate.graph.edges.size(); ++edge)
-  {
-    paths.push_back({ static_cast<int>(2 * edge) });
-  }
-  for (const std::vector<int> & path : certificate.subdivided)
-  {
-    paths[path.front() / 2] = path;
-  }
-  return paths;
-}
-
 void
 MapSphere(const EmbeddingCertificate & certificate, const SurfaceRicciFlow & flow, GraphOnMesh & result)
 {
@@ -126,7 +110,7 @@ MapSphere(const EmbeddingCertificate & certificate, const SurfaceRicciFlow & flo
   {
     result.nodes.push_back(toMesh(placeOf(node)));
   }
-  for (const std::vector<int> & path : PathsOfEdges(certificate))
+  for (const std::vector<int> & path : PathsOfEdges(certificate.graph.edges.size(), certificate.subdivided))
   {
     std::vector<Eigen::Vector3d> curve;
     for (const int h : path)
@@ -143,7 +127,7 @@ MapSphere(const EmbeddingCertificate & certificate, const SurfaceRicciFlow & flo
   }
 }
 
-/** Axis ratio of the affine map of two lattices with the quotients of their periods. */
+/** Axis ratio of the affine map between two lattices, given the quotients of their periods. */
 double
 DilatationOf(const Complex & from, const Complex & to)
 {
@@ -151,8 +135,8 @@ DilatationOf(const Complex & from, const Complex & to)
   return (1.0 + k) / (1.0 - k);
 }
 
-/** Images in the lattice of the surface of the two periods of the graph: the basis with the least dilatation, among
- * those whose coefficients in the reduced basis are at most 2. */
+/** Images of the graph's two periods in the lattice of the surface: the basis with the least dilatation, among those
+ * whose coefficients in the reduced basis are at most 2. */
 std::array<Complex, 2>
 NearestBasis(const Complex & ratio, const std::array<Complex, 2> & periods, double & dilatation)
 {
@@ -276,23 +260,14 @@ MapGraphOntoMesh(const EmbeddingCertificate & certificate, const SurfaceMesh & m
 }
 
 void
-WriteGraphOnMesh(const GraphOnMesh &                                      graph,
-                 const SurfaceMesh &                                      mesh,
-                 const std::vector<std::pair<std::string, std::string>> & facts,
-                 const std::string &                                      path)
+WriteGraphOnMesh(const GraphOnMesh & graph,
+                 const SurfaceMesh & mesh,
+                 const Provenance &  facts,
+                 const std::string & path)
 {
   std::vector<Eigen::Vector3d> points = graph.nodes;
   CurveSet                     set;
-  for (std::size_t node = 0; node < points.size(); ++node)
-  {
-    set.curves.push_back({ static_cast<int>(node) });
-  }
-  for (const auto & edge : graph.edges)
-  {
-    set.curves.emplace_back(edge.size());
-    std::iota(set.curves.back().begin(), set.curves.back().end(), static_cast<int>(points.size()));
-    points.insert(points.end(), edge.begin(), edge.end());
-  }
+  set.curves = CurvesInSpace(graph.edges, points);
   const auto first = static_cast<Eigen::Index>(points.size());
   set.V.resize(first + mesh.V.rows(), 3);
   for (Eigen::Index i = 0; i < first; ++i)

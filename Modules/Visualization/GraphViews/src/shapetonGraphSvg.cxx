@@ -15,12 +15,8 @@ WriteSheet(const std::vector<std::string> & panels, const GraphPictureOptions & 
 {
   const int         columns = std::max(1, std::min<int>(options.columns, static_cast<int>(panels.size())));
   const int         rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
-  const std::string width = std::to_string(columns * options.panelSize);
-  const std::string height = std::to_string(rows * options.panelSize);
   const std::string size = std::to_string(options.panelSize);
-  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
-                     width + "\" height=\"" + height + "\" viewBox=\"0 0 " + width + ' ' + height +
-                     "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+  std::string       text;
   for (std::size_t i = 0; i < panels.size(); ++i)
   {
     const int column = static_cast<int>(i) % columns;
@@ -29,7 +25,7 @@ WriteSheet(const std::vector<std::string> & panels, const GraphPictureOptions & 
             std::to_string(row * options.panelSize) + "\" width=\"" + size + "\" height=\"" + size +
             "\" viewBox=\"0 0 " + size + ' ' + size + "\">\n" + panels[i] + "</svg>\n";
   }
-  WriteFileBytes(path, text + "</svg>\n");
+  WriteFileBytes(path, SvgDocument(columns * options.panelSize, rows * options.panelSize, text));
 }
 } // namespace
 
@@ -69,29 +65,5 @@ WriteGraphSheetSvg(const std::vector<GraphView> & views, const GraphPictureOptio
     panels.push_back(GraphPainter(views[i], *graph, options.panelSize).Paint(plans[i]));
   }
   WriteSheet(panels, options, path);
-}
-
-std::vector<std::string>
-DistinctColors(int count)
-{
-  constexpr double         golden = 0.61803398874989485; // golden ratio: consecutive hues differ strongly
-  constexpr double         shifts[] = { 5.0, 3.0, 1.0 }; // of red, green and blue; a turn is 6
-  std::vector<std::string> colors;
-  for (int i = 0; i < count; ++i)
-  {
-    const double hue = 6.0 * std::fmod(i * golden, 1.0);
-    std::string  color = "#";
-    for (const double shift : shifts)
-    {
-      const double      k = std::fmod(shift + hue, 6.0);
-      const double      value = 0.95 - 0.55 * std::clamp(std::min(k, 4.0 - k), 0.0, 1.0);
-      const int         byte = static_cast<int>(std::lround(255.0 * value));
-      static const char digits[] = "0123456789abcdef";
-      color += digits[byte / 16];
-      color += digits[byte % 16];
-    }
-    colors.push_back(color);
-  }
-  return colors;
 }
 } // namespace shapeton

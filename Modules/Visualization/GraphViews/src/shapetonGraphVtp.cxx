@@ -110,27 +110,13 @@ AddHalfEdge(const EmbeddedGraph & graph, int halfEdge, int id, CellCollector & c
 } // namespace
 
 void
-WriteGraphVtp(const EmbeddingCertificate &                             certificate,
-              const std::vector<std::pair<std::string, std::string>> & facts,
-              const std::string &                                      path)
+WriteGraphVtp(const EmbeddingCertificate & certificate, const Provenance & facts, const std::string & path)
 {
   const EmbeddedGraph graph(certificate);
   const double        unit = UnitOfSurface(certificate);
   const auto          circle = [&](const Place & center, double radius) {
     return graph.space.Circle(center, radius, CornersOfCircle(radius / unit));
   };
-  std::vector<int> edgeOf(certificate.packed.edges.size(), -1); // for packed edges on an edge of the graph
-  for (std::size_t e = 0; e < certificate.graph.edges.size(); ++e)
-  {
-    edgeOf[e] = static_cast<int>(e);
-  }
-  for (const std::vector<int> & part : certificate.subdivided)
-  {
-    for (const int h : part)
-    {
-      edgeOf[h / 2] = part.front() / 2;
-    }
-  }
   CellCollector cells; // points come first in a VTP file
   for (int node = 0; node < certificate.graph.nodes; ++node)
   {
@@ -138,9 +124,9 @@ WriteGraphVtp(const EmbeddingCertificate &                             certifica
   }
   for (int h = 0; h < graph.map.HalfEdges(); ++h)
   {
-    if (edgeOf[h / 2] >= 0)
+    if (graph.edgeOf[h / 2] >= 0)
     {
-      AddHalfEdge(graph, h, edgeOf[h / 2], cells);
+      AddHalfEdge(graph, h, graph.edgeOf[h / 2], cells);
     }
   }
   for (int node = 0; node < certificate.graph.nodes; ++node)

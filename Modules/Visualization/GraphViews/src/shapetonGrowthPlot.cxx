@@ -4,7 +4,6 @@
 #include "shapetonSvgPanel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace shapeton
@@ -21,13 +20,7 @@ constexpr double Bottom = 44.0;
 constexpr double LabelGap = 6.0;
 constexpr double LetterDrop = 4.0;
 constexpr double DotRadius = 3.0;
-
-std::string
-Label(double x, double y, const char * anchor, const std::string & text)
-{
-  return "<text x=\"" + SvgNumber(x) + "\" y=\"" + SvgNumber(y) +
-         "\" font-size=\"12\" font-family=\"sans-serif\" text-anchor=\"" + anchor + "\">" + SvgText(text) + "</text>\n";
-}
+constexpr int    fontSize = 12;
 
 std::string
 Line(const Pixel & from, const Pixel & to)
@@ -88,22 +81,25 @@ public:
   std::string
   Markup() const
   {
-    std::string text = Label(m_Offset + Left, Top - 2.0 * LabelGap, "start", m_Curve.title);
+    std::string text = SvgLabel(m_Offset + Left, Top - 2.0 * LabelGap, "start", fontSize, m_Curve.title);
     for (const double radius : DecadeTicks(m_MostRadius))
     {
       const Pixel foot = this->At(radius, 0.0);
-      text +=
-        Line(foot, this->At(radius, m_Most)) + Label(foot.x, foot.y + 3.0 * LabelGap, "middle", SvgNumber(radius));
+      text += Line(foot, this->At(radius, m_Most)) +
+              SvgLabel(foot.x, foot.y + 3.0 * LabelGap, "middle", fontSize, SvgNumber(radius));
     }
     const double step = StepOf(m_Most);
     for (int i = 0; i * step <= m_Most; ++i)
     {
       const Pixel start = this->At(1.0, i * step);
       text += Line(start, this->At(m_MostRadius, i * step)) +
-              Label(start.x - LabelGap, start.y + LetterDrop, "end", SvgNumber(i * step));
+              SvgLabel(start.x - LabelGap, start.y + LetterDrop, "end", fontSize, SvgNumber(i * step));
     }
-    text += Label(
-      m_Offset + 0.5 * (Left + PanelWidth - Right), PanelHeight - LabelGap, "middle", "radius of the ball (edges)");
+    text += SvgLabel(m_Offset + 0.5 * (Left + PanelWidth - Right),
+                     PanelHeight - LabelGap,
+                     "middle",
+                     fontSize,
+                     "radius of the ball (edges)");
     std::string path;
     std::string dots;
     for (std::size_t i = 0; i < m_Curve.radii.size(); ++i)
@@ -138,15 +134,11 @@ private:
 void
 WriteGrowthSvg(const std::vector<GrowthCurve> & curves, const std::string & path)
 {
-  const std::string width = SvgNumber(PanelWidth * static_cast<double>(curves.size()));
-  const std::string height = SvgNumber(PanelHeight);
-  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
-                     width + "\" height=\"" + height + "\" viewBox=\"0 0 " + width + ' ' + height +
-                     "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+  std::string text;
   for (std::size_t i = 0; i < curves.size(); ++i)
   {
     text += GrowthPanel(curves[i], PanelWidth * static_cast<double>(i)).Markup();
   }
-  WriteFileBytes(path, text + "</svg>\n");
+  WriteFileBytes(path, SvgDocument(PanelWidth * static_cast<double>(curves.size()), PanelHeight, text));
 }
 } // namespace shapeton

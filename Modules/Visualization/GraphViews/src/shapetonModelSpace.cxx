@@ -13,14 +13,8 @@ using Complex = std::complex<double>;
 Place
 Unit(const Place & p)
 {
-  const double length = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
+  const double length = std::sqrt(Dot(p, p));
   return { p.x / length, p.y / length, p.z / length };
-}
-
-double
-Dot(const Place & p, const Place & q)
-{
-  return p.x * q.x + p.y * q.y + p.z * q.z;
 }
 
 Place

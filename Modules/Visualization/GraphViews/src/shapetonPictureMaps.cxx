@@ -5,22 +5,13 @@
 
 namespace shapeton
 {
-namespace
-{
-double
-ScalarProduct(const Place & p, const Place & q)
-{
-  return p.x * q.x + p.y * q.y + p.z * q.z;
-}
-} // namespace
-
 Frame
 FrameOf(const Place & z)
 {
   const Place  up = std::abs(z.z) < 0.9 ? Place{ 0.0, 0.0, 1.0 } : Place{ 0.0, 1.0, 0.0 };
-  const double along = ScalarProduct(up, z);
+  const double along = Dot(up, z);
   Place        y{ up.x - along * z.x, up.y - along * z.y, up.z - along * z.z };
-  const double length = std::sqrt(ScalarProduct(y, y));
+  const double length = std::sqrt(Dot(y, y));
   y = { y.x / length, y.y / length, y.z / length };
   return { { y.y * z.z - y.z * z.y, y.z * z.x - y.x * z.z, y.x * z.y - y.y * z.x }, y, z };
 }
@@ -29,9 +20,9 @@ PictureMap
 Orthographic(const Frame & frame)
 {
   PictureMap picture = { [frame](const Place & p) {
-                          return Pixel{ ScalarProduct(p, frame.x), -ScalarProduct(p, frame.y) };
+                          return Pixel{ Dot(p, frame.x), -Dot(p, frame.y) };
                         },
-                         [frame](const Place & p) { return ScalarProduct(p, frame.z) >= 0.0; },
+                         [frame](const Place & p) { return Dot(p, frame.z) >= 0.0; },
                          false,
                          false,
                          {} };
@@ -51,10 +42,10 @@ Stereographic(const Frame & frame)
 {
   constexpr double lowest = -0.9999; // the pole is outside any picture
   return { [frame](const Place & p) {
-            const double share = 1.0 / std::max(1e-12, 1.0 + ScalarProduct(p, frame.z));
-            return Pixel{ share * ScalarProduct(p, frame.x), -share * ScalarProduct(p, frame.y) };
+            const double share = 1.0 / std::max(1e-12, 1.0 + Dot(p, frame.z));
+            return Pixel{ share * Dot(p, frame.x), -share * Dot(p, frame.y) };
           },
-           [frame](const Place & p) { return ScalarProduct(p, frame.z) > lowest; },
+           [frame](const Place & p) { return Dot(p, frame.z) > lowest; },
            true,
            false,
            {} };

@@ -4,9 +4,28 @@
 #include "shapetonSurfaceMesh.h"
 
 #include <array>
+#include <numeric>
 
 namespace shapeton
 {
+/** The cells of the nodes, which are the first points, and of the edges, whose points are appended. */
+template <typename TPoint>
+std::vector<std::vector<int>>
+CurvesInSpace(const std::vector<std::vector<TPoint>> & edges, std::vector<TPoint> & points)
+{
+  std::vector<std::vector<int>> curves(points.size(), std::vector<int>(1));
+  for (std::size_t node = 0; node < points.size(); ++node)
+  {
+    curves[node][0] = static_cast<int>(node);
+  }
+  for (const std::vector<TPoint> & edge : edges)
+  {
+    std::iota(curves.emplace_back(edge.size()).begin(), curves.back().end(), static_cast<int>(points.size()));
+    points.insert(points.end(), edge.begin(), edge.end());
+  }
+  return curves;
+}
+
 /** The cell arrays kind (0 node, 1 edge, 2 triangle) and id, counted from 0 for each kind.
  * \param numbers of cells of each kind. */
 inline std::vector<SurfaceArray>

@@ -66,18 +66,14 @@ public:
   std::vector<double>             twists;
 
   Tubes(const HandleCut & cut, const SphereWithHoles & sphere)
-    : vertices(sphere.Vertices())
-    , triangles(sphere.Triangles())
-    , m_Cut(cut)
-    , m_Sphere(sphere)
-    , m_Curves(cut.across.size())
+    : vertices(sphere.vertices), triangles(sphere.triangles), m_Cut(cut), m_Sphere(sphere), m_Curves(cut.across.size())
   {
     m_Rims.resize(2 * cut.hubs.size());
-    for (std::size_t vertex = 0; vertex < sphere.Rims().size(); ++vertex)
+    for (std::size_t vertex = 0; vertex < sphere.rims.size(); ++vertex)
     {
-      if (sphere.Rims()[vertex] >= 0)
+      if (sphere.rims[vertex] >= 0)
       {
-        m_Rims[sphere.Rims()[vertex]].push_back(static_cast<int>(vertex));
+        m_Rims[sphere.rims[vertex]].push_back(static_cast<int>(vertex));
       }
     }
   }
@@ -88,7 +84,7 @@ public:
     std::vector<std::array<int, 2>> ends;
     for (const int h : halfEdges)
     {
-      ends.push_back({ EndAt(m_Sphere.Paths(), h), EndAt(m_Sphere.Paths(), m_Cut.across[h]) });
+      ends.push_back({ EndAt(m_Sphere.paths, h), EndAt(m_Sphere.paths, m_Cut.across[h]) });
     }
     const TubeMesh mesh(tube.Sections(), { m_Rims[2 * handle], m_Rims[2 * handle + 1] }, ends, vertices, triangles);
     for (std::size_t i = 0; i < halfEdges.size(); ++i)
@@ -104,7 +100,7 @@ public:
     std::vector<int> curve;
     for (int h = 2 * edge; h >= 0;)
     {
-      Append(m_Sphere.Paths()[h / 2], h % 2 == 0, curve);
+      Append(m_Sphere.paths[h / 2], h % 2 == 0, curve);
       const int end = CombinatorialMap::Twin(h);
       h = m_Cut.across[end];
       if (h >= 0)
@@ -136,7 +132,7 @@ SurfaceWithHandles::SurfaceWithHandles(const CombinatorialMap & map, double long
   {
     holes.insert(holes.end(), pair.begin(), pair.end());
   }
-  const SphereWithHoles sphere(packed, packing, holes, longest);
+  const SphereWithHoles sphere = TriangulateSphere(packed, packing, holes, longest);
   Tubes                 tubes(cut, sphere);
   for (std::size_t handle = 0; handle < handles.size(); ++handle)
   {

@@ -99,6 +99,23 @@ SvgText(const std::string & text)
   return safe;
 }
 
+std::string
+SvgLabel(double x, double y, const char * anchor, int size, const std::string & text)
+{
+  return "<text x=\"" + SvgNumber(x) + "\" y=\"" + SvgNumber(y) + "\" font-size=\"" + std::to_string(size) +
+         "\" font-family=\"sans-serif\" text-anchor=\"" + anchor + "\">" + SvgText(text) + "</text>\n";
+}
+
+std::string
+SvgDocument(double width, double height, const std::string & content)
+{
+  const std::string w = SvgNumber(width);
+  const std::string h = SvgNumber(height);
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w +
+         "\" height=\"" + h + "\" viewBox=\"0 0 " + w + ' ' + h +
+         "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + content + "</svg>\n";
+}
+
 SvgPanel::SvgPanel(const ModelSpace &    space,
                    const PictureMap &    picture,
                    const PictureWindow & window,
@@ -233,7 +250,7 @@ SvgPanel::AddCircle(const Place & center, double radius, const Motion & motion, 
     m_Content += "<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"" + r + '"' + Attributes(style) + "/>\n";
     return;
   }
-  // The center is hidden: the inside of the circle is the outside of the flat one.
+  // The center is hidden, so the inside of the circle is the outside of its image in the plane.
   const std::string size = SvgNumber(m_Size);
   const std::string arc = 'A' + r + ' ' + r + " 0 0 0 ";
   m_Content += "<path fill-rule=\"evenodd\" d=\"M-9 -9H" + size + "9V" + size + "9H-9ZM" +
@@ -248,11 +265,8 @@ SvgPanel::PathAlongRim(const Place & center, double radius, const Pixel & end) c
 {
   const std::size_t number = m_Picture.rim.size();
   const double      least = std::cos(radius);
-  const auto        isInside = [&](std::size_t i) {
-    const Place & p = m_Picture.rim[i % number];
-    return p.x * center.x + p.y * center.y + p.z * center.z > least;
-  };
-  std::size_t start = 0;
+  const auto        isInside = [&](std::size_t i) { return Dot(m_Picture.rim[i % number], center) > least; };
+  std::size_t       start = 0;
   while (start < number && (isInside(start + number - 1) || !isInside(start)))
   {
     ++start;

@@ -1,5 +1,6 @@
 #include "shapetonTorusInSpace.h"
 
+#include "shapetonPathsOfEdges.h"
 #include "shapetonPi.h"
 
 #include <cmath>
@@ -84,15 +85,7 @@ TorusInSpace::FlatNodes() const
 std::vector<std::vector<Complex>>
 TorusInSpace::FlatEdges(int pieces) const
 {
-  std::vector<std::vector<int>> paths;
-  for (std::size_t edge = 0; edge < m_Certificate.graph.edges.size(); ++edge)
-  {
-    paths.push_back({ static_cast<int>(2 * edge) });
-  }
-  for (const std::vector<int> & path : m_Certificate.subdivided)
-  {
-    paths[path.front() / 2] = path;
-  }
+  const auto                        paths = PathsOfEdges(m_Certificate.graph.edges.size(), m_Certificate.subdivided);
   std::vector<std::vector<Complex>> curves(paths.size());
   for (std::size_t edge = 0; edge < paths.size(); ++edge)
   {

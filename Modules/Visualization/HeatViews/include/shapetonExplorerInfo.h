@@ -7,12 +7,12 @@
 #include "shapetonJsonForward.h"
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace shapeton
 {
-/** Voxels of the pages of HeatExplorer and LiveExplorer, which open within seconds; larger volumes are subsampled.
+/** Maximum number of voxels on the pages of HeatExplorer and LiveExplorer, so that they open within seconds; larger
+ * volumes are subsampled.
  * \ingroup ShapetonHeatViews */
 constexpr std::size_t ExplorerVoxels = std::size_t{ 1 } << 25;
 

@@ -23,8 +23,8 @@ struct SliceMontageOptions
   std::string     title;
   IntensityWindow window;
   /** Intersection voxel of the three slices; by default where most colors are visible (see DrawSliceMontage). */
-  std::optional<itk::Index<3>> cut;
-  std::vector<LegendEntry>     legend;
+  std::optional<itk::Index<3>> cut{};
+  std::vector<LegendEntry>     legend{};
   /** Opacity of the colors over the gray values, in [0, 1]. */
   double opacity{ 0.6 };
   /** Pixels; at least 600. */
@@ -40,8 +40,9 @@ WindowOf(const itk::Image<float, 3> * gray, const IntensityWindow & window);
  *
  * The slices follow the volume's own axes, in the radiological convention as closely as these axes allow (axial: the
  * patient's right at the left, anterior on top; coronal: right at the left, head on top; sagittal: anterior at the
- * left, head on top), with the true letters at the borders. All three have one scale in mm, independent of the spacing.
- * By default each slice maximizes the number of different colors, then of colored voxels, then closeness to the center.
+ * left, head on top), with the true letters at the borders. All three share one scale in mm, independent of the
+ * spacing. By default each slice maximizes the number of different colors, then of colored voxels, then closeness to
+ * the center.
  *
  * Throws std::invalid_argument if the images differ in size, the cut is outside, or the width is too small.
  * \ingroup ShapetonHeatViews */

@@ -3,7 +3,6 @@
 #include "shapetonParallelFor.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace shapeton
 {

@@ -39,12 +39,7 @@ const RGBColor darkPink = MakeColor(200, 30, 120);
 TextStyle
 Style(int size, HorizontalAnchor horizontal, VerticalAnchor vertical, const RGBColor & color = InkColor)
 {
-  TextStyle style;
-  style.size = size;
-  style.horizontal = horizontal;
-  style.vertical = vertical;
-  style.color = color;
-  return style;
+  return { size, color, false, horizontal, vertical };
 }
 
 /** Counts of every column of the plot, for each row of the histogram. */

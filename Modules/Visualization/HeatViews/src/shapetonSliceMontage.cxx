@@ -188,10 +188,7 @@ DrawSliceMontage(const itk::Image<float, 3> * gray,
     options.width, static_cast<unsigned int>(top + captionHeight + panelHeight + margin + footHeight), PaperColor);
   constexpr int titleSize = 22;
   constexpr int captionSize = 15;
-  TextStyle     style;
-  style.size = titleSize;
-  style.bold = true;
-  style.color = InkColor;
+  TextStyle     style{ titleSize, InkColor, true };
   DrawText(picture,
            options.title,
            margin,

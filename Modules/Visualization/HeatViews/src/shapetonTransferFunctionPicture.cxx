@@ -74,10 +74,7 @@ DrawTransferFunction(const itk::Image<float, 3> *  gray,
   auto          page = NewPicture(pageWidth, montageTop + montage->GetBufferedRegion().GetSize(1), PaperColor);
   constexpr int titleSize = 24;
   constexpr int headingSize = 17;
-  TextStyle     style;
-  style.size = titleSize;
-  style.bold = true;
-  style.color = InkColor;
+  TextStyle     style{ titleSize, InkColor, true };
   DrawText(page, title, pageMargin, pageMargin, style);
   PastePicture(page, rendering, pageMargin, top);
   style.size = headingSize;

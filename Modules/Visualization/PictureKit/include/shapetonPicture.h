@@ -34,7 +34,7 @@ using Picture = itk::Image<RGBColor, 2>;
 ShapetonPictureKit_EXPORT Picture::Pointer
                           NewPicture(unsigned int width, unsigned int height, const RGBColor & background);
 
-/** Writes PNG, independent of the extension of `path`. Throws OutputError, also if the disk is full.
+/** Writes PNG, regardless of the extension of `path`. Throws OutputError, for example if the disk is full.
  * \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT void
 WritePng(const Picture * picture, const std::string & path);
@@ -49,9 +49,10 @@ struct PictureFile
 {
   std::string                       path;
   std::function<Picture::Pointer()> draw;
+  std::string                       caption{}; ///< on a page
 };
 
-/** Draws pictures in parallel and writes each as PNG. Throws the exceptions of drawing and of WritePng().
+/** Draws pictures in parallel and writes each as PNG. Throws the exceptions of the drawing functions and of WritePng().
  * \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT void
 WritePngs(const std::vector<PictureFile> & files);
@@ -105,7 +106,7 @@ enum class VerticalAnchor
   Bottom
 };
 
-/** Text style. The font is VTK's built-in sans-serif font, for equal pictures on every machine.
+/** Text style. The font is VTK's built-in sans-serif font, so that pictures are identical on every machine.
  * \ingroup ShapetonPictureKit */
 struct TextStyle
 {

@@ -43,7 +43,7 @@ struct CurveActor
   double   radius{ 1.5 };
   RGBColor color{ MakeColor(255, 255, 255) };
   /** Empty, or one color per vertex of the set. */
-  std::vector<RGBColor> vertexColors;
+  std::vector<RGBColor> vertexColors{};
 };
 
 /** A ball with a label.
@@ -88,9 +88,9 @@ struct SurfaceRenderingOptions : PatientViewOptions
  *
  * Drawn with a depth buffer on the CPU: 3 x 3 samples per pixel, interpolated normals, light from above the viewer's
  * left shoulder, two-sided faces. Opaque objects hide each other sample by sample. Transparent ones
- * (SurfaceActor::opacity) are blended over the objects behind them in any order, and do not occlude. Equal input gives
- * equal bytes for any number of threads; ITK's global default number is used. Memory: about 30 bytes per vertex and
- * face, and 5 per pixel.
+ * (SurfaceActor::opacity) are blended over the objects behind them in any order, and do not occlude. Identical input
+ * yields identical bytes for any number of threads; ITK's global default number is used. Memory: about 30 bytes per
+ * vertex and face, and 5 per pixel.
  *
  * Throws std::invalid_argument for an empty scene, a null pointer, a wrong number of colors, an index out of range, an
  * opacity or radius out of range, and wrong options (see PatientView).

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <mutex>
 #include <stdexcept>
 
@@ -56,7 +55,7 @@ IsInside(const Picture * picture, int x, int y)
   return x >= 0 && y >= 0 && x < WidthOf(picture) && y < HeightOf(picture);
 }
 
-/** Encodes in memory, so disk errors occur in plain writing, not inside an image library. */
+/** Encodes in memory, so that disk errors occur when the file is written, not inside an image library. */
 template <typename TWriter>
 std::string
 Encode(const Picture * picture, TWriter * writer)

@@ -48,10 +48,7 @@ DrawScaleBar(Picture *        picture,
   constexpr int textSize = 15;
   const double  length = RoundLengthUpTo(greatestLength * millimetersPerPixel);
   const int     pixels = static_cast<int>(std::lround(length / millimetersPerPixel));
-  TextStyle     style;
-  style.size = textSize;
-  style.color = color;
-  style.vertical = VerticalAnchor::Bottom;
+  TextStyle     style{ textSize, color, false, HorizontalAnchor::Left, VerticalAnchor::Bottom };
   FillRectangle(picture, left, bottom - thickness, pixels, thickness, color);
   DrawText(picture, CsvTable::Rounded(length, 6) + " mm", left, bottom - thickness - 2, style);
 }
@@ -67,11 +64,7 @@ DrawOrientationLetters(Picture *                       picture,
   const int  margin = letters.margin;
   const auto draw =
     [&](const itk::Vector<double, 3> & direction, int x, int y, HorizontalAnchor horizontal, VerticalAnchor vertical) {
-      TextStyle style;
-      style.size = letters.size;
-      style.bold = true;
-      style.horizontal = horizontal;
-      style.vertical = vertical;
+      TextStyle style{ letters.size, {}, true, horizontal, vertical };
       if (letters.hasShadow)
       {
         DrawText(picture, OrientationLetters(direction), x + 1, y + 1, style);
@@ -117,10 +110,7 @@ DrawColorBar(Picture * picture, int left, int top, int height, const ColorScale 
     FillRectangle(picture, left, top + y, barWidth, 1, scale.map(1.0 - y / std::max(height - 1.0, 1.0)));
   }
   DrawRectangle(picture, left - 1, top - 1, barWidth + 2, height + 2, color);
-  TextStyle style;
-  style.size = textSize;
-  style.color = color;
-  style.vertical = VerticalAnchor::Center;
+  TextStyle    style{ textSize, color, false, HorizontalAnchor::Left, VerticalAnchor::Center };
   const double shown = scale.shownPerValue;
   for (const double value : RoundTicks(shown * scale.lower, shown * scale.upper, height / leastDistance))
   {
@@ -148,10 +138,7 @@ DrawLegend(Picture *                        picture,
   const int     room = std::max((bottom - top) / lineHeight, 1);
   const int     number = static_cast<int>(legend.size());
   const int     shown = number > room ? room - 1 : number;
-  TextStyle     style;
-  style.size = textSize;
-  style.color = color;
-  style.vertical = VerticalAnchor::Center;
+  TextStyle     style{ textSize, color, false, HorizontalAnchor::Left, VerticalAnchor::Center };
   for (int i = 0; i < shown; ++i)
   {
     const int y = top + i * lineHeight;

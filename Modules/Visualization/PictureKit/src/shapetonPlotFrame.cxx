@@ -27,11 +27,8 @@ DrawPlotFrame(Picture * picture, const PlotFrame & frame)
   constexpr int leastDistanceY = 36;
   const int     right = frame.left + frame.width;
   const int     bottom = frame.top + frame.height;
-  TextStyle     style;
-  style.size = numberSize;
-  style.color = ink;
-  style.horizontal = HorizontalAnchor::Center;
-  const auto ticksOf = [](const PlotAxis & axis, int number) {
+  TextStyle     style{ numberSize, ink, false, HorizontalAnchor::Center };
+  const auto    ticksOf = [](const PlotAxis & axis, int number) {
     return RoundTicks(axis.shownPerValue * axis.lower, axis.shownPerValue * axis.upper, number);
   };
   for (const double value : ticksOf(frame.x, frame.width / leastDistanceX))

@@ -371,11 +371,7 @@ DrawSliceLetters(Picture * picture, const SliceView & view)
 {
   static const RGBColor   paleYellow = MakeColor(255, 236, 140);
   constexpr int           size = 17;
-  OrientationLettersStyle style;
-  style.size = size;
-  style.color = paleYellow;
-  style.margin = 4;
-  style.hasShadow = true;
+  OrientationLettersStyle style{ size, paleYellow, 4, true };
   DrawOrientationLetters(picture, view.GetRight(), view.GetUp(), style);
 }
 } // namespace shapeton

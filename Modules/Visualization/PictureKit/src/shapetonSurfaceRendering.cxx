@@ -187,9 +187,7 @@ DrawLabels(Picture * picture, const std::vector<MarkerActor> & markers, const Pa
 {
   const int        height = static_cast<int>(picture->GetBufferedRegion().GetSize(1));
   std::vector<Box> taken;
-  TextStyle        style;
-  style.size = 16;
-  style.bold = true;
+  TextStyle        style{ 16, {}, true };
   for (const MarkerActor & marker : markers)
   {
     const auto       place = view.Project(PatientView::PointType(marker.point.data()));
@@ -229,10 +227,7 @@ Annotate(Picture * picture, const PatientView & view, const SurfaceRenderingOpti
   int           top = 10;
   if (!options.title.empty())
   {
-    TextStyle style;
-    style.size = sceneTitleSize;
-    style.bold = true;
-    style.color = annotation;
+    TextStyle style{ sceneTitleSize, annotation, true };
     DrawText(picture, options.title, marginOfScene, top, FitText(options.title, style, width / 2 - besideTitle));
     top += sceneTitleHeight;
   }
