@@ -1,5 +1,5 @@
-// Computes the centerline and the wall without handles of a synthetic colon from a mask of its lumen.
-// Usage: ExampleColonModel WALL.vtp CENTERLINE.vtp
+// Computes the centerline and the handle-free wall of a synthetic colon from a mask of its lumen. Usage:
+// ExampleColonModel WALL.vtp CENTERLINE.vtp
 #include "shapetonColonAnatomy.h"
 #include "shapetonColonModel.h"
 #include "shapetonSurfaceWriter.h"

@@ -1,5 +1,4 @@
-// Embeds graphs of known genus with small genus: a cube, K7, the Petersen graph, K8.
-// Usage: ExampleGraphGenus
+// Embeds graphs of known genus on surfaces of small genus: a cube, K7, the Petersen graph, K8. Usage: ExampleGraphGenus
 #include "shapetonGraphFamilies.h"
 #include "shapetonGraphGenus.h"
 

@@ -1,6 +1,5 @@
-// Heat diffusion distances along all edges of a surface: from all eigenpairs, without computing any, and from the first
-// 100.
-// Usage: ExampleHeatDiffusionMetric SURFACE
+// Heat diffusion distances of all edges of a surface: exactly, without computing eigenpairs, and from the first 100
+// eigenpairs. Usage: ExampleHeatDiffusionMetric SURFACE
 #include "shapetonHeatDiffusionMetric.h"
 #include "shapetonSurfaceReader.h"
 

@@ -1,5 +1,5 @@
-// Diffuses heat in each window of intensity that shows objects, and lists the objects of all windows.
-// Usage: ExampleHeatObjects VOLUME
+// Diffuses heat in each intensity window that shows objects, and lists the objects of all windows. Usage:
+// ExampleHeatObjects VOLUME
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonObjectParameters.h"
 #include "shapetonVolumeReader.h"

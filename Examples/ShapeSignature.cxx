@@ -1,4 +1,4 @@
-// Distances between shape signatures: of two copies of one shape in different images, and of two shapes.
+// Distances between shape signatures: of two copies of one shape in different images, and of two different shapes.
 // Usage: ExampleShapeSignature
 #include "shapetonLabelShapes.h"
 #include "shapetonShapeSearch.h"
@@ -8,7 +8,7 @@
 
 namespace
 {
-/** An image of 1 mm voxels, 1 in an ellipsoid. */
+/** An image with 1 mm voxels that is 1 in an ellipsoid. */
 shapeton::LabelMap::Pointer
 Ellipsoid(double a, double b, double c)
 {

@@ -1,4 +1,4 @@
-// Registers the walls of a synthetic colon in two positions and measures the error at points known in both.
+// Registers the walls of a synthetic colon in two positions and measures the error at points known in both positions.
 // Usage: ExampleSupineProne
 #include "shapetonColonFlattening.h"
 #include "shapetonColonFlexures.h"

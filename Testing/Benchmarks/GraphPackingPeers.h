@@ -33,7 +33,7 @@ struct PeerRun
   bool   isExtrapolated{ false };
 };
 
-/** Runs until the curvature is 1e-10, at most one minute; then time and steps are extrapolated. */
+/** Runs until the curvature is 1e-10; after one minute, time and steps are extrapolated. */
 PeerRun
 RunPeer(const shapeton::CombinatorialMap & map, const shapeton::CirclesAtInfinity & infinite, Method method);
 

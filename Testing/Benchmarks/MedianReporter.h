@@ -44,7 +44,7 @@ InitializeBenchmarks(int argc, char * argv[])
   benchmark::Initialize(&number, arguments.data());
 }
 
-/** Prints whether a ratio is at least, or at most, what is asked; nothing if --benchmark_filter excluded it. */
+/** Prints whether a ratio meets its lower or upper bound; nothing if --benchmark_filter excluded it. */
 inline void
 PrintRatio(const char * text, double ratio, double asked, bool isAtMost = false)
 {

@@ -71,7 +71,7 @@ PartialArea(float w1, float w2)
   return { { 0.5F * w1 * w1, w1 * (w2 - w1) / p1, 2.0F / (3.0F * p2) * (w2 - w1) * (w2 - w1), 0.0F } };
 }
 
-/** Angle in [0, pi/2] of a share of the area (8.8, 8.9). */
+/** Angle in [0, pi/2] that bounds a fraction of the area (8.8, 8.9). */
 float
 Search(const Polynomial & part, float wanted, float tolerance)
 {

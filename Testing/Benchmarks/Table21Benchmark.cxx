@@ -58,7 +58,7 @@ Load(const Row & row)
            true };
 }
 
-/** Seconds of cumulative diffusion: of processor time on the CPU, elapsed on a GPU. */
+/** Time of cumulative diffusion in seconds: processor time on the CPU, elapsed time on a GPU. */
 double
 Seconds(const Row & row, const LoadedVolume & volume, shapeton::Device device)
 {
@@ -99,7 +99,7 @@ PrintRow(const Row & row, bool hasGpu)
   std::fflush(stdout);
 }
 
-/** Conventional diffusion starts once per voxel, so its time per voxel grows with their number. */
+/** Conventional diffusion is started once per voxel, so its time per voxel grows with the number of voxels. */
 void
 PrintConventional()
 {

@@ -81,7 +81,7 @@ run("${extension}/cli-modules/ShapePhantom" --version)
 expect("${VERSION}")
 run("${extension}/cli-modules/CumulativeHeatDiffusion" "${volume}" "${WORK_DIR}/extension.nrrd" --timeSteps 10)
 
-# Without the program that parses files, the message lists where it was searched.
+# Without the program that parses files, the message lists where it was searched for.
 file(REMOVE "${extension}/${program_folder}/ShapetonFileParser")
 execute_process(COMMAND "${extension}/cli-modules/CumulativeHeatDiffusion" "${volume}" "${WORK_DIR}/missing.nrrd"
   OUTPUT_QUIET ERROR_VARIABLE errors RESULT_VARIABLE status)

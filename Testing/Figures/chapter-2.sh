@@ -22,9 +22,9 @@ panels 2 350 "$(rendering ventricles.png)=(a) MR head" "$(rendering stent.png)=(
   "$(rendering foot.png)=(c) foot" "$(histogram foot/histogram-range.png)=(d) foot, heats from 0.17 to 0.31" \
   "stent-published.png@0,700,1110,490=(b) with p = 8, 100,000 steps, as published" "stent.png@0,700,1110,490=(b) ours"
 differs '(b) window -160 to 240 HU, p = 25; others chosen from the data. Colors: one per line. **Agrees:** (d) lines converge' \
-  'and stay apart, each for a bone; (b) spine, ribs and pelvis are one class (ivory), both kidneys are in one line (red).' \
-  '**Differs:** so are the muscles beside the spine; liver and pancreas have no line. With p = 8, as published, all of' \
-  '(b) is one class.'
+  'and stay apart, one per bone; (b) spine, ribs and pelvis are one class (ivory), both kidneys are in one line (red).' \
+  '**Differs:** the line also contains the muscles beside the spine; liver and pancreas have no line. With p = 8, as published,' \
+  'all of (b) is one class.'
 
 figure 2.3 'equalized and normalized histogram'
 needs volumes/ch2.nii.gz
@@ -102,7 +102,7 @@ run HeatTransferFunction mri_ventricles.nii.gz ventricles.nrrd ventricles.vp --l
 panels 3 270 "ventricles-published.png@16,734,380,380=p = 6, 400,000 steps, as published" "ventricles.png@16,734,380,380=ours, lines" \
   "ventricles/slices-classes.png@16,82,318,318=ours, classes" "ventricles.png@100,150,640,460=ours, lines" \
   "ventricles.png@410,734,380,190" "ventricles/slices-classes.png@678,82,318,154"
-differs 'Published: p = 6, 400,000 steps; in our head these leave heat in 90 voxels only. Ours, chosen from the data: p = 32.7,' \
+differs 'Published: p = 6, 400,000 steps; in our head these leave heat in only 90 voxels. Ours, chosen from the data: p = 32.7,' \
   '40,000 steps. **Agrees:** eyes (yellow), ventricles (blue), brain (orange) and muscles of the neck (red) have' \
   'different lines. **Differs:** only parts of the brain have a line, and one ventricle shares it; lines contain stray' \
   'voxels; the scalp has no line. Slices named axial are sagittal (the header is wrong).'
@@ -118,4 +118,4 @@ panels 2 420 "$(rendering aneurysm-published.png)=p = 7.5, 100,000 steps, as pub
   "$(slices aneurysm-published.png)" "$(slices aneurysm.png)"
 differs 'Published: p = 7.5, 100,000 steps; these give five classes, which the default colors do not distinguish. Ours, chosen' \
   'from the data: p = 8.11. **Agrees:** blob (yellow), large (red) and thin vessels (green) are distinguished, with some' \
-  'mixed voxels, as published; heat falls with thickness. **Differs:** 1,200 steps.'
+  'mixed voxels, as published; heat falls with thickness. **Differs:** we use 1,200 steps.'

@@ -12,7 +12,7 @@ run ShapetonDiffusion figure3.4.nrrd figure3.4-controlled.nrrd --shapetons 50000
   --p 7 --preset objects --report figure3.4-controlled
 panels 2 400 "$(rendering figure3.4-published/rendering.png)=published walk" "$(rendering figure3.4-controlled/rendering.png)=controlled walk"
 differs '**Differs:** the published walk finds one class. The controlled walk has one class for cube and large cuboid, another' \
-  'for sphere and small cuboid; published are one for both cuboids, a similar one for the cube, another for the sphere.'
+  'for sphere and small cuboid; the dissertation has one for both cuboids, a similar one for the cube, another for the sphere.'
 
 figure 3.5 'deformed shapes by shapetons'
 run ShapePhantom figure3.5.nrrd --shape figure3.5 --size 96,96,96
@@ -27,10 +27,10 @@ for shapetons in 1000 50000; do
   done
 done
 panels 2 320 "${deformed[@]}"
-differs 'Published: 1,000 shapetons, 2,500 steps. **Differs:** with 1,000, the published walk finds one class, the controlled' \
+differs 'Published: 1,000 shapetons, 2,500 steps. **Differs:** with 1,000, the published walk finds one class, and the controlled' \
   'walk only separates the objects from their surroundings; with 50,000, the published walk still finds one class.' \
   '**Agrees:** with 50,000, the controlled walk finds one class for both spheres and others for the cuboids. **Differs:**' \
-  'the deformed cuboid has its own.'
+  'the deformed cuboid has its own class.'
 
 figure 3.6 'number of shapetons'
 run ShapePhantom cube128.nrrd --shape figure2.4 --size 128,128,128
@@ -99,7 +99,7 @@ run ShapetonDiffusion polyp-box.nrrd polyp-visits.nrrd --preset published --p 15
   --intensityWindow=-1000,200 --preview polyp-visits.png --previewEvery 1000
 panels 2 400 "polyp-visits.png@16,80,380,382=(a) visits, red: many, blue: few" \
   "walter-reed/polyps/report/polyp-candidate-1.png@812,28,402,300=(b) marked by the default preset"
-differs 'Walter Reed, candidate 1 of 5.6, in the cleansed CT. **Agrees:** the polyp is blue. **Differs:** so is all tissue.' \
+differs 'Walter Reed, candidate 1 of 5.6, in the cleansed CT. **Agrees:** the polyp is blue. **Differs:** so is all other tissue.' \
   'Shapetons collect in voxels isolated by partial volume (yellow, red). See [how many polyps this' \
   'finds](validation/colon-polyps.md#polyp-candidates-by-shapetons).'
 
@@ -166,7 +166,7 @@ both_of example_ct 8 100000 2600
 both_of chest 6 100000 1600
 table volumes 'foot=256^3=foot' 'engine=256 x 256 x 128=engine' 'aneurysm=256^3=aneurism' 'MR head=256 x 256 x 124=mri_ventricles' \
   'CT abdomen=122 x 101 x 112=example_ct' 'CT chest=256 x 256 x 133=chest'
-differs 'Wall seconds of two busy threads; head and CTs have other sizes than the published volumes. The H200 column is of' \
+differs 'Wall seconds of two busy threads; head and CTs differ in size from the published volumes. The H200 column is for' \
   '[phantoms](benchmarks.md#table-21-of-the-dissertation-with-our-column). **Agrees:** shapetons take less time than heat' \
   'in the large volumes. **Differs:** they are 1.7 to 2.6 times faster, not 90 to 5,400 times, because our heat takes 6' \
   'to 18 times less than published at equal sizes; for the small abdomen, heat is faster. Equal pictures need more' \

@@ -3,7 +3,8 @@
 
 chapter 4 'landmarks of the colon'
 write 'Walter Reed: a patient in prone position. Patient 00020: its *second position* (named prone) is simulated by a known smooth' \
-  'displacement of up to 15 mm, which creates no new folds and moves no gas: easier than a real one. Table 4.1 has a real pair, too.' ''
+  'displacement of up to 15 mm, which creates no new folds and moves no gas, so it is easier than a real one. Table 4.1 also has' \
+  'a real pair.' ''
 
 figure 4.1 'haustral folds on the surface'
 walter_reed

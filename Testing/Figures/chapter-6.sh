@@ -89,7 +89,7 @@ panels 1 700 same/comparison.png
 differs '**Agrees:** two numberings of a graph, not the printed one, have the same circles in the same colors.'
 
 # branches EXPRESSIONS [WITHOUT]: an awk program that prints two expressions of the ends $1 and $2 of each branch of a MATPOWER case,
-# without the branches of the given numbers.
+# excluding the branches with the given numbers.
 branches() {
   printf '/^mpc.branch/ { inside = 1; next } /^\\];/ { inside = 0 } inside && index(" %s ", " " ++n " ") == 0 { print %s }' "${2-}" "$1"
 }

@@ -3,9 +3,9 @@
 
 write '# Figures of the dissertation, made by our tools' '' \
   'For readers of the dissertation: which figures our tools reproduce, and what differs. `Utilities/run-validation figures` makes' \
-  'them; `figures 5` makes those of chapter 5, `figures 2.4 5.3` two of them. The commands in [Testing/Figures](../Testing/Figures)' \
-  'state all parameters, which are those of the dissertation where it states them, and generate all data that [Data](#data) does' \
-  'not list. `SHAPETON_TEST_DATA_DIR` or `--data` is the folder of these data sets.' '' \
+  'them; `figures 5` makes those of chapter 5, and `figures 2.4 5.3` makes two figures. The commands in' \
+  '[Testing/Figures](../Testing/Figures) state all parameters, which are those of the dissertation where it states them, and' \
+  'generate all data that [Data](#data) does not list. `SHAPETON_TEST_DATA_DIR` or `--data` is the folder of these data sets.' '' \
   'Figures not shown below:' '' \
   '| figure | shows | here |' '|---|---|---|' \
   '| 2.2, 3.1 to 3.3, 6.7 | drawings of the method | not results |' \

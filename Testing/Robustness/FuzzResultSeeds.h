@@ -16,7 +16,7 @@ MakeResultSource(const std::string & folder);
 std::vector<FuzzSeed>
 MakeResultSeeds(const std::string & folder, const shapeton::DicomSource & source);
 
-/** A deflated segmentation whose pixels state 3.5 GB: DCMTK asks for this memory before it reads them. */
+/** A deflated segmentation whose pixels claim a size of 3.5 GB: DCMTK allocates this memory before it reads them. */
 std::string
 MakeResultOfFalseLength(const std::string & folder, const shapeton::DicomSource & source);
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <sys/types.h>
 
-/** Whether a reader accepts its input; it may refuse it by an InputError only. */
+/** Whether a reader accepts its input; it may reject it only with an InputError. */
 template <typename TRead>
 bool
 IsRead(const TRead & read)

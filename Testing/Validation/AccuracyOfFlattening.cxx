@@ -64,7 +64,7 @@ private:
     "faces | seed | flips | gap, % | modulus from v | Newton-CETM | from u | dilatation, median | 95 % | ") };
 };
 
-/** Change of the modulus by handles in one metric, percent. */
+/** Change in modulus caused by handles in one metric, percent. */
 struct Change
 {
   Change() = default;

@@ -12,8 +12,8 @@ using namespace shapeton;
 
 namespace
 {
-/** Share of the voxels of an object in its main class (the class with most of its voxels), averaged over the objects,
- * and the number of main classes shared by objects. */
+/** Fraction of an object's voxels in its main class (the class with most of its voxels), averaged over the objects, and
+ * the number of main classes shared by objects. */
 struct Agreement
 {
   double      purity{ 0.0 };

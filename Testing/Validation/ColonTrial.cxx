@@ -212,7 +212,7 @@ MeasurePolyps(const ColonAnatomy & anatomy, const TissueKeeper & keeper, ColonEr
   {
     if (polyp.diameter >= 6.0)
     {
-      // Deeper than 1.5 mm is the interior of the structure, or fat beyond the wall.
+      // Voxels deeper than 1.5 mm are in the interior of the structure, or in fat beyond the wall.
       ++errors.polyps;
       errors.keptPolyps += keeper.IsKept({ polyp.position }, 0.5 * polyp.diameter + 1.5, 1.5);
     }
@@ -240,7 +240,7 @@ MeasureFolds(Source * truth, const TissueKeeper & keeper, ColonErrors & errors)
     if (isSubmerged)
     {
       ++errors.folds;
-      // A fold is at most half its thickness deep; anything deeper near its root is the wall.
+      // Points inside a fold are at most half its thickness deep; anything deeper near its root is the wall.
       const double half = 0.5 * thickness->values(row, 0);
       errors.keptFolds += keeper.IsKept(crest, std::max(0.8 * height->values(row, 0), half + 1.5), half + 0.25);
     }

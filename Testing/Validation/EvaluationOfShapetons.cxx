@@ -1,4 +1,5 @@
-// Do shapetons separate objects? Walks and presets on phantoms with known labels, at seeds that chose no default.
+// Do shapetons separate objects? Walks and presets on phantoms with known labels, at seeds that were not used to choose
+// defaults.
 #include "Tables.h"
 #include "ShapetonComparison.h"
 
@@ -24,7 +25,7 @@ constexpr double       steepness = 7.0;
 constexpr unsigned int sideOfPhantoms = 48;
 constexpr double       wantedVisits = 200.0; // per voxel; those of the presets that are not published
 
-/** Scenes of shapes that no default was chosen on. Lengths as in the presets of ShapePhantom. */
+/** Scenes that were not used to choose defaults. Lengths as in the presets of ShapePhantom. */
 const std::vector<std::pair<std::string, const char *>> heldOutScenes = {
   { "ring, rod, disk", R"({ "units": "relative", "background": 0, "objects": [
     { "name": "ring", "kind": "torus", "ringRadius": 0.16, "tubeRadius": 0.06, "center": [-0.18, 0, 0],
@@ -127,7 +128,7 @@ RadiusOf(const Eigen::Array3d & weights, const Eigen::Array3d & direction)
   return weights[0] * (1.0 - u) + (weights[1] * (1.0 - s) + weights[2] * s) * u;
 }
 
-/** Moves by solid angle: rejection with the cube of the radius. Does not move if all weights are 0. */
+/** Moves by solid angle: rejection sampling with the cube of the radius. Does not move if all weights are 0. */
 void
 MoveByWeights(const Interpolator & volume, double step, PhiloxStream & random, Eigen::Array3d & place)
 {
@@ -164,11 +165,11 @@ MoveByStep(const Interpolator & volume, double step, PhiloxStream & random, Eige
     place = there;
   }
 }
-/** Trial of shapetons whose edge weights are interpolated at their position, a reading of 3.2 that the product does not
- * offer: the six weights follow from the trilinear intensities at the shapeton and one voxel away from it along each
- * axis. Directions are drawn by solid angle, steps jump. With ParticlePlacement::InitialHeat, directions are uniform
- * instead, and a step is taken with the weight between the intensities at its ends, else the shapeton stays. Voxels
- * must be cubes. */
+/** Trial of shapetons whose edge weights are interpolated at their position, an interpretation of 3.2 that Shapeton
+ * does not offer: the six weights follow from the trilinear intensities at the shapeton and one voxel away from it
+ * along each axis. Directions are drawn by solid angle, and steps jump over walls. With ParticlePlacement::InitialHeat,
+ * directions are uniform instead, and a step is taken with a probability equal to the weight between the intensities at
+ * its ends; otherwise the shapeton stays. Voxels must be cubes. */
 Trial
 RunInterpolatedShapetons(const TrialVolume &  volume,
                          double               p,
@@ -403,8 +404,8 @@ public:
     report.AddRows(name, m_Rows);
   }
 
-  /** Phantoms on which `present` of the indices of the defaults is greater than `former` of those of the former
-   * defaults. */
+  /** Number of phantoms on which `present`, for the indices of the defaults, is greater than `former`, for those of the
+   * former defaults. */
   std::size_t
   CountBetter(double (*present)(const Indices &), double (*former)(const Indices &)) const
   {

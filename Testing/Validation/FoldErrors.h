@@ -9,18 +9,18 @@
  * is at least 1 mm above the wall; each sample is assigned to the nearest point of the flat surface. A sample is
  * visible if that point is within 3 mm and not on a bridge. A fold with less than half of its samples visible is hidden
  * and ignored. A true fold is found if at least half of its visible samples are within 2 mm of a single label. Each
- * label is assigned to the true fold (of at least 2 mm) of which it covers most samples; other covered folds are merged
- * with that fold and count as missed. A label is correct if at least half of its pixels are within 4 mm, in 3D, of the
- * crest of a true fold of at least 1.5 mm height. End point errors are 3D distances between the ends of the true crest,
- * at the wall, and the ends of the assigned fold, in the better order. */
+ * label is assigned to the true fold (at least 2 mm high) of which it covers the most samples; other covered folds are
+ * merged with that fold and count as missed. A label is correct if at least half of its pixels are within 4 mm, in 3D,
+ * of the crest of a true fold at least 1.5 mm high. End point errors are 3D distances between the ends of the true
+ * crest, at the wall, and the ends of the assigned fold, in the better order. */
 struct FoldErrors
 {
-  /** True folds with a height of at least 3.5 mm. */
+  /** True folds at least 3.5 mm high. */
   int present{ 0 };
   int found{ 0 };
   /** Found folds if a label may be assigned to several folds. */
   int covered{ 0 };
-  /** True folds of 2 to 3.5 mm. */
+  /** True folds 2 to 3.5 mm high. */
   int lowPresent{ 0 };
   int lowFound{ 0 };
   int hidden{ 0 };

@@ -381,8 +381,8 @@ NotMoved(const EmbeddingCertificate & certificate)
                           PackedMapOf(certificate),
                           PointAtInfinity::Circle);
 }
-/** Two steps of a graph. Each lacks a different set of `edits` / 2 edges, evenly spaced in the edge list, so edits /
- * 2 edges disappear and as many appear. */
+/** Two steps of a graph. Each lacks a different set of `edits` / 2 edges, evenly spaced in the edge list, so `edits` /
+ * 2 edges disappear and the same number appear. */
 GraphStability
 MeasureStability(const Graph & graph, int edits, bool withSfdp)
 {

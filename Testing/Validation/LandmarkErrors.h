@@ -16,9 +16,9 @@ struct LandmarkErrors
   /** Confidence that each flexure is within 30 mm; 0 if not found. */
   std::array<double, 4> flexureConfidence{};
   bool                  areFlexuresWithin30{ false };
-  /** Share of the surface area with the correct segment; includes collapsed sections. */
+  /** Fraction of the surface area with the correct segment; includes collapsed sections. */
   double labeledShare{ 0.0 };
-  /** Distances from points of the true taeniae to the found taenia, without collapsed sections (mm). Infinite if none
+  /** Distances from points of the true taeniae to the found taenia, excluding collapsed sections (mm). Infinite if none
    * was found. Folds do not show the rotation of taeniae inside a collapsed section, so found taeniae are assigned to
    * true ones separately in each open section. */
   double taeniaMean{ 0.0 };
@@ -26,12 +26,12 @@ struct LandmarkErrors
   double taeniaGreatest{ 0.0 };
   /** Greatest mean distance of the three taeniae (mm). */
   double taeniaWorstMean{ 0.0 };
-  /** Share of those points within 10 mm. */
+  /** Fraction of those points within 10 mm. */
   double taeniaWithin10{ 0.0 };
   /** Root mean square of those distances, each relative to the circumference of the wall without folds, as in Wei et
    * al., Medical Physics 39 (2012): normalized RMSE. */
   double taeniaOfTurn{ 0.0 };
-  /** Share within 10 mm with a single assignment for the whole colon. */
+  /** Fraction within 10 mm with a single assignment for the whole colon. */
   double taeniaIdentified10{ 0.0 };
 };
 

@@ -9,7 +9,7 @@
 #include <array>
 #include <optional>
 
-/** Bounds for taeniae, flexures and segments. Shares from 0 to 1. */
+/** Bounds for taeniae, flexures and segments. Fractions are from 0 to 1. */
 struct LandmarkBounds
 {
   double taeniaMean; ///< mm
@@ -70,7 +70,7 @@ private:
   std::array<int, 4> m_FlexuresMissed{};
 };
 
-/** Bounds for the cecal end, as shares (0 to 1) of the exams of a column. */
+/** Bounds for the cecal end, as fractions (0 to 1) of the exams of a column. */
 struct StructureBounds
 {
   double pole{ 0.95 };  ///< exams with a line end within 15 mm of the cecal pole

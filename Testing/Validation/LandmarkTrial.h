@@ -72,7 +72,7 @@ MakeLandmarkExam(const LandmarkCase & one);
 ColonExam
 MakeColonExam(const LandmarkCase & one);
 
-/** Relaxation of bounds if the colon is segmented from CT: shares may be lower by the first value, and errors may be
+/** Relaxation of bounds if the colon is segmented from CT: fractions may be lower by the first value, and errors may be
  * larger by the second factor. */
 inline constexpr double lossFromCt = 0.03;
 inline constexpr double growthFromCt = 1.3;

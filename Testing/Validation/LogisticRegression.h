@@ -21,8 +21,8 @@ struct LogisticSamples
   }
 };
 
-/** Weights of the terms that maximize the likelihood of the outcomes, by Newton's method. \param penalties of half the
- * squared weights, one per term; above 0 if the outcomes may be separable */
+/** Weights of the terms that maximize the likelihood of the outcomes, by Newton's method. \param penalties factors of
+ * half the squared weights, one per term; above 0 if the outcomes may be separable */
 Eigen::VectorXd
 FitLogistic(const LogisticSamples & samples, const Eigen::VectorXd & penalties);
 

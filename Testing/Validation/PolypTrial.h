@@ -80,11 +80,11 @@ CountFound(const std::vector<PolypExam> & exams, const PolypGroup & group, doubl
 int
 CountFrom(const std::vector<double> & scores, double least);
 
-/** Formats the share found, with its lower 95 % bound. */
+/** Formats the fraction found, with its lower 95 % bound. */
 std::string
 ShareWithBound(const PolypCount & count);
 
-/** Lower end of Wilson's two-sided 95 % interval of a share; 0 without samples. */
+/** Lower end of Wilson's two-sided 95 % interval of a fraction; 0 without samples. */
 double
 WilsonLowerBound(int part, int whole);
 

@@ -1,4 +1,4 @@
-// Figures of other authors beside our rows.
+// Published figures of other authors next to our rows.
 #include "Tables.h"
 #include "ValidationReport.h"
 
@@ -10,7 +10,7 @@ using namespace shapeton;
 
 namespace
 {
-/** The value of our row that is closest to a published figure; says if there is none. */
+/** The value of our row that is closest to a published figure, or a remark that there is none. */
 std::string
 OwnValue(const CsvFile & figures, std::size_t figure, const std::string & folder)
 {

@@ -74,7 +74,7 @@ private:
     m_Objects.push_back(object);
   }
 
-  /** Adds a solid that may touch others but hardly overlaps them; adds nothing if space is lacking. */
+  /** Adds a solid that may touch others but hardly overlaps them; adds nothing if there is no space. */
   void
   AddSolid()
   {
@@ -177,7 +177,7 @@ SampleScene(unsigned int seed, unsigned int side)
 
 namespace
 {
-/** Labels that only touch one other label, without the background: this other label. */
+/** For labels that touch only one other label, excluding the background: that other label. */
 std::map<int, int>
 NestedLabels(const itk::Image<unsigned char, 3> * labels)
 {

@@ -16,7 +16,7 @@ public:
   void
   Add(double confidence, bool isRight);
 
-  /** Expected calibration error: the difference between the mean confidence of a class and its share of correct
+  /** Expected calibration error: the difference between the mean confidence of a class and its fraction of correct
    * statements, averaged over all statements; 0 without statements. */
   double
   CalibrationError() const;
@@ -25,11 +25,11 @@ public:
   double
   BrierScore() const;
 
-  /** Adds the statements of another one with the same classes. */
+  /** Adds the statements of another instance with the same classes. */
   void
   Add(const Reliability & other);
 
-  /** Writes one row per class: number, mean confidence, share of correct statements. */
+  /** Writes one row per class: number, mean confidence, fraction of correct statements. */
   void
   Write(const std::string & what, ValidationReport & report) const;
 

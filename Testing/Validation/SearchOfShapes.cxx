@@ -105,7 +105,7 @@ IsNearest(const std::string &                name,
   return nearest->name == name;
 }
 
-/** For each shape, the share of copies whose nearest original is the correct one. */
+/** For each shape, the fraction of copies whose nearest original is the correct one. */
 std::vector<double>
 NearestIsRight(const std::vector<MeasuredShape> & shapes, const Distance & distance)
 {
@@ -223,7 +223,7 @@ ReportKinds(const std::vector<MeasuredShape> & shapes, ValidationReport & report
   report.AddRows("kinds", table);
 }
 
-/** Results of queries to a database without a fifth of the shapes. */
+/** Results of queries to a database that lacks a fifth of the shapes. */
 struct Answers
 {
   std::vector<double>                  unknownOfLeftOut; ///< for each shape, the share of its copies

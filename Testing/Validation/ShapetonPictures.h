@@ -12,9 +12,9 @@
 /** Number of color levels of a field. */
 constexpr unsigned int numberOfLevels = 12;
 
-/** Color levels of the result in the object voxels: equal shares of these voxels from 1 (blue, lowest) to
- * numberOfLevels (red, highest); 0 elsewhere and in voxels without visits. Values in one bin of the heat histogram have
- * the same level. */
+/** Color levels of the result in the object voxels, from 1 (blue, lowest) to numberOfLevels (red, highest) with equally
+ * many voxels each; 0 elsewhere and in voxels without visits. Values in one bin of the heat histogram have the same
+ * level. */
 itk::Image<unsigned char, 3>::Pointer
 LevelsOf(const TrialVolume & volume, const Trial & trial);
 

@@ -36,8 +36,8 @@ CubeFeatures(const TrialVolume & volume, const itk::Image<float, 3> * field)
   return sums;
 }
 
-/** For the thin vessels, the large vessel and the aneurysm: the mean visits relative to all voxels, and the share of
- * visited voxels. The last value is the share of all visits in the three together. */
+/** For the thin vessels, the large vessel and the aneurysm: the mean visits relative to all voxels, and the fraction of
+ * visited voxels. The last value is the fraction of all visits that are in any of the three. */
 std::vector<std::string>
 CellsOfVessels(const TrialVolume & volume, const Trial & trial)
 {

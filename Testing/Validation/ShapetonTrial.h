@@ -92,7 +92,7 @@ MatchedHeatSteps(const TrialVolume & volume, const WalkSettings & settings);
 std::map<int, double>
 MeansOfObjects(const TrialVolume & volume, const itk::Image<float, 3> * field);
 
-/** Share of the variance between objects in the variance of the field over the labeled voxels: 1 if each object has a
+/** Variance between objects as a fraction of the variance of the field over the labeled voxels: 1 if each object has a
  * constant value, 0 if all means are equal. */
 double
 VarianceBetweenObjects(const TrialVolume & volume, const itk::Image<float, 3> * field);

@@ -18,8 +18,8 @@ struct SurfaceDistances
   double hausdorff95{ 0.0 };
 };
 
-/** Voxels not 0 belong to the masks. Infinite if one mask has no surface, 0 if both have none. Throws InputError if the
- * grids differ. */
+/** Nonzero voxels belong to the masks. Infinite if one mask has no surface, 0 if both have none. Throws InputError if
+ * the grids differ. */
 SurfaceDistances
 MeasureSurfaceDistances(const shapeton::LumenMask * first, const shapeton::LumenMask * second);
 

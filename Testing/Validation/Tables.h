@@ -22,7 +22,7 @@ Rounded(double value, int digits = 3);
 /** Formats "part / whole = share". */
 std::string
 RatioOf(int part, int whole);
-/** Formats a share as "12.3 %". */
+/** Formats a fraction as "12.3 %". */
 std::string
 Percent(double share);
 

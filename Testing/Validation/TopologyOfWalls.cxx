@@ -75,7 +75,7 @@ EmptyTable()
                           "flips away | 0 away | folds | taeniae | disagreement, %"));
 }
 
-/** Share of the wall faces with a larger dilatation in space, percent; flipped faces count. */
+/** Percentage of the wall faces with a larger dilatation in space; flipped faces count. */
 double
 ShareAbove(const ColonFlattening & flattening, double dilatation)
 {
@@ -152,7 +152,7 @@ EmptyPairTable()
                           "| contradicted, % | residual, mm | flips | confidence | map exists"));
 }
 
-/** Errors exist only with a truth, shares and residuals only without. */
+/** Errors exist only if the truth is known; fractions and residuals only if it is not. */
 std::vector<std::string>
 CellsOfPair(const std::array<Trial, 2> & trials)
 {

@@ -64,11 +64,11 @@ ToPython(const CurveSet & curves, const py::handle & owner);
 class Watch;
 
 /** \class Reports
- * \brief Progress that calls a function of Python, or None, with the completed share and the stage.
+ * \brief Progress that calls a Python function, if it is not None, with the completed fraction and the stage.
  *
- * Called at most ten times a second, and once with the share 1 by Complete(). Aborts if the function returns False
- * (shapeton.Aborted) or throws, and on a signal such as Ctrl-C. Construct it with the GIL held; call it from the same
- * thread without the GIL. */
+ * The function is called at most ten times a second, and once with the fraction 1 by Complete(). Aborts if the function
+ * returns False (shapeton.Aborted) or throws, and on a signal such as Ctrl-C. Construct it with the GIL held; call it
+ * from the same thread without the GIL. */
 class Reports : public Progress
 {
 public:
@@ -92,7 +92,7 @@ SetProgressPeriod(unsigned int milliseconds);
 template <typename TParameter>
 using InReports = std::conditional_t<std::is_same_v<TParameter, const Progress &>, const Reports &, TParameter>;
 
-/** Wraps a function for Python. Its last parameter is `const Progress &`; the share 1 is reported when it returns. */
+/** Wraps a function for Python. Its last parameter is `const Progress &`, which receives 1 at the end. */
 template <typename TResult, typename... TParameters>
 auto
 Reporting(TResult (*function)(TParameters...))

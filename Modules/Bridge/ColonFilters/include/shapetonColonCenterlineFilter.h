@@ -8,11 +8,10 @@
 namespace shapeton
 {
 /** \class ColonCenterlineFilter
- * \brief Pipeline filter of TraceColonCenterline(): the centerline of a colon from the labels of its lumen.
+ * \brief Pipeline filter for TraceColonCenterline(): the centerline of a colon from the labels of its lumen.
  *
- * \par Inputs and Outputs
- * Input: labels or a mask; nonzero voxels are lumen. Output 0: the curve, CurveSet. Output 1: ColonCenterline with
- * gaps, pieces and further results.
+ * \par Inputs and Outputs Input: labels or a mask; nonzero voxels are lumen. Output 0: the curve, CurveSet. Output 1:
+ * ColonCenterline with gaps, pieces and other results.
  *
  * \ingroup ShapetonColonFilters */
 class ColonCenterlineFilter

@@ -12,7 +12,7 @@
 namespace shapeton
 {
 /** \class ColonFlatteningFilter
- * \brief Pipeline filter of FlattenColon(): the flat map of a tube.
+ * \brief Pipeline filter for FlattenColon(): the flat map of a tube.
  *
  * \par Inputs and Outputs
  * Input: a tube, such as output 0 of ColonModelFilter. Optional input Centerline: identifies the rectum if the mesh

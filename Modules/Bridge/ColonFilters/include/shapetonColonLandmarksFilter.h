@@ -8,7 +8,7 @@
 namespace shapeton
 {
 /** \class ColonLandmarksFilter
- * \brief Pipeline filter of FindColonLandmarks(): flexures, segments and taeniae of a flat colon.
+ * \brief Pipeline filter for FindColonLandmarks(): flexures, segments and taeniae of a flat colon.
  *
  * \par Inputs and Outputs
  * Inputs FlatColon and Centerline. Output 0: ColonLandmarks. Output 1: the taeniae as curves, CurveSet; empty if they

@@ -10,7 +10,7 @@
 namespace shapeton
 {
 /** \class ColonLumenImageFilter
- * \brief Pipeline filter of SegmentColonLumen(): gas and tagged fluid in the colon of a CT colonography.
+ * \brief Pipeline filter for SegmentColonLumen(): gas and tagged fluid in the colon of a CT colonography.
  *
  * \par Inputs and Outputs
  * Input: a CT in HU, scalar voxels of any type, any axes. Output 0: labels on its grid, 1 gas, 2 fluid. Output 1: the

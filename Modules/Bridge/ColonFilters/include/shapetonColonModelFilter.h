@@ -12,7 +12,7 @@
 namespace shapeton
 {
 /** \class ColonModelFilter
- * \brief Pipeline filter of BuildColonModel(), the core of the tool ColonSegmentation: from a CT colonography to the
+ * \brief Pipeline filter for BuildColonModel(), the core of the tool ColonSegmentation: from a CT colonography to the
  * wall of the colon.
  *
  * Combines ColonLumenImageFilter, ElectronicCleansingImageFilter, ColonCenterlineFilter and ColonWallFilter, finds the

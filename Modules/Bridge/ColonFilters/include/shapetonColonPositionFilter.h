@@ -8,7 +8,7 @@
 namespace shapeton
 {
 /** \class ColonPositionFilter
- * \brief Pipeline filter of MakeColonPosition(): the colon in one position, prepared for registration.
+ * \brief Pipeline filter for MakeColonPosition(): the colon in one position, prepared for registration.
  *
  * \par Inputs and Outputs
  * Inputs FlatColon, Centerline, Landmarks, Folds. Output: ColonPosition, the input of SupineProneRegistrationFilter.

@@ -11,7 +11,7 @@
 namespace shapeton
 {
 /** \class ColonWallFilter
- * \brief Pipeline filter of BuildColonWall(): the wall of a colon as a mesh.
+ * \brief Pipeline filter for BuildColonWall(): the wall of a colon as a mesh.
  *
  * \par Inputs and Outputs
  * Either the input Cleansed, output 1 of ElectronicCleansingImageFilter, or the input Mask, a mask of the lumen. Input

@@ -10,7 +10,7 @@
 namespace shapeton
 {
 /** \class ElectronicCleansingImageFilter
- * \brief Pipeline filter of CleanseColon(): a CT without tagged fluid.
+ * \brief Pipeline filter for CleanseColon(): a CT without tagged fluid.
  *
  * \par Inputs and Outputs
  * Input: a CT in HU. Input Lumen: output 1 of the ColonLumenImageFilter of the same CT. Output 0: the CT with gas

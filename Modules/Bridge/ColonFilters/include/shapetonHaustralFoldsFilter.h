@@ -11,7 +11,7 @@
 namespace shapeton
 {
 /** \class HaustralFoldsFilter
- * \brief Pipeline filter of FindHaustralFolds(): the haustral folds on the flat map of a colon.
+ * \brief Pipeline filter for FindHaustralFolds(): the haustral folds on the flat map of a colon.
  *
  * \par Inputs and Outputs
  * Input FlatColon. Optional input Taeniae, curves on the wall that split folds. Output 0: labels on the grid of the

@@ -7,7 +7,7 @@
 namespace shapeton
 {
 /** \class HeatDiffusionMetricFilter
- * \brief Pipeline filter of ComputeHeatDiffusionMetric(): the heat diffusion distances of the edges of a mesh.
+ * \brief Pipeline filter for ComputeHeatDiffusionMetric(): the heat diffusion distances of the edges of a mesh.
  *
  * \par Inputs and Outputs
  * Input: a triangle mesh, a single manifold. Output: HeatDiffusionMetric, with the edges of SurfaceConnectivity of the

@@ -11,7 +11,7 @@
 namespace shapeton
 {
 /** \class PolypCandidatesFilter
- * \brief Pipeline filter of SearchPolyps(): polyp-like sites of the wall. For research use; a candidate is not a
+ * \brief Pipeline filter for SearchPolyps(): polyp-like sites of the wall. For research use; a candidate is not a
  * finding.
  *
  * \par Inputs and Outputs
@@ -19,7 +19,8 @@ namespace shapeton
  * centerline and catheter. Optional inputs: FlatColon, for positions on the map, and with it Landmarks, for segments.
  * Output: the candidates in order of decreasing score.
  *
- * This filter measures the attenuation of heads on the unrounded CT; the tool ColonPolyps reads a CT in whole HU.
+ * This filter measures the attenuation of heads on the unrounded CT; the tool ColonPolyps reads a CT rounded to whole
+ * HU.
  *
  * \ingroup ShapetonColonFilters */
 template <typename TInputMesh = PipelineMesh>

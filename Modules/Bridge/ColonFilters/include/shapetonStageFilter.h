@@ -66,8 +66,8 @@ public:                                                                         
 
 namespace shapeton
 {
-/** \name Images for functions on whole volumes
- * The buffered region of an image with its first voxel at index 0 and the same position. */
+/** \name Images for functions that process whole volumes
+ * The buffered region of an image, shifted so that its first voxel is at index 0; positions in space are unchanged. */
 ///@{
 /** Shares the voxels without copying. \ingroup ShapetonColonFilters */
 template <typename TImage>
@@ -103,7 +103,7 @@ FloatsFromIndexZero(const TImage * image)
   }
 }
 
-/** Copies the voxels of an image that starts at index 0 to the output of a filter with its regions set. Downstream
+/** Copies the voxels of an image that starts at index 0 to the output of a filter whose regions are set. Downstream
  * filters may then modify the output in place without changing other results.
  * \pre Both have the same size. \ingroup ShapetonColonFilters */
 template <typename TImage>
@@ -134,7 +134,7 @@ HandOver(TValue && value, ResultObject<TResult> * output)
   output->Set(std::forward<TValue>(value));
 }
 
-/** Throws InputError if a stage states in `result.failure` why it has no result. \ingroup ShapetonColonFilters */
+/** Throws InputError if `result.failure` states why a stage has no result. \ingroup ShapetonColonFilters */
 template <typename TResult>
 void
 RequireSuccess(const TResult & result)
@@ -145,7 +145,7 @@ RequireSuccess(const TResult & result)
   }
 }
 
-/** Options of a stage that has none. \ingroup ShapetonColonFilters */
+/** Placeholder for a stage that has no options. \ingroup ShapetonColonFilters */
 struct NoOptions
 {
   template <typename TOptions, typename TVisitor>
@@ -158,7 +158,7 @@ struct NoOptions
  * \brief Base class of the virtual colonoscopy filters: they process whole inputs, report progress, can be aborted, and
  * throw ITK exceptions.
  *
- * A derived class declares its inputs and further outputs with the macros of this header, inherits the methods of its
+ * A derived class declares its inputs and other outputs with the macros of this header, inherits the methods of its
  * options from the generated mixins, and calls the function of its stage in Compute().
  *
  * \tparam TSuperclass itk::ProcessObject or a class derived from it.
@@ -240,7 +240,7 @@ protected:
     });
   }
 
-  /** The options with a progress receiver, for one call of the stage. */
+  /** The options with a progress callback, for one call of the stage. */
   TOptions
   ReportingOptions()
   {

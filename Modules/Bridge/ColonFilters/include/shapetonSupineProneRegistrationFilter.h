@@ -8,7 +8,7 @@
 namespace shapeton
 {
 /** \class SupineProneRegistrationFilter
- * \brief Pipeline filter of RegisterColonPositions(): the map between the walls of a colon in two positions.
+ * \brief Pipeline filter for RegisterColonPositions(): the map between the walls of a colon in two positions.
  *
  * \par Inputs and Outputs
  * Inputs Source and Target, each the output of a ColonPositionFilter. Output: SupineProneRegistration.

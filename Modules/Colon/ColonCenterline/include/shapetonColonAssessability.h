@@ -22,7 +22,7 @@ namespace shapeton
  * - no lumen: the line is a bridge, without gas or tagged fluid
  * - cut by the scan: the lumen extends beyond the border of the image
  * - untagged fluid: directly below the line, the lumen ends at an untagged level of at least 150 mm^2, which hides the
- *   wall below it. In the examinations inspected, flat walls were mistaken for levels of up to 80 mm^2
+ *   wall below it. In the inspected examinations, flat walls mistaken for levels had areas of up to 80 mm^2
  * - narrow: the caliber is below 10 mm over at least 5 mm, which is longer than a single fold. The first 40 mm are
  *   exempt, since the anal canal is narrow
  *
@@ -57,14 +57,14 @@ ShapetonColonCenterline_EXPORT std::string
                                InWords(ColonHindrance hindrance);
 
 /** Adds the point array notAssessable (ColonHindrance) to the centerline. Throws InputError if `curve` lacks an array
- * of TraceColonCenterline(). */
+ * that TraceColonCenterline() adds. */
 ShapetonColonCenterline_EXPORT void
 MarkHindrances(const ColonLumen & lumen, CurveSet & curve);
 
-/** A part of the centerline with one hindrance. */
+/** A stretch of the centerline with a single hindrance. */
 struct HinderedStretch
 {
-  /** First and last arcLength (mm): halfway between points; without lumen, the ends of the gap. */
+  /** First and last arcLength (mm), halfway between points; for a stretch without lumen, the ends of the gap. */
   double         begin{ 0.0 };
   double         end{ 0.0 };
   ColonHindrance hindrance{ ColonHindrance::None };
@@ -110,11 +110,11 @@ Assess(const std::vector<HinderedStretch> & stretches, double begin, double end)
 ShapetonColonCenterline_EXPORT Json
 HindranceToJson(ColonHindrance hindrance);
 
-/** Keys: assessableShare, verdict, reasons (a list of reason, words, length; the longest first). */
+/** Keys: assessableShare, verdict, reasons (a list of objects with the keys reason, words, length; longest first). */
 ShapetonColonCenterline_EXPORT Json
 AssessabilityToJson(const ColonAssessability & assessability);
 
-/** A list of begin, end, reason, words. */
+/** A list of objects with the keys begin, end, reason, words. */
 ShapetonColonCenterline_EXPORT Json
 StretchesToJson(const std::vector<HinderedStretch> & stretches);
 ///@}

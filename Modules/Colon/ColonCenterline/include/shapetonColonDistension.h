@@ -12,11 +12,11 @@ namespace shapeton
 /** Minimum caliber of distended lumen, mm. \ingroup ShapetonColonCenterline */
 constexpr double LeastDistendedCaliber = 10.0;
 
-/** Length of the anal canal, mm, at the beginning of the centerline; it is narrow in each colon (Gray's Anatomy, 41st
+/** Length of the anal canal, mm, at the beginning of the centerline; it is narrow in every colon (Gray's Anatomy, 41st
  * ed.: 4 cm). \ingroup ShapetonColonCenterline */
 constexpr double AnalCanalLength = 40.0;
 
-/** Distension of a part of the colon: caliber, collapsed part. See MeasureDistension().
+/** Distension of a part of the colon: calibers and collapsed length. See MeasureDistension().
  * \ingroup ShapetonColonCenterline */
 struct ColonDistension
 {
@@ -34,14 +34,14 @@ struct ColonDistension
   double collapsedLength{ 0.0 };
 };
 
-/** Measures the distension of a stretch of the colon as in reports of CT colonography and barium enema: the fraction of
+/** Measures the distension of a stretch of the colon as in reports on CT colonography and barium enema: the fraction of
  * the centerline with a caliber of at least 1 cm.
  *
  * The caliber is the diameter of the largest inscribed ball, 2 * radius: the inner diameter at folds, not at haustra.
  * It is 0 in gaps. Points are weighted by step length.
  *
- * `curve` needs the point arrays arcLength, radius and gap of TraceColonCenterline(). The stretch is cut to the line;
- * by default it is the whole line. Throws InputError if an array is missing or the line has zero length, and
+ * `curve` needs the point arrays arcLength, radius and gap that TraceColonCenterline() adds. The stretch is clipped to
+ * the line; the default is the whole line. Throws InputError if an array is missing or the line has zero length, and
  * ParameterError if `end` precedes `begin`. \ingroup ShapetonColonCenterline */
 ShapetonColonCenterline_EXPORT ColonDistension
 MeasureDistension(const CurveSet & curve, double begin = 0.0, double end = std::numeric_limits<double>::infinity());

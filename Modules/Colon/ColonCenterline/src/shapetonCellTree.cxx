@@ -10,28 +10,29 @@ namespace shapeton
 namespace
 {
 /** Usual and absolute maximum radius (mm) of holes between two loops. A single limit of 7 mm was rejected: in a
- * validation exam (realistic 145 prone) 0.01 mm decided over 400 mm of line. */
+ * validation exam (realistic 145 prone) a difference of 0.01 mm affected 400 mm of line. */
 constexpr double usualHole = 7.0;
 constexpr double widestHole = 10.0;
 /** Minimum gain (mm) in path length for treating a passage as a hole, and the additional gain required per mm of width
  * above the usual width. Openings in thin septa between adjacent loops are up to half the caliber wide. */
 constexpr double leastGain = 40.0;
 constexpr double gainOfWide = 100.0;
-/** Tolerance for equal lengths (mm). Summing the same lengths in another order changes the sum by less. */
+/** Tolerance for equal lengths (mm). Summing the same lengths in a different order changes the sum by less than
+ * this. */
 constexpr double sameLength = 1e-6;
 /** Base length (mm) of long rings, to which a multiple of the radius is added. In shorter rings, the path cost already
  * avoids the narrow passage, and a path may take either side of a fold. */
 constexpr double shortRing = 60.0;
 constexpr double ringRadii = 4.0;
-/** Minimum length (mm) of side branches other than haustra; alternatively, minimum volume (mm^3) at this distance (mm,
- * plus 1.5 radii) from the middle of the path. */
+/** Minimum length (mm) of side branches other than haustra; alternatively, minimum volume (mm^3) of the lumen farther
+ * than besideWay (mm) plus 1.5 radii from the middle of the path. */
 constexpr double shortestBranch = 40.0;
 constexpr double smallestBranch = 20e3;
 constexpr double besideWay = 10.0;
-/** Maximum radius of a hole relative to the caliber within this distance (mm) on both sides. */
+/** Maximum radius of a hole relative to the caliber on both sides, measured within holeReach (mm). */
 constexpr double leastOpening = 0.4;
 constexpr double holeReach = 30.0;
-/** Bounds the time. */
+/** Limits the run time. */
 constexpr int mostExchanges = 30;
 } // namespace
 
@@ -39,7 +40,7 @@ CellTree::CellTree(const LumenCells & cells, double coreRadius)
   : m_Cells(cells), m_CoreRadius(coreRadius), m_Links(cells.NumberOfCells()), m_IsInTree(cells.passages.size(), 0)
 {
   this->SpanWidest();
-  // Each swap lengthens a path, so the loop terminates; the bound limits the time for degenerate input.
+  // Each swap lengthens a path, so the loop terminates; the bound limits the run time for degenerate input.
   for (int exchanges = 0; exchanges < mostExchanges && this->Exchange(); ++exchanges)
   {}
 }

@@ -11,7 +11,7 @@ namespace shapeton
  *
  * Loops of the colon touch and thin septa leak, so the graph of cells contains cycles. The maximum spanning tree
  * excludes each hole between parts connected by wider passages. Where the colon is narrower than a hole, the tree would
- * lead through the hole and leave two dead ends. Therefore a hole is replaced by a narrower passage if this makes the
+ * pass through the hole and leave two dead ends. Therefore a hole is replaced by a narrower passage if this makes the
  * longest path of the tree clearly longer. Passages outside the tree that close a short ring (around a fold or within
  * wide lumen) are open; those that close a long ring are merges. */
 class CellTree
@@ -28,7 +28,7 @@ public:
   std::array<int, 2>
   Ends(int member) const;
 
-  /** The first connected cell for each cell. */
+  /** For each cell, the first cell connected to it. */
   std::vector<int>
   Groups() const;
 
@@ -41,8 +41,8 @@ public:
   double
   SideBranches(const std::vector<int> & way, double area) const;
 
-  /** Score for holes in septa on a path: the sum over narrow passages of 1 - clearance / minimum clearance expected
-   * from the lumen on both sides; 0 for a path within the colon. */
+  /** Score for holes in septa on a path: 1 - clearance / (minimum clearance expected from the lumen on both sides),
+   * summed over narrow passages; 0 for a path within the colon. */
   double
   Holes(const std::vector<int> & way) const;
 
@@ -112,7 +112,7 @@ private:
   RemoveLink(int passage);
   TreeWalk
   WalkFrom(int cell) const;
-  /** Walk over all trees, each from its first cell. */
+  /** A walk over all trees, each starting at its first cell. */
   TreeWalk
   WalkAll() const;
   int

@@ -40,8 +40,8 @@ BeginOf(const Eigen::VectorXd & arc, std::size_t point)
   return i == 0 ? arc[0] : i == arc.size() ? arc[i - 1] : 0.5 * (arc[i - 1] + arc[i]);
 }
 
-/** Border between the stretches of a point and of the previous point: halfway. A stretch without lumen, however,
- * extends to the adjacent points, which are the ends of the lumen. */
+/** Border between the stretches of a point and of the previous point, halfway between them. A stretch without lumen,
+ * however, extends to the adjacent points, which are the ends of the lumen. */
 double
 BorderBefore(const Eigen::VectorXd & arc, const std::vector<ColonHindrance> & hindrances, std::size_t point)
 {
@@ -96,7 +96,7 @@ class LumenAround
 public:
   explicit LumenAround(const ColonLumen & lumen) : m_Lumen(lumen) {}
 
-  /** Whether the image border is as near as the wall and the lumen extends beyond it. */
+  /** Whether the image border is no farther away than the wall, and the lumen reaches the border. */
   bool
   IsCutByScan(const Eigen::Vector3d & point, double radius) const
   {
@@ -169,7 +169,7 @@ private:
 
   const ColonLumen & m_Lumen;
 };
-/** Finds gaps with the border of the scan at both ends: the colon continues outside the scan. */
+/** Finds gaps with cut lumen at both ends: there, the colon continues outside the scan. */
 void
 MarkGapsOutsideScan(const Eigen::VectorXd & arc, std::vector<ColonHindrance> & hindrances)
 {

@@ -104,7 +104,7 @@ PhysicalPoints(const LumenGrid & grid, const std::vector<int> & nodes)
 }
 
 /** End 1 of a line, or end 0 of a reversed line. The direction points from the last 40 mm of the core to the center of
- * the tips, since paths bend toward the wall in a blunt end. */
+ * the tips, since paths bend toward the wall at a blunt end. */
 JoinEnd
 MakeJoinEnd(const LumenGrid & grid, const PieceLine & line, bool isReversed, bool prolongs)
 {
@@ -220,7 +220,8 @@ TraceOn(const std::array<int, 3> &      blocks,
   return traced;
 }
 
-/** Detects narrow lumen disconnected by merging voxels into blocks: a short gap between two lines of one component. */
+/** Detects narrow lumen that was disconnected when voxels were merged into blocks: a short gap between two lines of the
+ * same component. */
 bool
 IsTorn(const Traced & traced)
 {
@@ -269,7 +270,8 @@ Trace(const LumenDistanceImage *      distance,
 std::string
 FailureOfLine(const ColonCenterline & line)
 {
-  // Colons have at most 8, the lungs of three chests 56 to 121. The limit is the geometric mean of 8 and 56.
+  // Colons have at most 8 gaps and holes, the lungs in three chest scans 56 to 121. The limit is the geometric mean of
+  // 8 and 56.
   constexpr std::size_t mostFaults = 20;
   constexpr double      largestSection = 50.0; // mean, cm^2: a tube of 80 mm diameter
   const std::size_t     gaps = line.gaps.size();

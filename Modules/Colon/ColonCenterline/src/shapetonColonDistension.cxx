@@ -8,7 +8,7 @@ namespace shapeton
 {
 namespace
 {
-/** Adds the part of one step of the line within the stretch. */
+/** Adds the part of a step along the line that is within the stretch. */
 void
 AddStep(double from, double to, double caliber, bool isGap, ColonDistension & stretch)
 {

@@ -140,7 +140,7 @@ BridgeGap(const Eigen::Vector3d & a,
   };
   const Eigen::Vector3d ta = tangent(out);
   const Eigen::Vector3d tb = tangent(in);
-  // Intervals of the Hermite curve; chosen finer than the step to which it is resampled.
+  // Number of intervals of the Hermite curve; chosen finer than the step to which it is resampled.
   constexpr int fine = 200;
   CurvePoints   points;
   for (int i = 0; i <= fine; ++i)

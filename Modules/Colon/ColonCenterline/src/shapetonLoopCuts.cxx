@@ -10,15 +10,15 @@ namespace shapeton
 {
 namespace
 {
-/** Maximum number of cuts; chosen to bound the time. */
+/** Maximum number of cuts; chosen to limit the run time. */
 constexpr int mostCuts = 6;
-/** Penalty (mm) of a path through a hole in a septum; less than CellTree::LeastGain. */
+/** Penalty (mm) for a path through a hole in a septum; less than CellTree::LeastGain. */
 constexpr double holeCost = 35.0;
 /** Colons have up to about 20 candidates; the bound limits the time for input that is not a lumen. */
 constexpr std::size_t mostTrials = 100;
 /** Number of the best single cuts that are tried in pairs. */
 constexpr std::size_t pairedCuts = 10;
-/** Cost (mm) of a layout with too many pieces to order; exceeds the cost of any other layout. */
+/** Cost (mm) of a layout with too many pieces to order; higher than that of any other layout. */
 constexpr double costOfTooManyPieces = 1e9;
 /** Minimum volume (mm^3) of a piece that affects the layout. */
 constexpr double smallestPiece = 5e3;
@@ -93,7 +93,7 @@ LayOut(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree, 
 }
 
 /** Evaluates cuts. The cost (mm) of the resulting colon is the sum of the costs of joins, omitted pieces, side branches
- * and holes, and of the distance of its start from the rectum. */
+ * and holes, plus the excess distance of its start from the anus. */
 class CutSearch
 {
 public:
@@ -133,14 +133,14 @@ public:
     return joins + layout.faults + std::max(0.0, m_Extent.DistanceFromAnus(begin) - m_NearestToAnus);
   }
 
-  /** One or two cuts, the resulting cost, and the cost including the minimum gain. */
+  /** One or two cuts, and the resulting cost including the minimum gain for each cut. */
   struct Trial
   {
     double           cost;
     std::vector<int> passages;
   };
 
-  /** The best cut, or the best pair if no single cut reduces the cost enough; empty if no pair does either. */
+  /** The best cut, or the best pair if no single cut reduces the cost enough; empty if no pair is sufficient either. */
   Trial
   Best()
   {
@@ -167,7 +167,7 @@ public:
   }
 
 private:
-  /** Passages that separate two stretches of colon; limited to the narrowest ones. */
+  /** Passages that separate two stretches of colon; if there are too many, only the narrowest. */
   std::vector<int>
   Passages() const
   {

@@ -9,7 +9,7 @@ namespace shapeton
 struct CellPassage
 {
   int a, b;
-  /** Distance to the wall of the widest pair of voxels, mm. */
+  /** Distance from the widest pair of voxels to the wall, mm. */
   float clearance;
   /** The narrower voxel of that pair. */
   int node;

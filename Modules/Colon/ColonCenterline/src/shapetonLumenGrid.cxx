@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** Mean distance within a block of voxels of one component; `component` is 0 if any voxel is not lumen. */
+/** Mean distance to the wall in a block of voxels of one component; `component` is 0 if any voxel is not lumen. */
 struct BlockContent
 {
   float distance{ 0.0F };

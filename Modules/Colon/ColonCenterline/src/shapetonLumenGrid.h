@@ -133,7 +133,7 @@ public:
   /** The node whose voxel contains a position; -1 outside the lumen. */
   int
   NodeOf(const Eigen::Vector3d & position) const;
-  /** The node nearest to a position; -1 without nodes. */
+  /** The node nearest to a position; -1 if there are no nodes. */
   int
   NearestNode(const Eigen::Vector3d & position) const;
 
@@ -144,7 +144,7 @@ private:
   FindNeighbors();
 
   /** A node and its neighbors, stored together for cache locality in path searches. Neighbors in a row have consecutive
-   * numbers, so only one is stored for each of the nine rows. */
+   * numbers, so only the first of each of the nine rows is stored. */
   struct Neighbors
   {
     std::uint32_t      present{ 0 }; ///< bit x + 3 y + 9 z for the voxel at offset (x - 1, y - 1, z - 1)
@@ -154,7 +154,7 @@ private:
   std::array<int, 3> m_Block;
   VoxelGrid          m_Grid;
   Eigen::Vector3d    m_Spacing;
-  /** The position of the voxel 0. */
+  /** The position of voxel 0. */
   Eigen::Vector3d        m_First;
   Eigen::Vector3d        m_Origin;
   Eigen::Matrix3d        m_Direction;

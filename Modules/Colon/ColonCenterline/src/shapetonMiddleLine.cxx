@@ -10,22 +10,22 @@ namespace shapeton
 {
 namespace
 {
-/** Half length of the averaging window in lumen radii, large enough to average over single haustra. The radius is
- * averaged over this length (mm) on both sides. */
+/** Half length of the averaging window in lumen radii, large enough to average over single haustra; the radius is the
+ * average over reachOfRadius (mm) on both sides. */
 constexpr double slabRadii = 2.5;
 constexpr double reachOfRadius = 20.0;
 /** Minimum ratio of chord to arc length in that window. */
 constexpr double straightness = 0.6;
-/** Step back from the mean to the path while the mean is in the wall, relative to their distance. */
+/** Step from the mean back toward the path while the mean is in the wall, as a fraction of their distance. */
 constexpr double backStep = 0.125;
 
-/** Minimum distance (mm) of the center to the wall, unless the path is closer. */
+/** Minimum distance (mm) from the center to the wall, unless the path is closer. */
 constexpr double leastClearance = 2.5;
 /** Minimum DistanceField::Occupancy on the line. */
 constexpr double safelyInside = 0.7;
 /** Maximum path distance (mm) of voxels assigned to a point of the line. */
 constexpr double reachOfMiddle = 40.0;
-/** Distance of the end of the line from the pole of the cecum, mm. */
+/** Distance from the end of the line to the pole of the cecum, mm. */
 constexpr double beforePole = 3.0;
 /** Length (mm) of the line evaluated before the mouth of the cecum; the search beyond the mouth covers twice this
  * distance. */
@@ -44,10 +44,11 @@ PositionsOf(const LumenGrid & grid, const std::vector<int> & nodes)
   return points;
 }
 
-/** No limit of a distance (mm). */
+/** No limit on the distance (mm). */
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/** Index of the nearest curve point (`first` to `last`) within the lumen for each node; -1 beyond `reach` mm. */
+/** For each node, the index of the curve point (`first` to `last`) nearest to it within the lumen; -1 beyond `reach`
+ * mm. */
 NearestPlaces
 NearestPoints(const LumenNetwork & network, const CurvePoints & points, int first, int last, double reach)
 {
@@ -93,7 +94,7 @@ SlabsAcross(const LumenNetwork & network, const CurvePoints & points)
   return slabs;
 }
 
-/** Mean over this number of neighbors on both sides. */
+/** Mean over `number` neighbors on each side. */
 double
 MeanAround(const std::vector<double> & values, int i, int number)
 {
@@ -225,10 +226,10 @@ IsVisible(const DistanceField & field, const Eigen::Vector3d & from, const Eigen
   return true;
 }
 
-/** Nodes beyond the mouth of a pouch and their distances from it. Among the curve points up to the mouth, the mouth is
- * nearest to such a node. The lumen at the node is at least as wide as a colon, or next to such lumen, which excludes
- * ileum and appendix. The index of all other nodes is -1. The curve beyond the mouth is ignored, since it may be
- * wrong. */
+/** Nodes beyond the mouth of a pouch and their distances from it. Of the curve points up to the mouth, the mouth is the
+ * one nearest to such a node. The lumen at the node is at least as wide as a colon, or next to such lumen, which
+ * excludes ileum and appendix. The index of all other nodes is -1. The curve beyond the mouth is ignored, since it may
+ * be wrong. */
 NearestPlaces
 PouchBeyond(const LumenNetwork & network, const CurvePoints & points, int mouth, double step)
 {
@@ -256,7 +257,7 @@ PouchBeyond(const LumenNetwork & network, const CurvePoints & points, int mouth,
 }
 
 /** The farthest node of the pouch beyond a point of a curve; among nodes at about the same distance, the most caudal,
- * as expected for the cecum. -1 if none is found or the curve before it is too short. */
+ * as expected for the cecum. -1 if none is found or the curve before the mouth is too short. */
 int
 FindPole(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, int mouth, double step)
 {
@@ -266,8 +267,9 @@ FindPole(const LumenNetwork & network, const DistanceField & field, const CurveP
   }
   // Paths over 26 neighbors exceed the Euclidean length by at most 13 %, by 7 % on average.
   constexpr double longestWay = 1.13, usualWay = 1.07;
-  // mm of path equivalent to one mm downward. With 0.2, 34 of 40 lines of realistic phantoms (seeds 140-159) end within
-  // 15 mm of the pole, and the end in the real prone exam depends more on the voxel size; with 0.05 and with 0, all 40.
+  // Path length (mm) equivalent to 1 mm of descent. With 0.2, only 34 of 40 lines of realistic phantoms (seeds 140-159)
+  // end within 15 mm of the pole, and the end in the real prone exam depends more on the voxel size; with 0.05 or 0,
+  // all 40 do.
   constexpr double    caudal = 0.05;
   const LumenGrid &   grid = network.grid;
   const NearestPlaces pouch = PouchBeyond(network, points, mouth, step);
@@ -298,7 +300,7 @@ FindPole(const LumenNetwork & network, const DistanceField & field, const CurveP
   return pole;
 }
 
-/** Minimum approach to a point (mm per mm of line), measured over this length (mm). */
+/** Minimum approach to a point (mm per mm of line), measured over reachOfApproach (mm). */
 constexpr double leastApproach = 0.7;
 constexpr double reachOfApproach = 5.0;
 
@@ -383,15 +385,15 @@ ShapeLine(const LumenNetwork &           network,
 }
 
 // The cecum is as wide as it is long, so the initial end may be on its side or near its mouth. Therefore the pole is
-// first searched from farther away, then from about the mouth along a line to the first pole.
+// searched for twice: first from farther away, then from about the mouth along a line to the first pole.
 void
 LeadToPole(const LumenNetwork &           network,
            const DistanceField &          field,
            const ColonCenterlineOptions & options,
            CurvePoints &                  points)
 {
-  // mm before the end. On realistic phantoms (seeds 1-8) mouths at 60, 70, 80 and 90 mm give mean errors of the pole
-  // of 7.3, 6.4, 5.5 and 6.6 mm.
+  // Distances (mm) before the end. On realistic phantoms (seeds 1-8), mouths at 60, 70, 80 and 90 mm result in mean
+  // errors of 7.3, 6.4, 5.5 and 6.6 mm for the pole.
   constexpr double  farther = 120.0, nearer = 80.0;
   const CurvePoints line = points;
   const int         begin = BeforeEnd(line, farther / options.step);

@@ -8,7 +8,7 @@ namespace shapeton
 {
 namespace
 {
-/** Maximum radius (mm) of side branches, terminal ileum and tapers, which are not ends of a piece. */
+/** Maximum radius (mm) of side branches, the terminal ileum and tapers; the ends of a piece are wider. */
 constexpr double widestCore = 8.0;
 /** Minimum core radius of narrower pieces, relative to the largest radius. */
 constexpr double coreShare = 0.75;
@@ -16,16 +16,16 @@ constexpr double coreShare = 0.75;
 constexpr double rectumLength = 120.0;
 /** Tapers are followed down to this radius, mm. */
 constexpr double narrowestTaper = 1.0;
-/** Maximum wall distance (mm) and number of the candidate tips. */
+/** Maximum distance from the wall (mm) and maximum number of candidate tips. */
 constexpr double      atWall = 3.5;
 constexpr std::size_t mostTips = 60;
-/** Candidate tips are at most this number of calibers nearer than the farthest one. The caliber is the largest wall
- * distance (mm) on this number of nodes at the end of the core, but at least leastCaliber. */
+/** Candidate tips are at most tipCalibers calibers nearer than the farthest one. The caliber is the largest distance
+ * from the wall (mm) of the last endNodes nodes of the core, but at least leastCaliber. */
 constexpr double      tipCalibers = 1.2;
 constexpr std::size_t endNodes = 30;
 constexpr double      leastCaliber = 10.0;
 
-/** The node with the longest path among the nodes at least this far from the wall; the start if there are none. */
+/** The node with the longest path among those at least leastDistance from the wall; the start if there are none. */
 int
 FarthestNode(const LumenGrid & grid, const PathTree & paths, double leastDistance)
 {
@@ -40,7 +40,7 @@ FarthestNode(const LumenGrid & grid, const PathTree & paths, double leastDistanc
   return farthest;
 }
 
-/** Index into the core of the last core node on the path to each node; -1 if none. */
+/** For each node, the index (in the core) of the last core node on its path; -1 if there is none. */
 std::vector<int>
 BranchIndices(const LumenGrid & grid, const PathTree & paths, const std::vector<int> & core)
 {
@@ -73,7 +73,7 @@ EndAt(const PathTree & paths, const std::vector<int> & core, const std::vector<i
   return end;
 }
 
-/** Nodes at the wall whose path is at most one caliber shorter than the longest path. */
+/** Nodes at the wall whose path is shorter than the longest path by at most tipCalibers calibers. */
 std::vector<int>
 NodesAtEnd(const LumenGrid &        grid,
            const PathTree &         paths,
@@ -171,8 +171,8 @@ TraceBetween(const LumenNetwork & network, int first, bool isFixed, int exponent
   return line;
 }
 
-/** The tip of the rectum: a caudal node in the middle of the lumen with a long path that joins the core near its last
- * node. */
+/** The tip of the rectum: a caudal node in the middle of the lumen, with a long path that joins the core near the last
+ * core node. */
 int
 FindTip(const LumenGrid & grid, const PathTree & paths, const std::vector<int> & core)
 {

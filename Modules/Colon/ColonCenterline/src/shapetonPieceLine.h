@@ -13,7 +13,7 @@ struct PieceEnd
   /** The last node shared with the core. */
   int              branch{ 0 };
   std::vector<int> nodes;
-  /** Difference (mm) from the path length of the farthest tip. */
+  /** Path length (mm) by which the farthest tip exceeds this one. */
   double shortfall{ 0.0 };
 };
 
@@ -45,10 +45,10 @@ struct LumenNetwork
 
   const LumenGrid & grid;
   LumenCells        cells;
-  /** Minimum radius of the lumen at ends, mm: 8, or half the usual radius of a narrow lumen. */
+  /** Minimum radius of the lumen at the ends of a piece, mm: 8, or half the usual radius if the lumen is narrow. */
   double   coreRadius;
   CellTree tree;
-  /** Indices into LumenCells::passages of holes between an end of colon and the side of another stretch. */
+  /** Indices (in LumenCells::passages) of holes between the end of one stretch of colon and the side of another. */
   std::vector<int> cuts;
 };
 

@@ -18,7 +18,7 @@ struct JoinEnd
   Eigen::Vector3d out;
   /** Wall points at the end where a join may begin; the position itself if none exist. */
   std::vector<Eigen::Vector3d> tips;
-  /** Difference (mm) of each tip from the path length of the farthest tip. */
+  /** For each tip, the path length (mm) by which the farthest tip exceeds it. */
   std::vector<double> shortfalls;
   /** Radius of the widest ball within `endReach` of the end, mm. */
   double radius{ 0.0 };
@@ -49,7 +49,7 @@ constexpr double endReach = 30.0;
 double
 RadiusNearEnd(const std::vector<Eigen::Vector3d> & points, const std::vector<double> & radii);
 
-/** Maximum number of pieces to order; time doubles with each. */
+/** Maximum number of pieces to order; each additional piece doubles the run time. */
 constexpr int mostJoinPieces = 14;
 
 /** Maximum length of a collapsed stretch, mm. */
@@ -59,7 +59,7 @@ constexpr double longestJoin = 150.0;
 std::array<int, 2>
 ClosestTips(const JoinEnd & a, const JoinEnd & b);
 
-/** Sets the cost of taking each end as the cecum: low for a caudal, wide end on the right, high for a tapering,
+/** Sets the cost of treating each end as the cecum: low for a caudal, wide end on the right, high for a tapering,
  * collapsed end. `usualRadius` is LumenCells::UsualRadius. */
 void
 PreferCecum(const ColonExtent & extent, double usualRadius, std::vector<JoinPiece> & pieces);

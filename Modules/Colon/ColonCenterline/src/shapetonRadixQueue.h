@@ -12,8 +12,8 @@
 
 namespace shapeton
 {
-/** A monotone priority queue (Ahuja, Mehlhorn, Orlin, Tarjan 1990): the bucket index is the highest bit in which a key
- * differs from the last key popped. Keys are non-negative doubles, compared by bit pattern. */
+/** A monotone priority queue (Ahuja, Mehlhorn, Orlin, Tarjan 1990): the bucket index of a key is the highest bit in
+ * which it differs from the last key popped. Keys are non-negative doubles, compared by bit pattern. */
 class RadixQueue
 {
 public:

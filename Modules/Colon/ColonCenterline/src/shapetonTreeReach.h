@@ -17,7 +17,7 @@ struct TreeLink
 /** Links of each cell. */
 using TreeLinks = std::vector<std::vector<TreeLink>>;
 
-/** The cells of one or more trees with parents first, and the path length from the start to each cell. */
+/** The cells of one or more trees, parents first, and the path length from the start to each cell. */
 struct TreeWalk
 {
   /** Creates an empty walk. */
@@ -41,7 +41,7 @@ struct TreeWalk
 struct TreeRing
 {
   std::vector<int> cells;
-  /** Passages from each cell to the next one. */
+  /** The passage from each cell to the next. */
   std::vector<int>    passages;
   std::vector<double> lengths;
 
@@ -53,7 +53,7 @@ struct TreeRing
 };
 
 /** \class TreeReach
- * \brief Longest paths between core cells of a tree, with and without some of its passages.
+ * \brief Longest paths between core cells of a tree, as it is or with some passages removed.
  *
  * The part beyond each passage is summarized once, in an upward and a downward pass; a query then takes time linear in
  * the number of links of the cell.
@@ -80,7 +80,7 @@ private:
   /** Summary of a part of a tree relative to one of its cells. */
   struct Part
   {
-    /** Length to the farthest core cell; a large negative value if none exists. */
+    /** Path length to the farthest core cell; a large negative value if there is none. */
     double deepest{ -1e300 };
     /** Longest path between two core cells. */
     double longest{ 0.0 };
@@ -94,11 +94,11 @@ private:
   static Part
   Join(const Part & a, const Part & b);
 
-  /** The tree around a cell without the parts beyond two of its passages. */
+  /** The tree around a cell, excluding the parts beyond two of its passages. */
   Part
   Around(int cell, int passage = -1, int other = -1) const;
 
-  /** Cumulative summaries of the cells of a ring with their branches, relative to the first cell. */
+  /** Cumulative summaries of the cells of a ring and their branches, relative to the first cell. */
   static std::vector<Part>
   FromTheFirst(const std::vector<Part> & hanging, const std::vector<double> & lengths);
 

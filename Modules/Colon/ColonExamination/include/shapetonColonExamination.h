@@ -17,8 +17,8 @@ constexpr const char * secondPositionFolder = "second";
 class ShapetonColonExamination_EXPORT ColonExamination
 {
 public:
-  /** \param second the run of the other position; if empty, it is the folder `second` of the run, if that has a flat
-   * wall. \param reader see ExaminationFolder. Throws InputError. */
+  /** \param second the run of the other position; if empty, the folder `second` of the run is used if it contains a
+   * flat wall. \param reader see ExaminationFolder. Throws InputError. */
   explicit ColonExamination(const std::string & folder,
                             const std::string & second = {},
                             const std::string & reader = {});
@@ -34,7 +34,7 @@ public:
     return m_Positions.front().GetFolder();
   }
 
-  /** Identity for verdicts (SHA-256): the flat walls, which depend on all earlier results, and the candidates. */
+  /** Identity for verdicts: a SHA-256 of the flat walls, which depend on all earlier results, and the candidates. */
   std::string
   Digest() const;
   /** The candidates of each position; empty for a position that was not searched. Throws InputError. */

@@ -21,8 +21,8 @@ class FlatColon;
 /** \class ExaminationFolder
  * \brief Results of VirtualColonoscopy for one position of the colon, read from their folder when they are requested.
  *
- * format/files.json describes the files. Each Read method throws InputError with the file that is missing or malformed;
- * positions are LPS in mm.
+ * format/files.json describes the files. Each Read method throws an InputError that names the missing or malformed
+ * file; positions are LPS in mm.
  *
  * \ingroup ShapetonColonExamination */
 class ShapetonColonExamination_EXPORT ExaminationFolder
@@ -32,7 +32,7 @@ public:
    * declared to read has changed. Therefore, reading an undeclared file throws std::logic_error. Empty for a program
    * that is not a stage.
    *
-   * Throws InputError if the folder does not exist or has a format of another version. */
+   * Throws InputError if the folder does not exist or has a different format version. */
   explicit ExaminationFolder(std::string folder, std::string reader = {});
 
   const std::string &
@@ -54,7 +54,7 @@ public:
   /** Flexures, segments and taeniae. */
   Json
   ReadLandmarks() const;
-  /** Segments with known ends; empty without landmarks. */
+  /** Segments with known ends; empty if there are no landmarks. */
   std::vector<ColonSegmentExtent>
   ReadSegments() const;
   /** One curve with the point array arcLength (mm). */
@@ -69,13 +69,13 @@ public:
   /** 1 gas, 2 tagged fluid, 3 terminal ileum. */
   itk::Image<unsigned char, 3>::Pointer
   ReadLumen() const;
-  /** CT without tagged residue (HU); null if the input was a lumen mask. */
+  /** CT from which tagged residue was removed (HU); null if the input was a lumen mask. */
   itk::Image<float, 3>::Pointer
   ReadCleansedCt() const;
-  /** The CT (HU), the sum of the cleansed CT and what cleansing removed; null if one of them is missing. */
+  /** The original CT (HU): the sum of the cleansed CT and the removed residue; null if one of them is missing. */
   itk::Image<float, 3>::Pointer
   ReadOriginalCt(const itk::Image<float, 3> * cleansed) const;
-  /** Number of the fold at each pixel of the flat map; null if folds were not found. */
+  /** Fold number at each pixel of the flat map; null if no folds were found. */
   itk::Image<unsigned short, 2>::Pointer
   ReadFolds() const;
   /** Empty if candidates were not searched for. */
@@ -90,16 +90,17 @@ private:
 /** Position of the patient: "supine", "prone", ...; "" if unknown. \ingroup ShapetonColonExamination */
 ShapetonColonExamination_EXPORT std::string
                                 PositionOfQuality(const Json & quality);
-/** UID of the DICOM series that the run read; "#part" is appended for a part of a mixed series. Empty for a volume.
+/** UID of the DICOM series read by the run; "#part" is appended for a part of a mixed series. Empty for a volume.
  * \ingroup ShapetonColonExamination */
 ShapetonColonExamination_EXPORT std::string
                                 SeriesOfQuality(const Json & quality);
 
-/** Whether the position of the patient was read or estimated, not assumed. \ingroup ShapetonColonExamination */
+/** Whether the position of the patient was read or estimated rather than assumed. \ingroup ShapetonColonExamination */
 ShapetonColonExamination_EXPORT bool
 IsPositionKnown(const Json & quality);
 
-/** Writes examination.json, the version of the format. Throws OutputError. \ingroup ShapetonColonExamination */
+/** Writes examination.json, which contains the version of the format. Throws OutputError. \ingroup
+ * ShapetonColonExamination */
 ShapetonColonExamination_EXPORT void
 WriteExaminationVersion(const std::string & path);
 } // namespace shapeton

@@ -7,8 +7,8 @@
 
 namespace shapeton
 {
-/** The input of SearchPolyps(): repaired wall and lumen are required; what depends on other files is skipped with a
- * warning. Throws InputError. \ingroup ShapetonColonExamination */
+/** The input of SearchPolyps(): the repaired wall and the lumen are required; steps that depend on other, missing files
+ * are skipped with a warning. Throws InputError. \ingroup ShapetonColonExamination */
 ShapetonColonExamination_EXPORT PolypColon
 ReadPolypColon(const ExaminationFolder & exam);
 

@@ -27,7 +27,7 @@ struct ReaderAssessment
 {
   /** C-RADS category of the colon: "C0", "C1", "C2", "C2a", "C2b", "C3", "C4". */
   std::string colonic;
-  /** C-RADS category of extracolonic findings: "E0" to "E4"; "E1/E2", which C-RADS 2023 merged. */
+  /** C-RADS category of extracolonic findings: "E0" to "E4", or "E1/E2", which C-RADS 2023 merged. */
   std::string extracolonic;
   std::string note;
 };
@@ -58,7 +58,7 @@ struct ReaderFinding
   std::size_t position{ 0 };
   /** LPS, mm. */
   Eigen::Vector3d place{ Eigen::Vector3d::Zero() };
-  /** 1 rectum to 6 cecum; 0 if unknown. */
+  /** From 1 (rectum) to 6 (cecum); 0 if unknown. */
   int segment{ 0 };
   /** Distance from the anal verge along the centerline (mm); NaN if unknown. */
   double          arcLength{ std::numeric_limits<double>::quiet_NaN() };
@@ -78,7 +78,7 @@ struct ReaderBookmark
 /** Contents of a verdicts.json. \ingroup ShapetonColonExamination */
 struct ReaderVerdicts
 {
-  /** Whether the reader first read without candidates; unknown in version 1. */
+  /** Whether the reader first read the examination without candidates; unknown in version 1. */
   std::optional<bool>           isSecondReader;
   ReaderAssessment              assessment;
   std::vector<CandidateVerdict> candidates;
@@ -88,9 +88,9 @@ struct ReaderVerdicts
 
 /** Reads a verdicts.json, version 1 or 2, saved by the page of the examination. Keys added by version 2 may be missing.
  *
- * Throws InputError if the version is unknown, the examination is another one, an id is repeated or belongs to no
- * candidate, a word (verdict, category, morphology, segment) is unknown, a size is not above 0 and at most 200 mm, a
- * picture is not a PNG file, or a value has the wrong type. \ingroup ShapetonColonExamination */
+ * Throws InputError if the version is unknown, the file belongs to another examination, an id is repeated or does not
+ * belong to a candidate, a word (verdict, category, morphology, segment) is unknown, a size is not above 0 and at most
+ * 200 mm, a picture is not a PNG file, or a value has the wrong type. \ingroup ShapetonColonExamination */
 ShapetonColonExamination_EXPORT ReaderVerdicts
 ReadReaderVerdicts(const std::string & path, const ColonExamination & exam);
 

@@ -19,17 +19,17 @@ ShapetonColonExamination_EXPORT CsvTable
 TableOfErrors(const RegistrationResults & results);
 
 /** Reads points of the wall in both positions: a table with the columns sx, sy, sz (supine) and px, py, pz (prone),
- * LPS, mm. Throws InputError with file and line; also if the table has no points. */
+ * LPS, mm. Throws an InputError that states the file and line; also if the table has no points. */
 ShapetonColonExamination_EXPORT std::vector<PointPair>
                                 ReadPointPairs(const std::string & path);
 
-/** Reads a folder back, for reports and later stages. Throws InputError if a file is missing or not written by
- * ColonRegistration. */
+/** Reads the results in a folder, for reports and later stages. Throws InputError if a file is missing or was not
+ * written by ColonRegistration. */
 ShapetonColonExamination_EXPORT RegistrationResults
 ReadRegistrationResults(const std::string & folder);
 
-/** Confidence of a registration in a folder, 0 to 1; 0 if flagged as doubtful. Throws InputError if the JSON file does
- * not state it. */
+/** Confidence of a registration in a folder, 0 to 1; 0 if the registration was flagged as doubtful. Throws InputError
+ * if the JSON file does not state it. */
 ShapetonColonExamination_EXPORT double
 ConfidenceOfRegistration(const std::string & folder);
 ///@}

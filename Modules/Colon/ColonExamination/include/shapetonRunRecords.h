@@ -20,8 +20,8 @@ class ShapetonColonExamination_EXPORT RunRecords
 public:
   explicit RunRecords(const std::string & folder);
 
-  /** Throws InputError unless the completed stage wrote this file, and all results it was computed from, through all
-   * earlier stages, are the current results of the run. */
+  /** Throws InputError unless the completed stage wrote this file and all results it was computed from, directly or
+   * through earlier stages, are the current results of the run. */
   void
   RequireCurrent(const std::string & stage, const std::string & file) const;
 

@@ -26,7 +26,7 @@ struct ShapetonColonExamination_EXPORT StageResult
   std::string message;
   /** Warnings of the tool, from the original run if the stage was skipped. */
   Remarks warnings;
-  /** Files in the stage's folder. Records of single runs (*.run.json) are left out because they differ from run to run.
+  /** Files in the stage's folder. Records of single runs (*.run.json) are omitted because they differ from run to run.
    */
   FileHashes files;
   /** True if the stage was skipped because its earlier result is still valid. */

@@ -24,7 +24,7 @@ namespace
 {
 constexpr const char * formatName = "Shapeton examination"; // value of "format" in the file
 
-/** A folder without the file was put together from results of single tools. */
+/** A folder without this file was assembled from the results of individual tools. */
 void
 RequireVersion(const std::string & path)
 {
@@ -42,7 +42,7 @@ RequireVersion(const std::string & path)
   }
 }
 
-/** "" if the document has no text there. */
+/** Text at a JSON pointer; "" if the document has no text there. */
 std::string
 TextAt(const Json & document, const char * place)
 {

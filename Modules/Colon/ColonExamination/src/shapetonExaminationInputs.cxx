@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** Reads an optional surface. If the file is missing, warns of the cost and returns an empty surface. */
+/** Reads an optional surface. If the file is missing, warns about the consequences and returns an empty surface. */
 SurfaceMesh
 ReadPart(const ExaminationFolder & exam,
          const ExaminationFile &   file,
@@ -89,7 +89,7 @@ WarnOfPosition(const ExaminationFolder & exam, ColonPositionFiles & files)
   }
 }
 
-/** Identity of the files that a registration depends on, independent of their location. */
+/** Identity of the files that a registration depends on, regardless of their location. */
 std::string
 IdentityOfPosition(const ExaminationFolder & exam)
 {

@@ -15,7 +15,7 @@ namespace shapeton
 {
 namespace
 {
-/** Maximum accepted size. No lesion of a colon is larger, so a larger number is a mistake. */
+/** Maximum accepted size. Lesions in a colon are not larger than this, so a larger number is a mistake. */
 constexpr double largestSize = 200.0; // mm
 
 const std::vector<std::string> verdictWords{ "unread", "polyp", "not a polyp", "unsure" };
@@ -24,7 +24,7 @@ const std::vector<std::string> extracolonicWords{ "", "E0", "E1", "E2", "E1/E2",
 /** In the order of PolypMorphology. */
 const std::vector<std::string> morphologyWords{ "", "sessile", "pedunculated", "flat" };
 
-/** Reads the members of an object of the file; a faulty member is reported with the file and the object. */
+/** Reads the members of an object in the file; errors name the file and the object. */
 class VerdictMembers
 {
 public:
@@ -111,7 +111,7 @@ public:
     return value.is_null() ? std::optional<bool>() : value.get<bool>();
   }
 
-  /** Null is allowed if the coordinates are not required. */
+  /** The coordinates; may be null if they are not required. */
   std::vector<double>
   Coordinates(const char * key, std::size_t number, bool isRequired) const
   {
@@ -169,7 +169,7 @@ private:
   std::string         m_Name;
 };
 
-/** Whether the bytes are a PNG file that is not cut off: its last chunk is IEND. */
+/** Whether the bytes are a complete PNG file, that is, one whose last chunk is IEND. */
 bool
 IsCompletePng(const std::string & bytes)
 {

@@ -32,7 +32,7 @@ JsonOf(const FileHashes & hashes)
   return json;
 }
 
-/** Files are removed by these names, so no name may refer to a file outside the stage's folder. */
+/** Files with these names are removed, so no name may refer to a file outside the stage's folder. */
 void
 RequireInside(const std::string & name)
 {

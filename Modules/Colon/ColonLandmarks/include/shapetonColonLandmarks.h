@@ -31,7 +31,7 @@ struct ColonLandmarkSettings : ColonLandmarkOptions
 /** The landmarks of a colon. \ingroup ShapetonColonLandmarks */
 struct ColonLandmarks
 {
-  /** The wall without the cut; vertices and faces below refer to it. */
+  /** The wall with the cut closed; vertices and faces below refer to it. */
   std::shared_ptr<const ColonWallTube> tube;
   ColonFlexures                        flexures;
   ColonSegments                        segments;
@@ -43,15 +43,15 @@ struct ColonLandmarks
   Eigen::Vector2d valveUv{ Eigen::Vector2d::Zero() };
   SurfaceFolds    folds;
   ColonTaeniae    taeniae;
-  /** Stretches where the wall is not visible; empty without the array notAssessable. */
+  /** Stretches where the wall is not visible; empty if the array notAssessable is missing. */
   std::optional<std::vector<HinderedStretch>> hindered;
   /** End of the centerline, mm. */
   double  lengthOfCenterline{ 0.0 };
   Remarks warnings;
 };
 
-/** Finds flexures, segments, surface folds and taeniae coli from the output of FlattenTube() and the centerline. A
- * missing landmark causes a warning with the reason. Throws InputError if the surface is not a flat tube, or the
+/** Finds flexures, segments, surface folds and taeniae coli from the output of FlattenTube() and the centerline. For
+ * each missing landmark, a warning states the reason. Throws InputError if the surface is not a flat tube, or the
  * centerline does not match it. \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT ColonLandmarks
 FindColonLandmarks(const FlatColon & flat, const CurveSet & centerline, const ColonLandmarkSettings & options = {});
@@ -63,7 +63,7 @@ ShapetonColonLandmarks_EXPORT std::optional<ColonAssessability>
 
 /** \name Contents of landmark files */
 ///@{
-/** Loops of the flexures found, each ending with its first vertex; cell arrays flexure, arcLength (mm), confidence.
+/** Loops at the flexures found, each ending with its first vertex; cell arrays flexure, arcLength (mm), confidence.
  * Empty if no flexure was found. \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT CurveSet
 FlexureCurves(const ColonLandmarks & landmarks);

@@ -25,12 +25,13 @@ struct SegmentBorder
  * \ingroup ShapetonColonLandmarks */
 struct ColonSegments
 {
-  /** In ascending order, without missing borders. */
+  /** In ascending order; missing borders are omitted. */
   std::vector<SegmentBorder> borders;
   /** For each face: 1 rectum (with the anal canal), 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 cecum; 0 if
    * unknown because a border is missing. */
   std::vector<int> segmentOfFace;
-  /** Whether the border of the cecum is at the ileocecal valve, not estimated from the average length of a cecum. */
+  /** Whether the border of the cecum is at the ileocecal valve rather than estimated from the average length of a
+   * cecum. */
   bool    isCecumAtValve{ false };
   Remarks warnings;
 };

@@ -12,10 +12,10 @@ struct ColonPiece
   /** Segment number as in ColonSegments. */
   int         segment{ 0 };
   std::string name;
-  /** Surface with `uv` (mm): a rectangle from (0, 0) with u from the rectal end; both sides v = const are the taenia.
-   * See ConformalMap::flat. */
+  /** Surface with `uv` (mm): a rectangle from (0, 0) with u starting at the rectal end; the taenia forms both sides v =
+   * const. See ConformalMap::flat. */
   SurfaceMesh flat;
-  /** Lower and upper bound of height over width of the rectangle (dissertation 4.3, Figure 4.6). */
+  /** Lower and upper bounds on the ratio of height to width of the rectangle (dissertation 4.3, Figure 4.6). */
   double modulusU{ 0.0 };
   double modulusV{ 0.0 };
   /** Size of the rectangle, mm; its area equals the surface area. */
@@ -35,13 +35,14 @@ struct ColonPieces
   Remarks                 warnings;
 };
 
-/** Cuts the wall at the segment borders and each segment along the first taenia, and maps each to a rectangle with
+/** Cuts the wall at the segment borders, cuts each segment along the first taenia, and maps it to a rectangle with
  * MapConformally(). Skips, with a warning, each segment that is unknown or not a tube between its borders. Skips all
  * segments if there are no taeniae. \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT ColonPieces
 SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const Progress & progress = {});
 
-/** A list of segment, name, modulus (the geometric mean), modulusU, modulusV, width, height, area, faces, flips.
+/** A list of objects with the keys segment, name, modulus (the geometric mean), modulusU, modulusV, width, height,
+ * area, faces, flips.
  * \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT Json
 ColonPiecesToJson(const ColonPieces & pieces);

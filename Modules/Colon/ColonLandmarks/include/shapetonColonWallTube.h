@@ -88,7 +88,7 @@ public:
   {
     return m_Circumference;
   }
-  /** Number of turns to add to the difference of v from vertex a to its neighbor b; positive toward larger v. */
+  /** Number of turns to add to the difference in v between vertex a and its neighbor b; positive toward larger v. */
   int
   Turns(int a, int b) const;
 

@@ -18,16 +18,15 @@
 
 namespace shapeton
 {
-/** \defgroup SegmentQuality Distension and preparation by segment
- * What a reader of CT colonography states for each segment of the colon: distension, fluid, residue, and wall that
- * cannot be seen.
+/** \defgroup SegmentQuality Distension and preparation by segment What a reader of CT colonography states for each
+ * segment of the colon: distension, fluid, residue, and parts of the wall that cannot be seen.
  * \ingroup ShapetonColonLandmarks */
 ///@{
 
 /** Distension on the four-point scale of radiologists (Pickhardt et al., AJR 2014: collapsed, inadequate, adequate,
  * optimal). Radiologists grade by eye. Here, the grade is computed from the caliber outside the anal canal, with limits
- * of our choice: collapsed if less than half of the length has a caliber of 10 mm, inadequate below nine tenths,
- * optimal if in addition the mean caliber is at least 20 mm. */
+ * of our choice: collapsed if less than half of the length has a caliber of at least 10 mm, inadequate if less than
+ * nine tenths has, and otherwise adequate, or optimal if the mean caliber is at least 20 mm. */
 enum class DistensionGrade
 {
   Collapsed = 1,
@@ -52,31 +51,33 @@ struct HiddenWall
   double area{ 0.0 };
 };
 
-/** Quality of a segment. Values that need images are NaN without them. */
+/** Quality of a segment. Values that require images are NaN if there are none. */
 struct SegmentQuality
 {
   ColonSegmentExtent extent;
-  /** Without the anal canal. */
+  /** Excluding the anal canal. */
   ColonDistension    distension;
   DistensionGrade    grade{ DistensionGrade::Collapsed };
   ColonAssessability assessability;
   /** Fraction of the wall under tagged fluid, 0 to 1. */
   double submergedShare{ std::numeric_limits<double>::quiet_NaN() };
-  /** Mean attenuation of tagged fluid next to the wall before cleansing, HU; NaN without fluid. */
+  /** Mean attenuation, before cleansing, of tagged fluid next to the wall, HU; NaN if there is no fluid. */
   double fluidAttenuation{ std::numeric_limits<double>::quiet_NaN() };
   /** Area (mm^2) of the wall under gas that is coated by tagged matter: more than 300 HU within 2 mm behind the wall,
    * not next to fluid. */
   double residueArea{ std::numeric_limits<double>::quiet_NaN() };
-  /** Area (mm^2) of the wall that the flat map does not show, and the number of its parts. */
+  /** Area (mm^2) and number of the parts of the wall that the flat map does not show. */
   double hiddenArea{ 0.0 };
   int    hiddenParts{ 0 };
   /** The largest of these parts. */
   HiddenWall largestHidden;
-  /** Visible part of the length in the other position, and in at least one of the positions, 0 to 1; NaN if unknown. */
+  /** Fraction of the length that is visible in the other position, and in at least one of the positions, 0 to 1; NaN if
+   * unknown. */
   double otherShare{ std::numeric_limits<double>::quiet_NaN() };
   double eitherShare{ std::numeric_limits<double>::quiet_NaN() };
 
-  /** The visible part of the length, or the part of the wall that the flat map shows, whichever is smaller; 0 to 1. */
+  /** The visible fraction of the length, or the fraction of the wall that the flat map shows, whichever is smaller; 0
+   * to 1. */
   ShapetonColonLandmarks_EXPORT double
   EvaluableShare() const;
 };
@@ -88,7 +89,7 @@ using AttenuationAt = std::function<double(const Eigen::Vector3d &)>;
 ShapetonColonLandmarks_EXPORT AttenuationAt
 AttenuationOf(const itk::Image<float, 3> * ct);
 
-/** Whether tagged matter coats the faces of a wall, see SegmentQuality::residueArea.
+/** For each face of a wall, whether it is coated by tagged matter; see SegmentQuality::residueArea.
  * \param lumen 1 gas, 2 tagged fluid. \param original HU before cleansing. */
 ShapetonColonLandmarks_EXPORT std::vector<bool>
 FindCoatedFaces(const SurfaceMesh & wall, const LumenMask * lumen, const AttenuationAt & original);
@@ -112,7 +113,7 @@ struct SegmentQualityInput
 ShapetonColonLandmarks_EXPORT std::vector<SegmentQuality>
                               MeasureSegmentQuality(const SegmentQualityInput & input);
 
-/** The columns of segments.csv: lengths in mm, areas in mm^2, shares from 0 to 1, HU. */
+/** The columns of segments.csv: lengths in mm, areas in mm^2, fractions from 0 to 1, attenuations in HU. */
 ShapetonColonLandmarks_EXPORT CsvTable
 TableOfSegmentQuality(const std::vector<SegmentQuality> & segments);
 ///@}

@@ -14,13 +14,13 @@ namespace shapeton
 namespace
 {
 /** Maximum fraction of the wall length along which the centerline may be outside the wall. The fraction is 0 for
- * correct centerlines, and at least 0.24 for centerlines of the other position of the same patient. */
+ * correct centerlines, and at least 0.24 for centerlines of the same patient in the other position. */
 constexpr double greatestShareOutside = 0.1;
 /** Lower bound of the wall radius, mm. */
 constexpr double leastRadius = 8.0;
 constexpr double pixelSize = 2.0; // mm; sufficient for the center of the tube
 
-/** Fit of a line to the columns assigned to its points. */
+/** Quality of the fit of a line to the columns assigned to its points. */
 struct MatchQuality
 {
   /** Fraction of the tube length along which the line is farther from the center than the wall. */
@@ -49,7 +49,7 @@ QualityOf(const FlatColonAxis & axis, const CenterlineMatch & match)
   return { all > 0.0 ? outside / all : 1.0, UpperMedian(distances) };
 }
 
-/** Median distance of the points of the line from the nearest column center, mm. */
+/** Median distance from the points of the line to the nearest column center, mm. */
 double
 MedianDistanceOfLine(const FlatColonAxis & axis, const VertexMatrix & points)
 {
@@ -88,7 +88,7 @@ Assign(const FlatColonGrid & grid, const FlatColonAxis & axis, const CurveSet & 
   return match;
 }
 
-/** Whether the wall has handles before it was cut open. */
+/** Whether the wall had handles before it was cut open. */
 bool
 HasHandles(const SurfaceMesh & flat)
 {
@@ -103,8 +103,8 @@ Percent(double share)
   return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
 }
 
-/** Throws the error for a bad assignment. If the map has handles, a column may contain wall of touching loops, and its
- * center may be outside the colon. In that case, the majority of the columns decides. */
+/** Throws the error that explains a bad assignment. If the map has handles, a column may contain the walls of touching
+ * loops, and its center may be outside the colon. In that case, the majority of the columns decides. */
 void
 ExplainMismatch(const FlatColon &     flat,
                 const FlatColonGrid & grid,

@@ -56,11 +56,12 @@ public:
   /** Unit tangents of the smoothed line. */
   VertexMatrix
   Tangents(double deviation) const;
-  /** Angle (degrees) between the chords of `chord` mm before and after each point of the smoothed line; shorter chords
-   * at the ends. */
+  /** Angle (degrees) between the chords, `chord` mm long, before and after each point of the smoothed line; chords are
+   * shorter at the ends. */
   Eigen::VectorXd
   Turning(double chord, double deviation) const;
-  /** Relative positions of the points in the box of the line, 0 to 1: x to the left, y to the back, z to the head. */
+  /** Relative positions of the points in the bounding box of the line, 0 to 1: x to the left, y to the back, z to the
+   * head. */
   VertexMatrix
   PlacesInBox() const;
 

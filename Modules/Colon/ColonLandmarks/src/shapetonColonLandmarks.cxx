@@ -28,7 +28,7 @@ SetArray(std::vector<SurfaceArray> & arrays, const SurfaceArray & array)
     arrays.end());
   arrays.push_back(array);
 }
-/** Adds a remark for each segment that is not completely evaluable. */
+/** Adds a remark for each segment that cannot be evaluated completely. */
 void
 WarnOfHindrances(ColonLandmarks & landmarks)
 {

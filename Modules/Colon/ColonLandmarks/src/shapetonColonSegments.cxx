@@ -18,7 +18,7 @@ constexpr int    borderOfCecum = 5;
  * structure. */
 constexpr double confidenceOfCecum = 0.3;
 
-/** Labels connected faces separated by loops, from 0. */
+/** Labels the parts into which the loops divide the faces, from 0. */
 std::vector<int>
 PartsBetweenLoops(const ColonWallTube & tube, const std::vector<SegmentBorder> & borders)
 {
@@ -88,7 +88,7 @@ SegmentAt(const std::vector<SegmentBorder> & borders, double arcLength)
   return behind == before + 1 ? behind : 0;
 }
 
-/** Assigns each part the segment at its center. */
+/** Assigns to each part the segment at its center. */
 std::vector<int>
 SegmentsOfFaces(const ColonWallTube & tube, const std::vector<SegmentBorder> & borders)
 {
@@ -112,7 +112,7 @@ SegmentsOfFaces(const ColonWallTube & tube, const std::vector<SegmentBorder> & b
   return segments;
 }
 
-/** Index of the line point at which the average cecum begins. */
+/** Index of the line point at which a cecum of average length begins. */
 int
 EstimatedBeginOfCecum(const CenterlineShape & shape)
 {

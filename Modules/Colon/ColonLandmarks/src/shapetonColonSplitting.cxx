@@ -17,7 +17,7 @@ namespace shapeton
 namespace
 {
 
-/** The tube without its cut, with the arrays of the flat surface that remain valid. */
+/** The tube with its cut closed, and those arrays of the flat surface that remain valid. */
 SurfaceMesh
 WeldedSurface(const SurfaceMesh & flat, const ColonWallTube & tube)
 {
@@ -54,8 +54,8 @@ DistancesFromTaenia(const SurfaceMesh & mesh, const ColonTaenia & taenia)
   return distances;
 }
 
-/** The minimal path along the taenia between the boundaries, with only its ends on them. The cost per mm is 1 + (d / 5
- * mm)^2, where d is the distance from the taenia. */
+/** The minimal path along the taenia from one boundary to the other; only its ends are on the boundaries. The cost per
+ * mm is 1 + (d / 5 mm)^2, where d is the distance from the taenia. */
 std::vector<int>
 CutBetween(const SurfaceMesh &         mesh,
            const SurfaceConnectivity & connectivity,

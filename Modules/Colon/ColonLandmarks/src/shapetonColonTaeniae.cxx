@@ -22,7 +22,7 @@ constexpr double evidenceWidth = 10.0;       // mm around it, as in the validati
 constexpr double endsForCertainty = 4.0;     // within that reach; chosen
 constexpr double leastContradiction = 3.0;   // mm; chosen for the warning
 
-/** The second and third track follow the first in the row direction. */
+/** The second and third tracks follow the first in the row direction. */
 TaeniaTracks
 InOrderOfRows(TaeniaTracks tracks)
 {
@@ -42,7 +42,7 @@ InOrderOfRows(TaeniaTracks tracks)
   return tracks;
 }
 
-/** Mean distance (mm) between the tracks in each row, for the best of the three cyclic shifts. */
+/** Mean distance (mm) between corresponding tracks in each row, for the best of the three cyclic shifts. */
 std::vector<double>
 DistancesOf(const TaeniaEvidence & evidence, const TaeniaTracks & a, const TaeniaTracks & b)
 {
@@ -71,7 +71,7 @@ DistancesOf(const TaeniaEvidence & evidence, const TaeniaTracks & a, const Taeni
   return best;
 }
 
-/** Runs both methods; returns the tracks kept, and the disagreement. */
+/** Runs both methods; returns the tracks to keep, and the disagreement in `distances`. */
 TaeniaTracks
 ChooseTracks(const TaeniaEvidence & evidence,
              const Progress &       progress,

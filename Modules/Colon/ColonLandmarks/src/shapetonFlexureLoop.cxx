@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** Finds loops around the tube as paths in its covering space; a node is a vertex with a number of turns. */
+/** Finds loops around the tube as paths in its covering space; a node is a vertex together with a number of turns. */
 constexpr int sheets = 5;
 constexpr int middleSheet = 2;
 
@@ -37,7 +37,7 @@ public:
     }
   }
 
-  /** Starts at the cut, since each loop around the tube contains a vertex of the cut. */
+  /** Starts at the cut, since every loop around the tube contains a vertex on the cut. */
   SurfaceWalk
   Best(const Progress & progress) const
   {

@@ -33,10 +33,12 @@ using FlexureFeatures = std::array<double, NumberOfFlexureFeatures>;
 /** Anatomical prior of a flexure; see shapetonColonFlexures.h for the sources. */
 struct FlexurePrior
 {
-  /** Fraction of the length before it; position in the box (0 right, front, bottom; 1 left, back, top); angle between
-   * chords of 35 and 70 mm in units of 90 degrees; direction (left, back, up) 40 mm before and after. */
+  /** Fraction of the length before the flexure; position in the bounding box (0 right, front, bottom; 1 left, back,
+   * top); angle between chords of 35 and 70 mm in units of 90 degrees; direction (left, back, up) 40 mm before and
+   * after. */
   std::array<PriorValue, NumberOfFlexureFeatures> features;
-  /** Length from the previous flexure as a fraction; for the first flexure see TheLengthOfRectum. */
+  /** Length from the previous flexure, as a fraction of the total length; for the first flexure see
+   * TheLengthOfRectum. */
   PriorValue gap;
 };
 
@@ -55,8 +57,8 @@ constexpr std::array<FlexurePrior, 4> TheFlexurePriors{
           { -0.40, 0.50 },
           { 0.10, 0.55 } } },
       { 0.105, 0.03 } },
-    // end of the descending colon: pelvic brim, left iliac fossa, 11 to 17 cm above the verge; upward from there. The
-    // sigmoid is 20 to 45 % of the length, so that the fraction is 0.22 to 0.55.
+    // end of the descending colon: pelvic brim, left iliac fossa, 11 to 17 cm above the verge; the colon ascends from
+    // there. The sigmoid is 20 to 45 % of the length, so that the fraction is 0.22 to 0.55.
     { { { { 0.39, 0.10 },
           { 0.85, 0.12 },
           { 0.65, 0.20 },
@@ -113,7 +115,8 @@ struct SectionPrior
   std::array<PriorValue, 3> place;
   std::array<PriorValue, 3> direction;
 
-  /** Log-likelihood ratio to the whole colon, whose positions and directions are uniform. */
+  /** Log-likelihood ratio of the section to the whole colon, whose positions and directions are uniformly
+   * distributed. */
   template <typename TPlace, typename TDirection>
   double
   LogRatio(const TPlace & at, const TDirection & tangent) const
@@ -137,11 +140,11 @@ constexpr SectionPrior TheDescendingColon{ { { { 0.88, 0.10 }, { 0.70, 0.22 }, {
 constexpr SectionPrior TheIliacColon{ { { { 0.72, 0.08 }, { 0.30, 0.12 }, { 0.36, 0.08 } } },
                                       { { { 0.40, 0.25 }, { -0.05, 0.40 }, { 0.75, 0.15 } } } };
 
-/** Share of the iliac colon in the descending colon: 12 to 15 of 37 to 40 cm. */
+/** Fraction of the descending colon that is iliac colon: 12 to 15 of 37 to 40 cm. */
 constexpr double TheShareOfIliacColon = 0.4;
 
 /** The end of the descending colon relative to the bones, mm: height above the promontory, distance to the left of it.
- * The end is 33 mm above the promontory in one patient and 30 mm below in another, 80 to 120 mm to the left. */
+ * In two patients, the end is 33 mm above and 30 mm below the promontory, and 80 to 120 mm to the left of it. */
 constexpr PriorValue TheHeightAbovePromontory{ 0.0, 25.0 };
 constexpr PriorValue TheDistanceLeftOfPromontory{ 85.0, 30.0 };
 } // namespace shapeton

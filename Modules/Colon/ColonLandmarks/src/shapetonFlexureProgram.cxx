@@ -15,30 +15,30 @@ constexpr int stride = 2; // in steps of the shape
 constexpr double greatestDeviation = 60.0;
 /** Clamp of the log-likelihood ratio of one point of the descending colon, for the same reason. */
 constexpr double leastRatio = -12.0;
-/** Minimum fraction of the length between flexures. */
+/** Minimum length between flexures, as a fraction of the total length. */
 constexpr double leastGap = 0.02;
-/** Exponent of the likelihood in probabilities, since the features are correlated. Calibrated on phantoms of the
- * presets realistic (seeds 1 to 40), standard and hard (1 to 20). Exponents from 0.6 to 1 change the Brier scores of
- * single flexures by at most 0.03. */
+/** Exponent of the likelihoods when computing probabilities, since the features are correlated. Calibrated on phantoms
+ * of the presets realistic (seeds 1 to 40), standard and hard (1 to 20). Exponents from 0.6 to 1 change the Brier
+ * scores of single flexures by at most 0.03. */
 constexpr double tempering = 0.7;
-/** Standard deviation (mm) of the border itself along the line: positions that anatomists would accept, in addition to
- * the posterior of the model. On the same phantoms, 10 to 20 mm are best for the descending-sigmoid and 0 to 10 mm for
- * the splenic flexure (Brier scores differ by less than 0.01); the points that experts marked in two patients demand at
- * least 20 mm for the former. */
+/** Standard deviation (mm) of the border itself along the line, that is, of the positions that anatomists would accept;
+ * it adds to the spread of the posterior. On the same phantoms, 10 to 20 mm are best for the descending-sigmoid and 0
+ * to 10 mm for the splenic flexure (Brier scores differ by less than 0.01); the points marked by experts in two
+ * patients require at least 20 mm for the former. */
 constexpr std::array<double, 4> spreadOfBorder{ 0.0, 20.0, 10.0, 0.0 };
-/** Maximum squared deviation of a position from the bones, as two features, that the bones support: 2.5 standard
- * deviations. */
+/** Maximum squared deviation, over two features, at which the bones support a position: 2.5 standard deviations. */
 constexpr double greatestFromBones = 6.25;
-/** Clamp of that deviation. If the bones contradict all other evidence, they were located wrongly. */
+/** Clamp of that deviation. If the bones contradict all other evidence, they were located incorrectly. */
 constexpr double clampFromBones = 20.0;
 constexpr int    junction = 1; // index of the descending-sigmoid flexure
-/** Correlation length of points of a section, mm. */
+/** Correlation length of the points of a section, mm. */
 constexpr double sectionCorrelation = 40.0;
 constexpr double tolerance = 30.0; // mm
 constexpr double impossibleTerms = -1e30;
-/** Prior of situs inversus (about 1 in 10,000) and, more often, of flipped images. */
+/** Prior probability of situs inversus (about 1 in 10,000) and, more often, of flipped images. */
 constexpr double probabilityOfMirrored = 1e-3;
-/** Prior of a line that begins at the cecum, as when the scan or the gas ends before the rectum. */
+/** Prior probability of a line that begins at the cecum, for example because the scan or the gas ends before the
+ * rectum. */
 constexpr double probabilityOfBackwards = 1e-2;
 
 using Scores = std::vector<double>;
@@ -62,8 +62,8 @@ Sum(Scores a, const Scores & b)
   return a;
 }
 
-/** Likelihood ratio of the course of the descending colon: a mixture of the usual and a rarer redundant colon, whose
- * course is uninformative. The flexures did not change for mixture weights from 0.02 to 0.3. */
+/** Likelihood ratio of the course of the descending colon: a mixture of the usual colon and a rarer redundant one,
+ * whose course is uninformative. The flexures did not change for mixture weights from 0.02 to 0.3. */
 double
 MixedWithRedundant(double ratioOfUsual)
 {
@@ -87,7 +87,8 @@ SquaredDeviation(const Pelvis & pelvis, const Eigen::RowVector3d & point)
          TheDistanceLeftOfPromontory.SquaredDeviation(point.x() - pelvis.promontory.x());
 }
 
-/** Probability that a border is within the tolerance of a position at this distance (mm) from its mean. */
+/** Probability that a border is within the tolerance of a position whose distance (mm) from the mean of the border is
+ * given. */
 double
 ProbabilityOfClose(double distance, double spread)
 {
@@ -140,7 +141,7 @@ public:
     return result;
   }
 
-  /** Tempered log-likelihood of the line, summed over all flexure positions, up to a constant. */
+  /** Log of the tempered likelihood of the line, summed over all flexure positions, up to a constant. */
   double
   Evidence() const
   {
@@ -275,7 +276,7 @@ private:
   int
   MeanPlaceNear(int place, int k) const
   {
-    // mm. On realistic phantoms (seeds 1 to 24) it finds 177 of 192 flexures, the optimum itself 173.
+    // mm. On realistic phantoms (seeds 1 to 24), the mean finds 177 of 192 flexures, the optimum 173.
     constexpr double spread = 60.0;
     const int        reach = static_cast<int>(spread / (CenterlineShape::Step * stride));
     double           sum = 0.0;
@@ -289,7 +290,7 @@ private:
     return static_cast<int>(std::lround(moment / sum));
   }
 
-  /** Log sums over all positions of the previous (or next) flexure, for each position of this one. */
+  /** For each position of this flexure, the log sum over all positions of the previous (or next) one. */
   Scores
   SumOver(const Scores & from, int k, bool fromBefore) const
   {
@@ -356,7 +357,7 @@ private:
   int                          m_Last;
   std::vector<FlexureFeatures> m_Features;
   Scores                       m_Descending;
-  /** Squared deviation of each position from the bones; empty without a pelvis. */
+  /** Squared deviation of each position from that expected from the bones; empty if there is no pelvis. */
   Scores m_FromBones;
   /** Log-likelihood of each position for each flexure, including the ends of the colon. */
   std::array<Scores, 4> m_Scores;

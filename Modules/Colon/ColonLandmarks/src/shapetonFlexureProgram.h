@@ -12,11 +12,11 @@ namespace shapeton
 /** The optimal points of the four flexures, before the shift to an apex. */
 struct FlexurePlaces
 {
-  /** Indices of points of the shape. */
+  /** Indices of points in the shape. */
   std::array<int, 4> at{};
   /** Model probability that the flexure is within 30 mm. */
   std::array<double, 4> confidence{};
-  /** Mean squared deviation of the features of the flexure from the prior. */
+  /** Mean squared deviation of the features of each flexure from the prior. */
   std::array<double, 4> meanDeviation{};
   /** Whether the bones support the position of the descending-sigmoid flexure. */
   bool isAtBrim{ false };

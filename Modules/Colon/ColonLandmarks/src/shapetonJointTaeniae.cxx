@@ -13,9 +13,9 @@ namespace
 /** Gaps in cells: minimum 45 degrees, maximum 225 degrees. */
 constexpr int leastApart = 9;
 constexpr int gaps = 37;
-/** Cost of a step of all three tracks together, and of one track alone. Equal turn costs for the three tracks raise the
- * share within 10 mm on hard phantoms (seeds 1 to 8) from 0.973 to 0.987; turns that cost twice as much and uneven gaps
- * that cost four times as much raise it on realistic 6 (prone) from 0.833 to 0.954. */
+/** Cost of a step of all three tracks together, and of one track alone. Equal turn costs for the three tracks increase
+ * the fraction within 10 mm from 0.973 to 0.987 on hard phantoms (seeds 1 to 8); doubling the turn cost and quadrupling
+ * the cost of uneven gaps increases it from 0.833 to 0.954 on realistic 6 (prone). */
 constexpr float turnCost = 0.8F;
 constexpr float moveCost = 0.7F;
 constexpr float unevenCost = 0.008F;
@@ -87,7 +87,7 @@ public:
   }
 
 private:
-  /** Number of angles of the first track times two gaps. */
+  /** Number of angles of the first track times the number of values of each of the two gaps. */
   static constexpr std::size_t States = static_cast<std::size_t>(anglesAround) * gaps * gaps;
 
   void
@@ -121,8 +121,8 @@ private:
     }
   }
 
-  /** Minimum cost to reach each state of one angle from the previous row, and the steps, encoded in base 3: all tracks
-   * (times 27), the first, second and third alone (9, 3, 1); the digit 2 stands for -1. */
+  /** For each state of one angle, the minimum cost to reach it from the previous row, and the steps, encoded in base 3:
+   * all tracks (times 27), the first, second and third alone (9, 3, 1); the digit 2 stands for -1. */
   struct Arrivals
   {
     std::array<float, gaps * gaps>         cost;
@@ -132,7 +132,7 @@ private:
   /** Number of codes of the steps of three tracks (back, none, forward), in base 3. */
   static constexpr int allTracks = 27;
 
-  /** Factor of a track in the steps of Arrivals, and the change of the two gaps by its step. */
+  /** Place value of a track in Arrivals::steps, and the changes in the two gaps caused by its step. */
   struct Track
   {
     int place;
@@ -203,7 +203,7 @@ private:
     return turned;
   }
 
-  /** Applies steps of single tracks that reduce the cost. */
+  /** Moves a single track by one step where that reduces the cost. */
   static void
   TakeMoved(const Arrivals & before, const Track & track, int step, Arrivals & after)
   {
@@ -269,7 +269,7 @@ GapsOf(const TaeniaAngles & tracks)
   return { near, far - near };
 }
 
-/** The cheapest common rotation: zero, or the step of one of the tracks. */
+/** Cost of the steps for the cheapest common rotation: zero, or the step of one of the tracks. */
 double
 CostOfSteps(const TaeniaAngles & before, const TaeniaAngles & after)
 {

@@ -21,7 +21,7 @@ constexpr double cellEdge = 3.0;        // mm; cells of 4 mm join tagged bowel w
 constexpr double cellPerSpacing = 1.25; // so that thick slices leave no empty layers, also if tilted
 constexpr double sampleDistance = 1.5;  // mm, two samples along each edge of a cell
 constexpr float  outside = -1024.0F;    // HU of cells without samples
-/** HU. Averages of iliac wings are 160 to 600 (two CT); muscle and vessels with contrast agent are below 130. */
+/** HU. Averages in iliac wings are 160 to 600 (two CTs); muscle and contrast-enhanced vessels are below 130. */
 constexpr float  leastBone = 150.0F;
 constexpr float  greatestGas = -600.0F;  // HU
 constexpr float  leastBody = -300.0F;    // HU
@@ -38,11 +38,11 @@ constexpr double leastBelow = 40.0;      // mm of spine below the crests
 constexpr double greatestTilt = 40.0;    // mm between the heights of the crests
 constexpr std::array<double, 2> crestsApart{ 120.0, 360.0 };   // mm
 constexpr std::array<double, 2> promontoryBelow{ 10.0, 80.0 }; // mm below the crests; 68 and 60 mm in two patients
-/** Weight of height against depth for the promontory: the lumbar spine rises more steeply, the sacrum recedes more. The
- * promontory of two patients moves by less than 5 mm between 0.6 and 1. */
+/** Weight of height against depth for the promontory: the lumbar spine rises more steeply, the sacrum recedes more.
+ * With weights from 0.6 to 1, the promontory moves by less than 5 mm in two patients. */
 constexpr double weightOfHeight = 0.7;
 
-/** A CT averaged in cubic cells along the axes of the patient. */
+/** A CT averaged over cubic cells aligned with the axes of the patient. */
 class PelvicCells
 {
 public:
@@ -165,7 +165,7 @@ private:
 
 using CellSet = std::vector<std::size_t>;
 
-/** The largest connected part of the bone cells whose distance from the midline (mm, to the left) is selected. */
+/** The largest connected part of the bone cells selected by their distance from the midline (mm, to the left). */
 CellSet
 LargestBone(const PelvicCells & cells, double midline, const std::function<bool(double)> & isSelected)
 {
@@ -186,7 +186,7 @@ LargestBone(const PelvicCells & cells, double midline, const std::function<bool(
     bones.begin(), bones.end(), [](const CellSet & one, const CellSet & other) { return one.size() < other.size(); });
 }
 
-/** Fraction of the neighbors of a set that are gas. */
+/** Fraction of the neighbors of a set that contain gas. */
 double
 ContactWithGas(const PelvicCells & cells, const CellSet & set)
 {
@@ -219,7 +219,7 @@ MiddleOfBody(const PelvicCells & cells)
   return sum / std::max(number, 1);
 }
 
-/** Mean of the highest cells of a set that ascends. */
+/** Mean of the highest cells in a set, which is in ascending order. */
 Vector3d
 TopOf(const PelvicCells & cells, const CellSet & set)
 {
@@ -240,7 +240,7 @@ IsBetween(double value, const std::array<double, 2> & range)
   return value >= range[0] && value <= range[1];
 }
 
-/** The crest of a hip bone; empty if the set is not one. */
+/** The crest of a hip bone; empty if the set is not a hip bone. */
 std::optional<Vector3d>
 CrestOf(const PelvicCells & cells, const CellSet & hip)
 {
@@ -270,7 +270,7 @@ MedianBone(const PelvicCells & cells, const CellSet & spine, double middle)
   return layers;
 }
 
-/** The foremost y (mm) of a layer that is not before the limit. */
+/** The most anterior y (mm) of a layer that is not anterior to the limit. */
 std::optional<double>
 FrontBehind(const std::vector<double> & layer, double limit)
 {
@@ -296,7 +296,7 @@ FrontAbove(const std::vector<std::vector<double>> & layers, int crest, int numbe
 }
 
 /** The most prominent point of the front edge of the spine, followed downward from the crests. Bowel with contrast
- * agent may touch the sacrum, so the edge advances by at most one cell beyond the last layers. */
+ * agent may touch the sacrum, so the edge is at most one cell anterior to that of the last layers. */
 std::optional<Vector3d>
 MostProminent(const PelvicCells & cells, const std::vector<std::vector<double>> & layers, const Vector3d & middle)
 {

@@ -15,7 +15,7 @@ constexpr double spread = 25.0;     // mm; chosen: at most one bend within this 
 constexpr double sameBend = 20.0;   // mm between its places in the two projections; chosen
 constexpr double comparable = 25.0; // mm front to back; chosen, "comparable y" is undefined
 
-/** Angle (degrees) between the chords before and after a point in the projection to two axes. */
+/** Angle (degrees) between the chords before and after a point, projected onto the plane of two axes. */
 double
 BendInPlane(const VertexMatrix & points, int i, int reach, int first, int second)
 {
@@ -83,7 +83,7 @@ PublishedFlexures(const CenterlineShape & shape)
   }
   std::vector<int> byHeight = bends;
   std::stable_sort(byHeight.begin(), byHeight.end(), [&](int a, int b) { return points(a, 2) > points(b, 2); });
-  // The line starts at the rectum, so the splenic flexure is the earlier of the two.
+  // The line starts at the rectum, so the splenic flexure is the first of the two.
   result[2] = std::min(byHeight[0], byHeight[1]);
   result[3] = std::max(byHeight[0], byHeight[1]);
   result[0] = byHeight.back();

@@ -95,7 +95,7 @@ IsSubmerged(const LumenMask * lumen, const FaceFront & front)
   return LabelAt(lumen, front.middle + inLumen * front.inwards) == fluidLabel;
 }
 
-/** Whether tagged matter is behind a wall under gas. */
+/** Whether there is tagged matter behind a wall that is under gas. */
 bool
 IsCoated(const LumenMask * lumen, const AttenuationAt & original, const FaceFront & front)
 {
@@ -147,7 +147,7 @@ public:
     : m_Locator(wall.V, wall.F), m_SegmentOfFace(segmentOfFace), m_Rows(rows)
   {}
 
-  /** Null outside of the known segments. */
+  /** Null outside the known segments. */
   SegmentQuality *
   RowAt(const Eigen::Vector3d & place) const
   {

@@ -15,8 +15,8 @@ namespace shapeton
 namespace
 {
 constexpr double rowLength = 2.8; // mm of the map
-/** Weights of the three kinds of evidence, and their smoothing: rows, angles. Chosen on phantoms of the development
- * seeds; the sensitivity of each was not measured. */
+/** Weights of the three kinds of evidence, and the standard deviations of their smoothing in rows and angles. Chosen on
+ * phantoms of the development seeds; the sensitivity of each was not measured. */
 constexpr double foldWeight = 12.0;
 constexpr double foldRows = 6.0;
 constexpr double foldAngles = 2.0;
@@ -25,7 +25,7 @@ constexpr double endRows = 6.0;
 constexpr double endAngles = 3.5;
 constexpr double wallRows = 6.0;
 constexpr double wallAngles = 2.0;
-/** Distance (mm) from fold ends, at the border of a taenia, to its center. */
+/** Distance (mm) from fold ends, which are at the border of a taenia, to its center. */
 constexpr double halfBand = 6.0;
 /** Maximum evidence against a taenia, above the row median; limited since folds occasionally cross taeniae. */
 constexpr double mostAgainst = 1.0;
@@ -36,7 +36,7 @@ constexpr double leastSine = 0.35;
 
 using Cells = std::vector<double>;
 
-/** Periodic around, constant beyond the ends. */
+/** Periodic around the tube, constant beyond its ends. */
 Cells
 Smoothed(const Cells & cells, int rows, double alongRows, double aroundAngles)
 {

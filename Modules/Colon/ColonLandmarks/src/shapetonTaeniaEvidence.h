@@ -36,7 +36,7 @@ struct TaeniaMark
 /** Number of evidence cells around the tube. */
 constexpr int anglesAround = 72;
 
-/** Evidence of taeniae from folds, on a grid of rows along the tube and angles around it. */
+/** Evidence of taeniae, derived from folds, on a grid of rows along the tube and angles around it. */
 struct TaeniaEvidence
 {
   int rows{ 0 };
@@ -57,7 +57,7 @@ struct TaeniaEvidence
   {
     return cost[static_cast<std::size_t>(row) * anglesAround + angle];
   }
-  /** Calls take(cell, share) for the cells of all rows that overlap a pixel of the grid. */
+  /** Calls take(cell, share) for each cell that overlaps a pixel of the grid. */
   template <typename TTake>
   void
   ForCellsOfPixel(int column, int pixelRow, const TTake & take) const
@@ -88,12 +88,12 @@ JointTaeniae(const TaeniaEvidence & evidence, const Progress & progress);
 double
 EnergyOfTaeniae(const TaeniaEvidence & evidence, const TaeniaTracks & tracks);
 
-/** Tracks of windowed fuzzy C-means. With `thirds`: the most compact track, and two tracks one and two thirds of the
- * circumference away from it. Empty if there are too few fold ends. */
+/** Tracks of windowed fuzzy C-means. With `thirds`: the most compact track, and two tracks one third and two thirds of
+ * the circumference away from it. Empty if there are too few fold ends. */
 TaeniaTracks
 FuzzyTaeniae(const TaeniaEvidence & evidence, bool thirds);
 
-/** Smooths tracks over the rows by a Gaussian of this standard deviation. */
+/** Smooths tracks over the rows with a Gaussian of this standard deviation. */
 TaeniaTracks
 SmoothedTracks(const TaeniaTracks & tracks, double deviation);
 

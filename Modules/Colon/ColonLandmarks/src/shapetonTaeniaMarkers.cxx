@@ -22,7 +22,7 @@ Bump(double distance)
   return std::exp(-0.5 * distance * distance / (bumpLength * bumpLength));
 }
 
-/** Moves one track by bumps through all its markers. */
+/** Moves one track through all its markers by adding bumps. */
 void
 BendTrack(const TaeniaEvidence &                  evidence,
           const std::vector<const TaeniaPass *> & passes,

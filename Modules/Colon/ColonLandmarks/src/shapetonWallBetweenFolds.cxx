@@ -8,7 +8,7 @@ namespace shapeton
 {
 namespace
 {
-/** Weights of distance from the axis / radius, and of mean curvature * radius (-0.5 on a tube). */
+/** Weights of (distance from the axis) / radius, and of (mean curvature) * radius, which is -0.5 on a tube. */
 constexpr double reliefWeight = 20.0;
 constexpr double curvatureWeight = 2.0;
 /** Clamp of curvature * radius; larger values are caused by voxel steps. */

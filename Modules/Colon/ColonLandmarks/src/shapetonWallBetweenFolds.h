@@ -10,8 +10,9 @@
 
 namespace shapeton
 {
-/** Evidence of taeniae from the wall between folds, for each row and angle: high where a taenia is likely, with zero
- * mean. Haustra bulge outward between taeniae, so the wall along a taenia is nearer to the axis and less concave. */
+/** Evidence of taeniae, derived from the wall between folds, for each row and angle. It is high where a taenia is
+ * likely and has zero mean. Haustra bulge outward between taeniae, so the wall along a taenia is nearer to the axis and
+ * less concave. */
 std::vector<double>
 WallBetweenFolds(const FlatColonGrid &  grid,
                  const FlatColonAxis &  axis,

@@ -6,10 +6,10 @@ namespace shapeton
 {
 namespace
 {
-/** Standard deviation (rows) of the smoothing along the tube, since folds lengthen the wall locally. */
+/** Standard deviation (rows) of the smoothing along the tube, required since folds lengthen the wall locally. */
 constexpr double smoothingOfTurns = 6.0;
 
-/** Circumferential wall length per pixel, averaged over the columns of a row; the row mean in holes. */
+/** Circumferential wall length per pixel, averaged over the columns of a row; in holes, the mean of the row. */
 std::vector<double>
 LengthsOfWall(const FlatColonGrid & grid, int rows, int columnsPerRow)
 {

@@ -10,7 +10,8 @@
 namespace shapeton
 {
 /** \class WallTurns
- * \brief Angles around the tube (in turns) measured by wall length: angle difference times girth is the length of wall.
+ * \brief Angles around the tube (in turns) measured by wall length: the difference between two angles times the girth
+ * is a length of wall.
  *
  * Map angles differ, since a conformal map is distorted where the cross-section is flat. Taeniae divide the wall into
  * thirds, but the map into sectors of 45 to 225 degrees. The two angles agree on average in each row, so a longitudinal
@@ -18,7 +19,7 @@ namespace shapeton
 class WallTurns
 {
 public:
-  /** Creates an object without rows. */
+  /** Creates an object that has no rows. */
   WallTurns() = default;
 
   /** Measures rows of `columnsPerRow` columns of the grid. */
@@ -36,7 +37,8 @@ public:
   double
   ToMap(int row, double turns) const;
 
-  /** Calls take(cell, share) for each wall cell that overlaps a grid pixel; shares are relative to a cell. */
+  /** Calls take(cell, share) for each wall cell that overlaps a grid pixel; `share` is the overlap as a fraction of the
+   * cell. */
   template <typename TTake>
   void
   ForCellsOfPixel(int row, int pixelRow, int cells, const TTake & take) const

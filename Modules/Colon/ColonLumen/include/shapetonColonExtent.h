@@ -8,8 +8,8 @@
 
 namespace shapeton
 {
-/** \brief Bounding box of the known lumen of a colon, LPS in mm. The position of a point in the box indicates which end
- * of the colon it may be. Points are of any type with coordinates [0] to [2]. \ingroup ShapetonColonLumen */
+/** \brief Bounding box of the known lumen of a colon, LPS in mm. The position of a point in the box indicates to which
+ * end of the colon it may belong. Points are of any type with coordinates [0] to [2]. \ingroup ShapetonColonLumen */
 struct ColonExtent
 {
   template <typename TPoint>
@@ -28,14 +28,14 @@ struct ColonExtent
   double
   DistanceFromAnus(const TPoint & place) const
   {
-    // Weights relative to the distance along the body. Chosen: the height counts most.
+    // Weights relative to that of the distance along the body. Chosen: the height counts most.
     constexpr double sideways = 0.7;
     constexpr double forwards = 0.5;
     const double     middle = 0.5 * (lowest[0] + highest[0]);
     return (place[2] - lowest[2]) + sideways * std::abs(place[0] - middle) + forwards * (highest[1] - place[1]);
   }
 
-  /** Relative position of a point between the lower and the upper side along an axis, 0 to 1. */
+  /** Relative position of a point between the lower and the upper side of the box along an axis, 0 to 1. */
   template <typename TPoint>
   double
   ShareAlong(int axis, const TPoint & place) const

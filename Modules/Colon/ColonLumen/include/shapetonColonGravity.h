@@ -11,13 +11,15 @@
 namespace shapeton
 {
 /** The direction of gravity, a unit vector in LPS, for a DICOM Patient Position (0018,5100): HFS, HFP, HFDR, HFDL, FFS,
- * FFP, FFDR, FFDL, or one of the names supine, prone, leftDecubitus, rightDecubitus (DL: lying on the left side). Head
- * or feet first is irrelevant, since LPS is fixed to the patient. Empty for any other text, such as a sitting position.
+ * FFP, FFDR, FFDL, or one of the names supine, prone, leftDecubitus, rightDecubitus (DL: lying on the left side).
+ * Whether the head or the feet are first is irrelevant, since LPS is fixed to the patient. Empty for any other text,
+ * such as a sitting position.
  * \ingroup ShapetonColonLumen */
 ShapetonColonLumen_EXPORT std::optional<itk::Vector<double, 3>>
                           GravityOfPatientPosition(const std::string & code);
 
-/** GravityOfPatientPosition(), or nothing for "auto" and an empty text. Throws ParameterError for other unknown texts.
+/** GravityOfPatientPosition(), or no value for "auto" or an empty text. Throws ParameterError for any other unknown
+ * text.
  * \ingroup ShapetonColonLumen */
 ShapetonColonLumen_EXPORT std::optional<itk::Vector<double, 3>>
                           GivenGravity(const std::string & position);

@@ -17,13 +17,14 @@
 
 namespace shapeton
 {
-/** Settings of SegmentColonLumen(). Besides the words of the option, `position` may be a DICOM Patient Position, see
- * GravityOfPatientPosition(); "auto" and an empty text infer gravity from the fluid levels. Names are always used. A
- * DICOM code is overridden, with a warning, if the levels that are flat in another direction have an area of at least
- * 50 cm^2 and of at least five times that of the levels that agree with the code. \ingroup ShapetonColonLumen */
+/** Settings of SegmentColonLumen(). Besides the values of the option, `position` may be a DICOM Patient Position, see
+ * GravityOfPatientPosition(); with "auto" or an empty text, gravity is inferred from the fluid levels. A named position
+ * is always used. A DICOM code is overridden, with a warning, if the levels that are flat in another direction have an
+ * area of at least 50 cm^2 and at least five times that of the levels that agree with the code. \ingroup
+ * ShapetonColonLumen */
 struct ColonLumenSettings : ColonLumenOptions
 {
-  /** Called from the calling thread with the completed fraction, 0 to 1, ascending. May throw to abort. */
+  /** Called on the calling thread with the completed fraction, which ascends from 0 to 1. May throw to abort. */
   Progress progress;
 };
 
@@ -79,7 +80,7 @@ struct ColonLeftOut
   double                inscribedRadius{ 0.0 }; ///< mm; 0 where not measured
   double                meanHU{ 0.0 };
   itk::Point<double, 3> center;
-  /** Sample points in gas that is too thin for a colon, one per cell of 5 mm. */
+  /** Sample points in gas that is too thin for a colon, one per 5 mm cell. */
   std::vector<itk::Point<double, 3>> places;
 };
 
@@ -102,19 +103,20 @@ struct ColonLumen
   std::vector<LumenPiece>   pieces;            ///< largest first
   std::vector<ColonLeftOut> leftOut;           ///< largest first
   Remarks                   warnings;
-  /** A detected catheter in the rectum, which is added to the lumen, or a possible one; empty for a mask. */
+  /** A certain catheter in the rectum, which is added to the lumen, or a possible one, which is not; empty for a
+   * mask. */
   std::optional<RectalCatheter> catheter;
   /** Reason why the colon is not usable, or empty: "no colon found: ...", "no distended colon found: the largest gas is
    * lung, ..." or "the colon is not distended or tagged enough: ..."; the labels then contain the partial result. */
   std::string failure;
 };
 
-/** Segments the gas and the tagged fluid of the colon in a CT colonography, without seeds.
+/** Segments the gas and the tagged fluid of the colon in a CT colonography; seeds are not required.
  *
  * `ct` is in Hounsfield units with any axes (permuted, oblique, left-handed) and a spacing of about 0.5 to 3 mm. About
  * 6 bytes per voxel are required in addition to the input. The result does not depend on the number of threads.
  *
- * Throws ParameterError if a seed point is outside the image or in neither gas nor bright matter, or if the patient
+ * Throws ParameterError if a seed point is outside the image or is in neither gas nor bright matter, or if the patient
  * position is unknown, and InputError if an image dimension is below 8 voxels. \ingroup ShapetonColonLumen */
 ShapetonColonLumen_EXPORT ColonLumen
 SegmentColonLumen(const itk::Image<float, 3> * ct, const ColonLumenSettings & options = {});

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** A CT without tagged fluid, and the occupancy from which the wall is extracted. See CleanseColon().
+/** A CT from which tagged fluid was removed, and the occupancy from which the wall is extracted. See CleanseColon().
  * \ingroup ShapetonColonLumen */
 struct CleansedColon
 {
@@ -19,10 +19,11 @@ struct CleansedColon
 
 /** Removes the tagged fluid of a colon from its CT.
  *
- * The value of a voxel is the mean of gas (fraction g), fluid (fraction f) and tissue (remainder). Near gas alone or
- * fluid alone, the occupancy is linear in the value. Where a level meets the wall, its subvoxel height determines the
- * ratio of gas to fluid. Where a mixture of gas and fluid resembles tissue, the occupancy is interpolated from above
- * and below. `ct` is the image from which `lumen` was computed. Throws std::invalid_argument if the sizes differ.
+ * The value of a voxel is the mean of gas (fraction g), fluid (fraction f) and tissue (remainder). Near only gas or
+ * only fluid, the occupancy is linear in the value. Where a level meets the wall, its subvoxel height determines the
+ * ratio of gas to fluid. Where a mixture of gas and fluid resembles tissue, the occupancy is interpolated between the
+ * voxels above and below. `ct` is the image from which `lumen` was computed. Throws std::invalid_argument if the sizes
+ * differ.
  * \ingroup ShapetonColonLumen */
 ShapetonColonLumen_EXPORT CleansedColon
 CleanseColon(const itk::Image<float, 3> * ct, const ColonLumen & lumen, const Progress & progress = {});

@@ -10,7 +10,7 @@ namespace shapeton
 /** \class PrincipalAxes
  * \brief Eigenvalues and unit eigenvectors of a symmetric 2 x 2 matrix, such as a covariance, smallest first.
  *
- * A separate class to reduce compile time of Eigen's solver.
+ * A separate class, to compile Eigen's solver only once.
  *
  * \ingroup ShapetonColonLumen */
 class ShapetonColonLumen_EXPORT PrincipalAxes

@@ -20,7 +20,7 @@ struct CatheterEvidence
    * angle, divided by the mean radius; median along the section. */
   double ovality{ 0.0 };
   /** 0 to 1: the smallest of the margins by which the lengths, the fraction and the bore radius meet their limits (.5
-   * at the limit). A catheter has at least .5. */
+   * at the limit). A catheter has a confidence of at least .5. */
   double confidence{ 0.0 };
 };
 
@@ -29,11 +29,11 @@ struct CatheterEvidence
  * \ingroup ShapetonColonLumen */
 struct RectalCatheter
 {
-  /** Whether the confidence is at least .5, so the tube is added to the lumen. Otherwise it may be a catheter or
+  /** Whether the confidence is at least .5, so that the tube is added to the lumen. Otherwise, it may be a catheter or
    * bowel. */
   bool isSure{ false };
-  /** Axis of the bore, one point per mm, from the anal side (or the border of the image); if certain, extended along a
-   * straight line to the end of the tip. */
+  /** Axis of the bore, one point per mm, from the anal side (or the border of the image). If the catheter is certain,
+   * the axis is extended along a straight line to the end of the tip. */
   std::vector<itk::Point<double, 3>> axis;
   double                             boreDiameter{ 0.0 };
   double                             outerDiameter{ 0.0 };

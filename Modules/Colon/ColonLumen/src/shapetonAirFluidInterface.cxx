@@ -142,8 +142,8 @@ namespace
 constexpr double Reach = 5.0;     // mm perpendicular to gravity; chosen
 constexpr double Thickness = 4.0; // mm along gravity; chosen: beyond the blur of a level
 constexpr double Sigma = 2.5;     // mm, of the weights perpendicular to gravity
-/** Search interval of the blur of levels (mm), and bounds of the result (mm); half a step is added to the upper bound.
- * Real levels have 0.9 mm, phantoms 0.75 mm. */
+/** Search interval for the blur of levels (mm), and bounds on the result (mm); half a step is added to the upper bound.
+ * The blur is 0.9 mm in real levels and 0.75 mm in phantoms. */
 constexpr double LowestBlur = 0.2;
 constexpr double HighestBlur = 3.0;
 constexpr double LeastBlur = 0.4;
@@ -235,8 +235,8 @@ LevelSurface::MeasureBlur(const std::vector<double> & shares)
   const double median = UpperMedian(shares);
   double       low = LowestBlur;
   double       high = HighestBlur;
-  // Bisection for the sigma whose rise over the step that contains the crossing equals the median. The crossing is
-  // assumed a quarter of the way along the step, between the extremes.
+  // Bisection for the sigma at which the rise over the step that contains the crossing equals the median. The crossing
+  // is assumed to be a quarter of the way along the step, halfway between the extremes.
   for (int i = 0; i < BisectionsOfBlur; ++i)
   {
     const double sigma = 0.5 * (low + high);

@@ -13,8 +13,8 @@ namespace shapeton
 class LocalFluid
 {
 public:
-  /** Averages nonzero voxels of `fluid` that are at least 2 mm from zero voxels; `fallback` is the value far from
-   * them. */
+  /** Averages voxels where `fluid` is nonzero and that are at least 2 mm from voxels where it is zero; `fallback` is
+   * the value far from them. */
   LocalFluid(const ColonGrid & grid, const VoxelValues & hu, const std::vector<unsigned char> & fluid, double fallback);
 
   /** Linear interpolation between the cells. */
@@ -39,7 +39,8 @@ private:
   std::vector<float> m_Weight;
 };
 
-/** Subvoxel interface between gas and fluid: the depth at which values cross the mean of gas and local fluid. */
+/** Subvoxel interface between gas and fluid: the depth at which values cross the mean of the gas and the local fluid
+ * intensity. */
 class LevelSurface
 {
 public:
@@ -56,7 +57,8 @@ public:
   std::optional<double>
   HeightAbove(std::size_t voxel) const;
 
-  /** Standard deviation (mm) of the blur across the levels including voxel size, from the slope at the levels. */
+  /** Standard deviation (mm) of the blur across the levels, including the effect of voxel size, measured from the slope
+   * at the levels. */
   double
   Blur() const
   {

@@ -61,7 +61,7 @@ LateralCells::LateralCells(const std::vector<Place> & places, double cellSize) :
 
 namespace
 {
-/** Finds the half height within three steps below a gas voxel; false if the gas continues or the grid ends. */
+/** Finds the half height within three steps below a gas voxel; returns false if the gas continues or the grid ends. */
 bool
 FloorBelow(const ColonGrid &    grid,
            const VoxelValues &  hu,
@@ -125,10 +125,10 @@ FloorsOfGas(const ColonGrid &         grid,
 
 namespace
 {
-/** Depths below the half height (standard deviations of the blur): a blurred step reaches 99.2 % and 99.9 % there. */
+/** Depths below the half height, in standard deviations of the blur, where a blurred step reaches 99.2 % and 99.9 %. */
 constexpr double EdgeInBlurs = 2.4;
 constexpr double EndInBlurs = 3.0;
-/** Beyond every length in mm. */
+/** Greater than any length in mm. */
 constexpr double Beyond = 1e9;
 
 /** Intensity profiles along gravity under floors. */
@@ -171,7 +171,7 @@ public:
   }
 
 private:
-  /** Intensity below the blurred part of the rise under one floor; false if the grid ends. */
+  /** Intensity below the blurred part of the rise under one floor; returns false if the grid ends. */
   bool
   Below(std::size_t floor, double & mean) const
   {
@@ -192,7 +192,8 @@ private:
     return count > 0;
   }
 
-  /** Linearly interpolated value at a depth below the half height of one floor; false outside the grid. */
+  /** Linearly interpolated value at depth EdgeInBlurs below the half height of one floor; returns false outside the
+   * grid. */
   bool
   EdgeBelow(std::size_t f, double & value) const
   {
@@ -222,8 +223,8 @@ private:
     double excess{ 0.0 }; ///< variance of the rise beyond the blur, relative to the contribution of a thin wall
   };
 
-  /** False outside the grid. Unlike intermediate values, the variance of a sampled rise hardly depends on the voxel
-   * positions, even if voxels are as large as the rise. */
+  /** False outside the grid. Unlike the intermediate values, the variance of a sampled rise hardly depends on the
+   * positions of the voxels, even if they are as large as the rise. */
   bool
   RiseBelow(std::size_t f, Rise & rise) const
   {
@@ -262,7 +263,8 @@ private:
     return rise.end > m_Tissue + LeastTagging && gas < m_Tissue;
   }
 
-  /** Intensity of the matter directly below a level if its rise is explained by the blur alone; empty otherwise. */
+  /** Intensity of the matter directly below a level if its rise is explained by the blur alone; a large negative value
+   * otherwise. */
   double
   EndOfSteepRise(const std::vector<std::size_t> & floors) const
   {
@@ -289,10 +291,10 @@ private:
 };
 constexpr double MinimumWidth = 1.5;  // mm; larger than a strip along the bottom of a straight tube
 constexpr double HighestStepIn = 0.8; // mm between neighbors of one level
-/** Limits for a flat floor: the floors within a radius (mm; at least a number of voxels) lie in a plane. Only floors
- * whose height differs by less than a share of the radius count. They have a minimum number, a minimum share of the
- * columns, and a maximum residual (mm; increased per mm of the step along gravity, which quantizes depths). A real
- * level is flat to 0.4 mm. The sensitivity was not measured. */
+/** Limits for a flat floor: the floors within a radius (in mm, with a minimum in voxels) lie in a plane. Only floors
+ * whose heights differ by less than a fraction of the radius are counted. They must reach a minimum number and a
+ * minimum fraction of the columns, and must not exceed a maximum residual (mm, plus an increase per mm of the step
+ * along gravity, which quantizes depths). Real levels are flat to within 0.4 mm. The sensitivity was not measured. */
 constexpr double PlaneRadius = 3.0;
 constexpr double PlaneRadiusInVoxels = 1.6;
 constexpr double PlaneSteepness = 0.7;
@@ -339,7 +341,7 @@ private:
   double          m_Square{ 0.0 };
 };
 
-/** A level and the indices of its floors. */
+/** A level, and the indices of its floors. */
 struct FloorsOfLevel
 {
   std::vector<std::size_t> floors;
@@ -528,15 +530,15 @@ constexpr double NoiseInDip = 2.0;   // standard deviations
 constexpr double LogisticRate = 1.7; // approximates the normal distribution within 1 %
 constexpr int    Bisections = 20;    // of an interval of two steps; the error is 2^-19 steps
 
-/** Approximate normal distribution with the value `half` at 0. */
+/** Approximate cumulative normal distribution with the value `half` at 0. */
 double
 ShareOfRise(double depth, double half, double blur)
 {
   return 1.0 / (1.0 + (1.0 / half - 1.0) * std::exp(-LogisticRate * depth / blur));
 }
 
-/** Corrects the depth of the half height for the bias of linear interpolation if the rise is thinner than a voxel;
- * `above` is the depth of the upper voxel, at most 0. */
+/** Error in the depth of the half height due to linear interpolation if the rise is thinner than a voxel; `above` is
+ * the depth of the upper voxel, at most 0. */
 double
 ErrorOfLine(double above, double step, double half, double blur)
 {

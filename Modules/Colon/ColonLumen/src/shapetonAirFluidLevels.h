@@ -8,7 +8,7 @@
 namespace shapeton
 {
 /** Path from a voxel along gravity: step t is the voxel nearest to the point t steps below. The step length is the
- * voxel distance, so paths are voxel columns if gravity is within a few degrees of an axis. */
+ * distance between voxels, so paths are voxel columns if gravity is within a few degrees of an axis. */
 struct GravitySteps
 {
   Eigen::Vector3d direction;   ///< of gravity, unit vector in LPS
@@ -102,7 +102,7 @@ constexpr double LeastTagging = 100.0; // HU above tissue; chosen: untagged flui
 constexpr double LeastAtEdge = 0.7;    // relative to the fluid contrast; the rise of a level ends here
 constexpr double StepsToFluid = 3.0;   // from a gas voxel above a level; two may be in the rise
 
-/** A flat part of a gas floor: depth + slope . (position - center), in mm along and perpendicular to gravity. */
+/** A flat part of a gas floor, at depth + slope . (position - center), in mm along and perpendicular to gravity. */
 struct Level
 {
   int                 gas{ 0 };     ///< the gas piece above
@@ -115,13 +115,13 @@ struct Level
   double              below{ 0.0 }; ///< median intensity 3 to 6 mm below
   double              edge{ 0.0 };  ///< median intensity about 2 mm below, beyond the rise of a level
 
-  /** Intensity of the matter below; shallow pools are brightest near the level. */
+  /** Intensity of the matter below the level; shallow pools are brightest near it. */
   double
   Fluid() const
   {
     return below > edge ? below : edge;
   }
-  /** Whether bright matter is directly below, without a wall in between. */
+  /** Whether there is bright matter directly below, with no wall in between. */
   bool
   IsTagged(double tissue) const
   {
@@ -136,17 +136,17 @@ struct LevelLimits
   double area;  ///< minimum, mm^2
 };
 
-/** Perpendicular to gravity within 6 degrees. Walls are curved; the bottom of a haustrum is flat over a few mm^2. */
+/** Perpendicular to gravity to within 6 degrees. Walls are curved; the bottom of a haustrum is flat over a few mm^2. */
 constexpr LevelLimits FlatLevels{ 0.1, 30.0 };
 
 /** Criteria for levels that are accepted only with bright fluid directly below them. Breath and flow during the scan
- * tilt the level of a narrow stretch; one in the sigmoid of a real patient has a slope of 0.2 along 50 mm. */
+ * tilt the level of a narrow stretch; one in the sigmoid of a real patient has a slope of 0.2 over 50 mm. */
 constexpr LevelLimits TiltedLevels{ 0.35, 20.0 };
 
-/** Wall (mm) between gas and the fluid of another bowel. Larger voxels hide it. */
+/** Thickness (mm) of the wall between gas and the fluid in another bowel. Larger voxels hide it. */
 constexpr double ThinnestWall = 2.0;
 
-/** Finds flat parts of floors within the limits, largest first. */
+/** Finds flat parts of floors that satisfy the limits, largest first. */
 std::vector<Level>
 FindLevels(const ColonGrid &          grid,
            const VoxelValues &        hu,
@@ -155,20 +155,20 @@ FindLevels(const ColonGrid &          grid,
            double                     tissue,
            const LevelLimits &        limits = FlatLevels);
 
-/** Tests columns along gravity from a level down to bright matter for walls.
+/** Tests columns along gravity, from a level down to bright matter, for walls.
  *
  * Below a level, values rise according to the blur and then remain constant. If they rise more slowly, or drop before
  * the bright matter, a wall is in between and the bright matter is in another bowel. */
 class LevelColumn
 {
 public:
-  /** Counts of columns from levels to one piece of bright matter. */
+  /** Numbers of columns from levels to one piece of bright matter. */
   struct Votes
   {
     std::size_t open{ 0 };
     std::size_t all{ 0 };
 
-    /** Majority vote, since noise affects single columns. */
+    /** Two-thirds majority, since noise affects single columns. */
     bool
     AreOpen() const
     {

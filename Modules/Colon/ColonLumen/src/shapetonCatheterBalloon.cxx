@@ -31,7 +31,7 @@ MembraneBoundary(const ColonThresholds & thresholds)
   return thresholds.gas + 0.25 * (thresholds.tissue - thresholds.gas);
 }
 
-/** Exit point of the ray from the matter around the tube. */
+/** Point at which the ray exits the matter around the tube. */
 std::optional<BalloonExit>
 ExitOf(const CatheterTube & tube, const TubeSection & section, int number, const CatheterRegion & region)
 {
@@ -160,7 +160,7 @@ IsAroundTube(const CatheterBalloon & ball, const CatheterTube & tube)
          RootMeanSquare(ball) <= ShareOfCylinder * CylinderResidual(ball.exits, nearest->along);
 }
 
-/** The balloon in the sections from `first` up to `last` (exclusive), if any. */
+/** The balloon in the sections from `first` to `last` (exclusive), if there is one. */
 std::optional<CatheterBalloon>
 BalloonOf(const CatheterTube & tube, const std::vector<Exits> & ofSection, std::size_t first, std::size_t last)
 {

@@ -44,7 +44,7 @@ ForEachVoxelOf(const VoxelBox & box, const ColonGrid & grid, const TBody & body)
   }
 }
 
-/** Calls `body(index, ray, distance from the axis)` for the voxels of the slice of a tube represented by a section. */
+/** Calls `body(index, ray, distance from the axis)` for the voxels in the slice of a tube that a section represents. */
 template <typename TBody>
 void
 ForEachAcross(const ColonGrid & grid, const TubeSection & section, double reach, const TBody & body)
@@ -60,12 +60,12 @@ ForEachAcross(const ColonGrid & grid, const TubeSection & section, double reach,
   });
 }
 
-/** Fills the bore and wall of a tube, as fluid where the wall is next to fluid, otherwise as gas. Uses the median outer
- * radius where the outside of the wall is not visible, as in the anal canal. */
+/** Fills the bore and the wall of a tube with fluid where the wall is next to fluid, and with gas elsewhere. Uses the
+ * median outer radius where the outside of the wall is not visible, as in the anal canal. */
 ClassVolume
 VoxelsOfTube(const CatheterTube & tube, const ColonGrid & grid)
 {
-  // Distance (mm) from the axis; 1 mm allows for its error.
+  // Distance (mm) from the axis; 1 mm allows for errors of the axis.
   constexpr double widest = LargestBoreRadius + 1.0 + ThickestTubeWall;
   ClassVolume      taken(grid.NumberOfVoxels(), Nothing);
   for (const auto & section : tube.sections)
@@ -96,7 +96,7 @@ AddedByClosing(const ColonGrid & grid, const ClassVolume & classes, double radiu
   return mask;
 }
 
-/** Matter around a balloon, from the exit point in the nearest direction. */
+/** Matter around a balloon, according to the exit point in the nearest direction. */
 class AroundBalloon
 {
 public:
@@ -186,8 +186,8 @@ public:
     });
   }
 
-  /** Adds the closing of the lumen within `reach` of a position if connected to the filled part, with the class
-   * `classAt(position)`. Returns the added voxels. */
+  /** Adds the part of the closing of the lumen that is within `reach` of a position and connected to the filled part,
+   * with the class `classAt(position)`. Returns the added voxels. */
   template <typename TClassAt>
   VoxelSet
   FillHanging(const Eigen::Vector3d & place, double reach, double closing, const TClassAt & classAt)

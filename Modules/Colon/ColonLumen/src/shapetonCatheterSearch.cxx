@@ -18,13 +18,13 @@ constexpr double      MostOval = 0.1;           // of the cross-section of a bor
 constexpr double      MostUneven = 0.5;         // mm, range of its radius
 constexpr std::size_t LongestHole = 6;          // sections of 1 mm; chosen: side holes of the tip
 
-/** A limit with the width of the uncertain range on both sides. */
+/** A limit, and the width of the uncertain range on each side of it. */
 struct Margin
 {
   double limit;
   double width; ///< negative for an upper limit
 
-  /** .5 at the limit, 1 and 0 at the ends of the range. */
+  /** .5 at the limit, 1 or 0 at the ends of the range. */
   double
   Of(double value) const
   {
@@ -32,7 +32,7 @@ struct Margin
   }
 };
 
-// The only real catheter measured has a uniform bore of 43 mm with a radius of 2.5 mm. All rays are enclosed along 24
+// The only real catheter measured has a uniform bore 43 mm long with a radius of 2.5 mm. All rays are enclosed along 24
 // mm of it.
 constexpr Margin LengthMargin{ 30.0, 15.0 };   // mm
 constexpr Margin EnclosedMargin{ 6.0, 4.0 };   // mm
@@ -40,7 +40,7 @@ constexpr Margin ShareMargin{ 0.9, 0.1 };      // of the rays, in 6 mm of sectio
 constexpr Margin NarrowestMargin{ 1.0, 0.25 }; // mm, radius of the bore
 constexpr Margin WidestMargin{ 4.5, -0.75 };   // mm
 
-/** Sections with a sufficient fraction of enclosed rays, in descending order. */
+/** Sections with a sufficient fraction of enclosed rays, in descending order of that fraction. */
 std::vector<const TubeSection *>
 EnclosedSections(const std::vector<TubeSection> & sections)
 {
@@ -58,7 +58,7 @@ EnclosedSections(const std::vector<TubeSection> & sections)
   return enclosed;
 }
 
-/** Radii and wall of a tube from its enclosed sections. */
+/** Measures the outer radius and the wall intensity of a tube from its enclosed sections. */
 void
 MeasureWall(const std::vector<const TubeSection *> & enclosed, CatheterTube & tube)
 {
@@ -119,7 +119,8 @@ LongestEven(const std::vector<TubeSection> & sections)
   return longest;
 }
 
-/** Extends a range on both sides at the same width, across holes in the wall, up to a nearby end of the bore. */
+/** Extends a range of sections on both sides where the bore has the same width, across holes in the wall, up to a
+ * nearby end of the bore. */
 Stretch
 AcrossHoles(const std::vector<TubeSection> & sections, const Stretch & even, double radius)
 {
@@ -148,7 +149,7 @@ MeasuredAlong(const std::vector<TubeSection> & sections, const Stretch & stretch
   return values;
 }
 
-/** The tube with the best evidence from the sections in the body. */
+/** The tube along the longest uniform stretch of the sections in the body, and the evidence for it. */
 CatheterTube
 TubeOf(const std::vector<TubeSection> & sections)
 {

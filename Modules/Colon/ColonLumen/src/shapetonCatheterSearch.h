@@ -8,7 +8,8 @@
 
 namespace shapeton
 {
-/** Confidence (0 to 1) above which a bore is added to the lumen. Chosen: more likely a catheter than bowel. */
+/** Minimum confidence (0 to 1) of a bore that is added to the lumen. Chosen: it is then more likely a catheter than
+ * bowel. */
 constexpr double LeastCatheterConfidence = 0.5;
 
 /** A bore in the rectum that may be a catheter. */
@@ -28,8 +29,8 @@ BoxOfCatheter(const ColonGrid & grid, const ClassVolume & classes);
 /** Finds the bore with the highest confidence; empty if no long bore is close to the limits.
  *
  * The bore of a catheter is round (ovality below .1) and uniform (radii within .5 mm) for at least 30 mm, with a radius
- * of 1 to 4.5 mm. Along 6 mm of it, 90 % of the rays cross a wall (1 to 4.5 mm thick, at least 1.6 mm next to fluid)
- * into the lumen; elsewhere a tube may touch the wall of the rectum or be partly in fluid. In contrast, a crease
+ * of 1 to 4.5 mm. Along 6 mm of the bore, 90 % of the rays cross a wall (1 to 4.5 mm thick, at least 1.6 mm next to
+ * fluid) into the lumen; elsewhere a tube may touch the wall of the rectum or be partly in fluid. In contrast, a crease
  * between folds is open on one side, and a collapsed bowel is surrounded by tissue. See CatheterEvidence for
  * margins. */
 std::optional<CatheterTube>

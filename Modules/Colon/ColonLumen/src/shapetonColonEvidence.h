@@ -36,16 +36,16 @@ struct ColonEvidence
   bool                            isTagged{ false };
 };
 
-/** Computes the intensity of the fluid under the levels of the colon, and the derived thresholds. */
+/** Computes the intensity of the fluid under the levels of the colon, and the thresholds derived from it. */
 void
 MeasureFluid(ColonEvidence & evidence);
 
-/** Adds tilted and small levels of the colon to the levels, where the matter directly below is as bright as its fluid,
- * and voxels are small enough to show a wall in between. */
+/** Adds tilted and small levels of the colon if the matter directly below is as bright as the fluid of the colon and
+ * the voxels are small enough to show a wall in between. */
 void
 AddTiltedLevels(ColonEvidence & evidence);
 
-/** Finds bright matter, and the pieces connected to the gas of the colon. */
+/** Finds bright matter, and its pieces connected to the gas of the colon. */
 void
 FindBright(ColonEvidence & evidence);
 
@@ -61,12 +61,13 @@ struct LumenSeeds
 };
 
 /** Finds the most extreme voxel within 2 mm of each point (LPS, mm): gas if any, otherwise bright matter. Throws
- * ParameterError for a point outside the image, or in neither. */
+ * ParameterError for a point outside the image, or near neither gas nor bright matter. */
 LumenSeeds
 FindSeedVoxels(const ColonEvidence & evidence, const std::vector<itk::Point<double, 3>> & points);
 
-/** Sets gravity and the levels under the candidates: from the patient position, otherwise the direction with by far the
- * most flat levels, otherwise supine. Warns if the position contradicts the levels or gravity is unknown. */
+/** Sets gravity and the levels under the candidates. Gravity is that of the patient position if given, otherwise the
+ * direction with by far the largest area of flat levels, otherwise that of a supine patient. Warns if the position
+ * contradicts the levels or gravity is unknown. */
 void
 FindGravity(const std::string & position, ColonEvidence & evidence, ColonLumen & lumen);
 } // namespace shapeton

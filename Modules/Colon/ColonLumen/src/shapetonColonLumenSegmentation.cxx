@@ -155,7 +155,7 @@ private:
     m_Options.progress(0.45);
   }
 
-  /** Marks pieces at seed points as colon; throws for lung. */
+  /** Marks pieces at seed points as colon; throws if one of them is lung. */
   void
   KeepSeeds()
   {

@@ -77,7 +77,7 @@ GridOfImage(const itk::ImageBase<3> * image)
   return grid;
 }
 
-/** Range of voxel values, HU: from the value outside the reconstruction circle to the greatest value of 16 bits. */
+/** Range of voxel values, HU: from the value outside the reconstruction circle to the greatest 16-bit value. */
 constexpr float LeastHU = -1100.0F;
 constexpr float GreatestHU = 32767.0F;
 
@@ -242,7 +242,7 @@ Contains(const VoxelSet & voxels, std::size_t voxel)
   return std::binary_search(voxels.begin(), voxels.end(), voxel);
 }
 
-/** Voxels at which the ball fits. */
+/** Voxels at which a ball of the given radius fits. */
 VoxelSet
 WideVoxels(const ColonGrid &                        grid,
            const VoxelSet &                         voxels,
@@ -385,7 +385,7 @@ FindDeepestVoxel(const ColonGrid & grid,
   const auto      distance = SquaredDistanceToBackground(part, MaskOfRuns(grid, set, labels, label, box));
   const auto      place = std::max_element(distance.begin(), distance.end());
   DeepestVoxel    deepest;
-  // No background exists if a piece fills its bounding box.
+  // There is no background if a piece fills its bounding box.
   deepest.radius = std::sqrt(std::min(*place, GreatestSquaredDistance));
   deepest.voxel = part.Voxel(static_cast<std::size_t>(place - distance.begin()));
   for (int a = 0; a < 3; ++a)

@@ -15,7 +15,8 @@ namespace shapeton
 {
 namespace
 {
-/** Bounds chosen on the sigmoid of one real patient (40 ml along 150 mm, open over 80 mm^2 at its narrower end). */
+/** Bounds chosen on the sigmoid of one real patient (40 ml over a length of 150 mm, with an opening of 80 mm^2 at the
+ * narrower end). */
 constexpr double LeastJoinedMl = 2.0;  // minimum volume of each of the two pieces
 constexpr double LeastStretchMl = 0.5; // minimum volume of a stretch
 constexpr double LeastRestMl = 0.05;   // minimum volume of fluid behind a neck
@@ -23,7 +24,7 @@ constexpr double LeastOpening = 10.0;  // mm^2; leaks through a wall are smaller
 constexpr double LongestPath = 400.0;  // mm; a sigmoid of usual length
 constexpr double Detour = 50.0;        // mm through voxel faces; twice the depth of a haustrum beside the path
 constexpr double SimilarFluid = 0.25;  // maximum deviation of the median, relative to the contrast of the fluid
-/** Distance from certain gas to certain fluid across a blurred step, in standard deviations of the blur, and half a
+/** Distance from certain gas to certain fluid across a blurred step, in standard deviations of the blur, plus half a
  * voxel for the sampling. A wall of 2 mm in between adds 1 mm. */
 constexpr double ReachInBlurs = 2.25;
 constexpr double ReachInVoxels = 0.5;
@@ -61,7 +62,7 @@ public:
     }
   }
 
-  /** Label of a large enough piece that touches the voxel, or has gas within the layer around it; 0 if there is
+  /** Label of a sufficiently large piece that touches the voxel or has gas within the layer around it; 0 if there is
    * none. */
   int
   Next(std::size_t voxel)
@@ -153,7 +154,7 @@ public:
     return std::abs(UpperMedian(std::move(values)) - t.fluid) <= SimilarFluid * (t.fluid - t.tissue);
   }
 
-  /** Openings to the pieces of the lumen that are large enough. */
+  /** The sufficiently large openings to pieces of the lumen. */
   std::vector<VoxelSet>
   Openings(PiecesOfLumen & lumen) const
   {
@@ -177,7 +178,8 @@ public:
     return openings;
   }
 
-  /** Voxels on paths between two openings that are hardly longer than the shortest one; empty if that is too long. */
+  /** Voxels on paths between two openings that are hardly longer than the shortest path; empty if even that is too
+   * long. */
   VoxelSet
   Between(const VoxelSet & one, const VoxelSet & other) const
   {
@@ -200,7 +202,7 @@ public:
   }
 
 private:
-  /** Lengths (mm) of the shortest paths through voxel faces from the sources. */
+  /** Lengths (mm) of the shortest paths from the sources through voxel faces. */
   std::vector<double>
   Distances(const VoxelSet & sources) const
   {
@@ -242,7 +244,7 @@ private:
   std::unordered_map<std::size_t, std::size_t> m_Index; ///< of a voxel in m_Voxels
 };
 
-/** Other bright matter in connected pieces. */
+/** Connected pieces of other bright matter. */
 std::vector<VoxelSet>
 PiecesOfOtherBright(const LumenField & field, double leastMl, double mostMl = NowhereNear)
 {
@@ -266,7 +268,7 @@ PiecesOfOtherBright(const LumenField & field, double leastMl, double mostMl = No
   return pieces;
 }
 
-/** Whether a voxel of a class is within the layer around a voxel. */
+/** Whether the layer around a voxel contains a voxel of the wanted class. */
 bool
 IsOpenTo(const LumenField & field, unsigned char wanted, std::size_t voxel, double reach)
 {
@@ -314,7 +316,7 @@ TakeEnclosedGas(LumenField & field)
     e.isColon[piece] = e.isColon[piece] || isEnclosed[piece];
   }
 }
-/** Classifies the voxels on the line from fluid to gas by the half height. */
+/** Classifies the voxels on the line from fluid to gas by comparison with the half height. */
 void
 FillLine(LumenField & field, std::size_t fluid, std::size_t gas)
 {
@@ -339,7 +341,8 @@ FillLine(LumenField & field, std::size_t fluid, std::size_t gas)
   }
 }
 
-/** Fills the blurred layers between fluid and gas of the colon, which are level only where the fluid is free to flow.
+/** Fills the blurred layers between the fluid and the gas of the colon; they are level only where the fluid is free to
+ * flow.
  */
 void
 FillOpenings(LumenField & field, const VoxelSet & fluid)
@@ -374,7 +377,8 @@ AdjoinsFluid(const LumenField & field, std::size_t voxel)
   return adjoins;
 }
 
-/** Whether a piece behind a neck belongs to the fluid of the colon: much of its surface is open to the lumen. */
+/** Whether a piece behind a neck belongs to the fluid of the colon, that is, whether much of its surface is open to the
+ * lumen. */
 bool
 IsRestOfFluid(const LumenField & field, const VoxelSet & piece)
 {

@@ -49,7 +49,7 @@ public:
     , m_Blur(std::sqrt(VarianceOfBlur + lumen.smoothing * lumen.smoothing + UniformVariance(grid.spacing.maxCoeff())))
   {}
 
-  /** Releases each volume after use, since these dominate peak memory. */
+  /** Releases each volume after use, since the volumes dominate peak memory. */
   CleansedColon
   Run(const Progress & progress)
   {
@@ -134,7 +134,7 @@ private:
     return LocalFluid(m_Grid, m_Hu, mask, m_Lumen.thresholds.fluid);
   }
 
-  /** Distance (mm) to the nearest voxel of a class, clamped to the maximum. */
+  /** Distance (mm) to the nearest voxel of a class, clamped to `farthest`. */
   VoxelValues
   DistanceTo(unsigned char c, double farthest) const
   {
@@ -143,7 +143,7 @@ private:
     return this->DistanceWithin(mask, farthest);
   }
 
-  /** Distance (mm) from each voxel of a mask to the nearest voxel outside. */
+  /** Distance (mm) from each voxel of a mask to the nearest voxel outside it. */
   VoxelValues
   DistanceWithin(const std::vector<unsigned char> & mask, double farthest) const
   {
@@ -168,9 +168,9 @@ private:
                             : t.gas - t.tissue;
   }
 
-  /** Whether a fluid fraction is inconsistent with the nearest label, or with the label and value of the voxel. For
-   * fluid f and gas g with f + g <= 1, a value above the half height of fluid limits gas to a fifth of f + g, and a
-   * value below the half height of gas limits fluid to half. Inconsistencies occur at the rim of a level, where fluid
+  /** Whether a fluid fraction is inconsistent with the nearest label, or with the label and value of the voxel. With
+   * fluid f and gas g, f + g <= 1, a value above the half height of fluid limits g to a fifth of f + g, and a value
+   * below the half height of gas limits f to half of f + g. Inconsistencies occur at the rim of a level, where fluid
    * wets the wall. */
   bool
   IsRefuted(double share, std::size_t p) const
@@ -234,7 +234,8 @@ private:
     return static_cast<float>(std::min(1.0, contrast * contrast / (full * full)));
   }
 
-  /** Where a mixture of gas and fluid resembles tissue, interpolates linearly between the fractions above and below. */
+  /** Lumen fraction; where a mixture of gas and fluid resembles tissue, interpolated linearly between the fractions
+   * above and below. */
   double
   Continued(std::size_t p) const
   {
@@ -268,7 +269,8 @@ private:
     return trust * own + (1.0 - trust) * line;
   }
 
-  /** Limits the occupancy by the distance from the label border, since an edge has no influence beyond the blur. */
+  /** Limits the occupancy according to the distance from the label border, since an edge has no influence beyond the
+   * blur. */
   float
   Bounded(double share, bool isLumen, double toWall, double toLumen) const
   {
@@ -287,8 +289,8 @@ private:
     return seen < LeastSeen ? 0.0F : static_cast<float>(seen);
   }
 
-  /** Restores curved walls in fluid by one step of inverse diffusion, limited by the voxel size. Blur shrinks the half
-   * height surface at crests of folds and heads of polyps. */
+  /** Restores curved walls in fluid by one step of inverse diffusion, whose rate is limited by the voxel size. Blur
+   * shrinks the half height surface at crests of folds and heads of polyps. */
   float
   Sharpened(std::size_t p) const
   {

@@ -20,7 +20,7 @@ constexpr double NearPlace = 20.0;      // mm along a row; chosen
 constexpr double ShareOfShell = 0.3;    // of the front and back ends of a piece; chosen
 constexpr double MeasuredMl = 0.5;      // chosen: smaller pieces are not measured
 
-/** Boundary lengths (mm) and area (mm^2) within the slices of a slice piece or a group of pieces. */
+/** Boundary lengths (mm), within the slices, of a part of a slice or a group of parts. */
 struct Outline
 {
   double border{ 0.0 };
@@ -43,7 +43,7 @@ OutlinesInSlices(const ColonGrid & grid, const VoxelRuns & set, const RunLabels 
     (j == 0 ? outline.border : outline.edge) += length;
     (j == grid.size[1] - 1 ? outline.border : outline.edge) += length;
   });
-  // A column shared by two rows was counted twice.
+  // A boundary shared by two adjacent rows is not an edge, but was counted twice.
   for (int k = 0; k < set.size[2]; ++k)
   {
     for (int j = 1; j < set.size[1]; ++j)
@@ -80,7 +80,7 @@ PartsOf(const VoxelRuns & set, const RunLabels & parts, const std::vector<std::a
   return holds;
 }
 
-/** The groups of slice parts at the border that are outside air. */
+/** Whether each run is in a group of slice parts at the border that is outside air. */
 std::vector<char>
 OutsideRuns(const ColonGrid & grid, const VoxelRuns & set, const std::vector<std::array<int, 3>> & kept)
 {
@@ -119,7 +119,7 @@ OutsideRuns(const ColonGrid & grid, const VoxelRuns & set, const std::vector<std
   return RunsOf(groups, isOutside);
 }
 
-/** Voxels of a slice part, and their moments in mm in the current slice. */
+/** Number of voxels of a slice part, and their moments (mm) in one slice. */
 struct Section
 {
   double          voxels{ 0.0 };
@@ -134,8 +134,8 @@ struct Section
     return PrincipalAxes(squares / voxels - mean * mean.transpose());
   }
 
-  /** Whether a part is elongated front to back, like the natal cleft, or open to the side, like air next to the table.
-   * Gas over a fluid level is elongated sideways within the body. */
+  /** Whether a part is elongated from front to back, like the natal cleft, or open to the side, like air next to the
+   * table. Gas over a fluid level is elongated sideways within the body. */
   bool
   IsLikeCleft(const ColonGrid & grid) const
   {
@@ -167,9 +167,9 @@ SectionsOfParts(const ColonGrid & grid, const VoxelRuns & set, const RunLabels &
   return sections;
 }
 
-/** Adds the natal cleft, and strips of air next to the table, to the outside air. At the caudal image border they are
- * long and narrow, front to back or open to the side, unlike a rectum. They are followed upward while the overlap with
- * the next slice is at least a quarter; the anal canal is much smaller. */
+/** Adds the natal cleft, and strips of air next to the table, to the outside air. At the caudal image border, unlike a
+ * rectum, they are long and narrow, and oriented from front to back or open to the side. They are followed upward while
+ * the overlap with the next slice is at least a quarter; the anal canal is much smaller. */
 void
 AddCleft(const ColonGrid &                       grid,
          const VoxelRuns &                       set,
@@ -215,8 +215,8 @@ AddCleft(const ColonGrid &                       grid,
   }
 }
 
-/** Whether the image border cuts a box. The caudal border is ignored if the whole outline of the body is in the image,
- * since it cuts the natal cleft. */
+/** Whether the image border cuts a box. The caudal border is ignored if the image shows the whole outline of the body,
+ * since it then cuts the natal cleft. */
 bool
 IsCut(const ColonGrid & grid, const VoxelBox & box, bool showsOutside)
 {
@@ -258,7 +258,7 @@ MeasurePieces(const ColonGrid & grid, const VoxelValues & hu, bool showsOutside,
   }
 }
 
-/** Finds pieces with a wide opening to the outside across slices. */
+/** Finds pieces with a wide opening to outside air across slices. */
 void
 FindPockets(const ColonGrid & grid, GasOfVolume & gas)
 {
@@ -291,8 +291,8 @@ FindPockets(const ColonGrid & grid, GasOfVolume & gas)
   }
 }
 
-/** Whether at least a quarter of the first or last row of a slice near a position is outside air, so the row does not
- * cut the body. */
+/** Whether, near a position, at least a quarter of the first or last row of a slice is outside air, so that the image
+ * border does not cut the body there. */
 bool
 ShowsAir(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, int k)
 {
@@ -309,7 +309,8 @@ ShowsAir(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, int k)
   return outside >= ShareOfWalls * (end - begin);
 }
 
-/** Whether only a thin shell separates the end of a gas column from outside air, or from an image border in air. */
+/** Whether only a thin shell separates the end of a gas column from outside air, or from an image border where there is
+ * air. */
 bool
 IsThinlyCovered(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, int k, int towards)
 {
@@ -329,8 +330,8 @@ IsThinlyCovered(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, i
   return false;
 }
 
-/** Adds hollow tables, cushions and blankets, and the natal cleft above them, whose front or back is a thin shell next
- * to outside air. Returns whether any was found. */
+/** Adds pieces whose front or back is a thin shell next to outside air: hollow tables, cushions and blankets, and the
+ * natal cleft above them. Returns whether any was found. */
 bool
 FindShells(const ColonGrid & grid, GasOfVolume & gas)
 {
@@ -427,7 +428,7 @@ MeasureDepth(const ColonGrid & grid, const VoxelValues & hu, GasOfVolume & gas)
     const VoxelBox  box = grid.Widened(piece.box, 1e-6);
     const ColonGrid part = grid.Part(box);
     const auto      d = SquaredDistanceToBackground(part, MaskOfRuns(grid, gas.set, gas.labels, p, box));
-    // No background exists if a piece fills its bounding box.
+    // There is no background if a piece fills its bounding box.
     const float deepest = std::min(*std::max_element(d.begin(), d.end()), 1e6F);
     piece.radius = std::sqrt(deepest);
     const float least = std::min(9.0F, 0.36F * deepest);

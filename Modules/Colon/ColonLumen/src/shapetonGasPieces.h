@@ -30,17 +30,17 @@ struct GasOfVolume
   std::vector<char>     isOutsideRun;
 };
 
-/** Finds voxels below `seed`. Air is outside if it touches the image border in a slice and this border is at least 0.6
+/** Finds voxels below `seed`. Air is outside if it touches the image border in a slice and this contact is at least 0.6
  * times as long as the edge of the air inside the image, or at least a quarter of the image border. For air around a
- * convex body, the border is at least as long as the body outline, measured along rows and columns; for gas in a
+ * convex body, the contact is at least as long as the body outline, measured along rows and columns; for gas in a
  * truncated bowel, it is short. Slices are tested separately because an open rectal tube connects the rectum to the
- * room. Also outside are pieces with an opening across slices of more than a quarter of their largest section, pieces
- * mostly behind a thin shell next to outside air (tables, cushions), and the natal cleft. Air that contains one of the
- * `kept` voxels is not outside. */
+ * room. The following are also outside: pieces with an opening to the outside, across slices, larger than a quarter of
+ * their largest section; pieces mostly behind a thin shell next to outside air (tables, cushions); and the natal cleft.
+ * Air that contains one of the `kept` voxels is not outside. */
 GasOfVolume
 FindGas(const ColonGrid & grid, const VoxelValues & hu, double seed, const std::vector<std::array<int, 3>> & kept);
 
-/** Sets `radius` and `inside` of pieces of at least 0.5 ml. */
+/** Sets `radius` and `inside` of pieces with a volume of at least 0.5 ml. */
 void
 MeasureDepth(const ColonGrid & grid, const VoxelValues & hu, GasOfVolume & gas);
 struct MeasuredPiece
@@ -49,7 +49,7 @@ struct MeasuredPiece
   double radius{ 0.0 }; ///< mm
 };
 
-/** Volume and inscribed radius of a piece with additional voxels. */
+/** Volume and inscribed radius of a piece extended by additional voxels. */
 MeasuredPiece
 MeasureTogether(const ColonGrid &                       grid,
                 const GasOfVolume &                     gas,

@@ -17,7 +17,7 @@ constexpr double CanalReach = 60.0;     // mm below the gas of the rectum; chose
 constexpr double RingWidth = 4.0;       // mm around the catheter; chosen
 constexpr double LeastBody = 0.75;      // minimum fraction of the ring in tissue or lumen
 
-/** Parts of slices outside the lumen. */
+/** Connected parts of the slices outside the lumen. */
 struct Islands
 {
   VoxelRuns         set;
@@ -112,14 +112,14 @@ private:
     Seen
   };
 
-  /** Gas outside the lumen: in the catheter, or outside air. */
+  /** Gas outside the lumen: gas in the catheter or outside air. */
   bool
   IsOtherGas(std::size_t p) const
   {
     return m_Hu[p] < m_GasBoundary && !IsColonLumen(m_Classes[p]);
   }
 
-  /** Dilation of voxels within the slice. */
+  /** Dilation of voxels within their slice. */
   std::vector<std::size_t>
   Around(const std::vector<std::size_t> & voxels, double distance)
   {
@@ -156,7 +156,7 @@ private:
     }
   }
 
-  /** Gas in this slice adjacent to the bore in the previous slice; empty if it is not a bore. */
+  /** Gas in this slice adjacent to the bore in the previous slice; empty if it is too large for a bore. */
   std::vector<std::size_t>
   NextBore(const std::vector<std::size_t> & bore, int slice)
   {

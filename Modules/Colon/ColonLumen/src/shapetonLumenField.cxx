@@ -16,7 +16,7 @@ IsGrowing(unsigned char c)
   return c >= ColonGas && c <= OtherBright;
 }
 
-/** The voxels of growing classes next to a voxel of another class. */
+/** The voxels of growing classes that are next to a voxel of another class. */
 std::vector<std::size_t>
 Front(const ColonGrid & grid, const ClassVolume & classes)
 {

@@ -42,11 +42,11 @@ struct LumenField
   /** Moves the intensities from `evidence` to save memory. */
   explicit LumenField(ColonEvidence & colonEvidence);
 
-  /** Sets the class of the voxels of a run of the whole volume. */
+  /** Sets the class of the voxels in a run of the whole volume. */
   void
   Fill(const VoxelRun & run, int j, int k, unsigned char voxelClass);
 
-  /** Converts a voxel of the whole volume to this part; false if outside. */
+  /** Converts a voxel of the whole volume to this part; returns false if it is outside. */
   bool
   Local(std::size_t whole, std::array<int, 3> & v) const;
 
@@ -54,12 +54,12 @@ struct LumenField
   std::ptrdiff_t
   Below(const std::array<int, 3> & v, int t) const;
 
-  /** Search distance (mm) from the lowest gas voxel down to fluid: three coarse voxels, two of which are in the
-   * rise. */
+  /** Search distance (mm) from the lowest gas voxel down to fluid; at least three voxels, since two coarse voxels may
+   * be in the rise. */
   double
   FluidReach() const;
 
-  /** Standard deviation (mm) of the blur of a step along gravity, voxels included. */
+  /** Standard deviation (mm) of the blur of a step along gravity, including the effect of voxel size. */
   double
   Blur() const;
 

@@ -18,7 +18,7 @@ constexpr double LeastPieceMl = 0.05;     // chosen: smaller pieces are not list
 constexpr double LeastLeftOutMl = 1.0;    // of gas; chosen: keeps the list short
 constexpr double LeastBrightMl = 10.0;    // chosen: keeps the list short
 constexpr double LeastBrightRadius = 7.0; // mm; chosen: wider than most small bowel
-/** Chosen on few data: an unprepared abdomen contains 298 ml of such lumen. */
+/** Chosen on few data: an unprepared abdomen contains 298 ml of lumen this wide. */
 constexpr double UsableMl = 400.0; // or UsableShare of the body if that is less
 constexpr double UsableShare = 0.02;
 constexpr double UsableRadius = 10.0; // mm
@@ -45,7 +45,7 @@ Rounded(double value, int digits)
   return text.str();
 }
 
-/** Accumulated sums of one connected part. */
+/** Sums over one connected part. */
 struct PieceSums
 {
   double          gas{ 0.0 };
@@ -190,7 +190,7 @@ PlacesOfThinGas(const ColonEvidence & evidence)
   return places;
 }
 
-/** Explains the kind of a piece of gas. */
+/** Explains the classification of a piece of gas. */
 std::string
 ReasonOf(const ColonEvidence & evidence, std::size_t piece)
 {

@@ -18,7 +18,8 @@ DescribePieces(const LumenVoxels & voxels, ColonLumen & lumen);
 void
 DescribeLevels(const ColonEvidence & evidence, const LumenVoxels & voxels, ColonLumen & lumen);
 
-/** Lists other matter as bright as the fluid of the colon, with at least 10 ml and an inscribed radius of 7 mm. */
+/** Lists other matter as bright as the fluid of the colon, with a volume of at least 10 ml and an inscribed radius of
+ * at least 7 mm. */
 void
 DescribeOtherBright(const LumenVoxels & voxels, ColonLumen & lumen);
 

@@ -21,7 +21,7 @@ constexpr double LevelReach = 6.0;  // mm around the flat part of a level
 constexpr double LevelLeeway = 0.5; // mm; a level is flat to 0.4 mm
 constexpr double NearEdge = 0.4;    // relative to the contrast of the fluid at the edge of the level
 
-/** Width (mm) of the transition from gas to fluid, between 31 % and 81 % of a blurred step. */
+/** Width (mm) of the transition from gas to fluid, that is, from 31 % to 81 % of a blurred step. */
 double
 LayerThickness(const LumenField & field)
 {
@@ -29,7 +29,7 @@ LayerThickness(const LumenField & field)
   return widthInBlurs * field.Blur();
 }
 
-/** Tests for proximity to the levels of the colon. */
+/** Tests whether voxels are near levels of the colon. */
 class NearLevels
 {
 public:
@@ -93,7 +93,7 @@ public:
     }
   }
 
-  /** Whether the nearest classified voxels above and below are gas and fluid, within the steps. */
+  /** Whether the nearest classified voxels above and below, within the steps, are gas and fluid, respectively. */
   bool
   IsBetweenGasAndFluid(std::size_t p) const
   {
@@ -129,7 +129,7 @@ private:
   std::vector<std::array<int, 3>> m_Offsets;
 };
 
-/** Fills the transition from gas to fluid, only near levels; elsewhere a wall may be in between. */
+/** Fills the transition from gas to fluid, but only near levels; elsewhere, there may be a wall in between. */
 void
 FillLevelLayers(LumenField & field)
 {
@@ -180,7 +180,7 @@ PaintBright(LumenField & field)
   });
 }
 
-/** Finds gas pockets with a level on the fluid of the colon. */
+/** Adds gas pockets with a level on the fluid of the colon; returns whether there are any. */
 bool
 TakeGasOverFluid(LumenField & field)
 {
@@ -206,7 +206,7 @@ TakeGasOverFluid(LumenField & field)
   return found;
 }
 
-/** Marks bright pieces under levels of newly identified colon gas as undecided. */
+/** Marks bright pieces under levels of newly identified colon gas as undecided; returns whether there are any. */
 bool
 TakeBrightUnderGas(LumenField & field)
 {
@@ -256,8 +256,8 @@ NearConnectingFluid(const LumenField & field, const VoxelSet & connecting)
   return near;
 }
 
-/** Grows certain gas and fluid into adjacent voxels. Connecting fluid is uneven, so the half height of the usual fluid
- * applies next to dense contrast medium. */
+/** Grows certain gas and fluid into adjacent voxels. Connecting fluid is uneven, so near it the half height is based on
+ * the usual fluid where the local fluid is denser. */
 void
 Grow(LumenField & field, const VoxelSet & connecting)
 {
@@ -280,7 +280,7 @@ Grow(LumenField & field, const VoxelSet & connecting)
   });
 }
 
-/** Adds faintly tagged fluid under the levels of the colon. */
+/** Voxels of faintly tagged fluid under the levels of the colon. */
 std::vector<std::size_t>
 FaintSeeds(const LumenField & field)
 {
@@ -307,7 +307,7 @@ FaintSeeds(const LumenField & field)
   return seeds;
 }
 
-/** Detects walls in the unfiltered input, since the prefilter would blur them. */
+/** Adds unmixed fluid; detects walls in the unfiltered input, since the prefilter would blur them. */
 void
 AddUnmixed(const ColonImage * image, LumenField & field)
 {

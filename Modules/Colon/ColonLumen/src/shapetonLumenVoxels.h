@@ -18,8 +18,8 @@ struct LumenVoxels
   std::optional<RectalCatheter> catheter;
 };
 
-/** Classifies voxels. Moves the intensities from `evidence` to save memory, and marks additional pieces of gas above
- * the fluid of the colon in it. */
+/** Classifies voxels. Moves the intensities from `evidence` to save memory, and marks in it additional pieces of gas
+ * above the fluid of the colon. */
 LumenVoxels
 DecideVoxels(const ColonImage * image, ColonEvidence & evidence);
 } // namespace shapeton

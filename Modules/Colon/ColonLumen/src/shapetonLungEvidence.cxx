@@ -10,9 +10,9 @@ namespace shapeton
 {
 namespace
 {
-// Measured on clinical CT (median HU above room air, parenchyma, vessels per 100 cm^2): lungs of a chest 108, .99, 9.5;
-// lung bases 92, .91, 11.7; gas in colons 3 to 38, .03 to .15 (.30 in one piece of 38 ml), 0 to 0.2. The limits are
-// halfway between lung and colon.
+// Measured on clinical CT (median HU above room air, parenchyma, vessels per 100 cm^2): lungs in a chest CT 108, .99,
+// 9.5; lung bases 92, .91, 11.7; gas in colons 3 to 38, .03 to .15 (.30 in one piece of 38 ml), 0 to 0.2. The limits
+// are halfway between lung and colon.
 constexpr double LungExcess = 105.0;      // HU above air; denser gas is always lung
 constexpr double ParenchymaExcess = 60.0; // HU above air
 constexpr double DensestExcess = 500.0;   // HU above air; lung at full expiration
@@ -30,14 +30,14 @@ constexpr double LargestVessel = 100.0;   // mm^2; a larger one is a fold or a w
 constexpr float  VesselHU = -500.0F;      // a vessel reaches half of the contrast even when blurred by the scanner
 constexpr float  Padding = -1095.0F;      // values outside the reconstruction circle are below
 
-/** Number of tissue islands enclosed by gas in a slice, and gas area (mm^2). */
+/** Gas area (mm^2) in a slice, and number of tissue islands enclosed by the gas. */
 struct SliceCount
 {
   double area{ 0.0 };
   int    vessels{ 0 };
 };
 
-/** Pixels of a slice: 1 for gas of the piece; visited pixels are cleared. */
+/** Islands in the gas of a piece in one slice; visited pixels are cleared. */
 class SliceIslands
 {
 public:
@@ -57,7 +57,7 @@ public:
     }
   }
 
-  /** Calls `body(i, j)` for the pixels of an island; false if none is left. */
+  /** Calls `body(i, j)` for the pixels of an island; returns false if none is left. */
   template <typename TBody>
   bool
   Take(int i, int j, const TBody & body)
@@ -204,7 +204,7 @@ LungSearch::Measure(int piece) const
   return evidence;
 }
 
-/** Whether a block is uniform and denser than air; blocks across the border of gas and tissue are not uniform. */
+/** Whether a block is uniform and denser than air; blocks across the border between gas and tissue are not uniform. */
 bool
 LungSearch::IsParenchyma(std::size_t block) const
 {

@@ -31,7 +31,7 @@ double
 RoomAir(const ColonGrid & grid, const VoxelValues & hu, const GasOfVolume & gas);
 
 /** \class LungSearch
- * \brief Measures LungEvidence of the pieces of gas of a volume. */
+ * \brief Measures LungEvidence for the pieces of gas in a volume. */
 class LungSearch
 {
 public:

@@ -198,7 +198,7 @@ Smoothed(const BoreAxis & line, double step)
   return smooth;
 }
 
-/** The longest path through a piece, with its cross-sections. */
+/** The longest path through a piece, and its cross-sections. */
 class Trunk
 {
 public:
@@ -248,7 +248,7 @@ public:
     return Resampled(Lengthened(Smoothed(m_Middle, m_Step), 0.5 * m_Step), AxisStep);
   }
 
-  /** The pieces that remain after removing the path with its cross-sections. */
+  /** The pieces that remain after the path and its cross-sections are removed. */
   std::vector<VoxelSet>
   Branches() const
   {
@@ -272,8 +272,8 @@ public:
   }
 
 private:
-  /** Assigns each voxel a position on the path, measured from the farther end: voxels at equal distance from a far end
-   * form a flat cross-section; from a near end, they would form shells around its corner. */
+  /** Assigns each voxel a position on the path, measured from the farther end: voxels at an equal distance from a far
+   * end form a flat cross-section; measured from a near end, they would form shells around its corner. */
   void
   Place(const Ways & fromStart, const Ways & fromEnd)
   {
@@ -286,7 +286,7 @@ private:
     }
   }
 
-  /** The voxels connected to a given one where `isPart` is true. */
+  /** The voxels for which `isPart` is true that are connected to a given one. */
   template <typename TIsPart>
   std::vector<std::size_t>
   Connected(std::size_t start, const TIsPart & isPart) const
@@ -305,7 +305,7 @@ private:
     return connected;
   }
 
-  /** Removes the cross-section at a path voxel, without other branches, and returns its center. Connectivity includes
+  /** Removes the cross-section at a path voxel, excluding other branches, and returns its center. Connectivity includes
    * the adjacent bins, since the farthest voxels at the end of a bore form a ring. */
   Eigen::Vector3d
   TakeAcross(std::size_t onWay)
@@ -336,7 +336,8 @@ private:
   std::vector<char>        m_IsTaken;
 };
 
-/** Finds centerlines along the longest paths of a piece and its branches, except those shorter or wider than a bore. */
+/** Finds centerlines along the longest paths of a piece and its branches, excluding those that are too short or too
+ * wide for a bore. */
 std::vector<BoreAxis>
 AxesOf(const ColonGrid & grid, VoxelSet && piece, double leastLength)
 {

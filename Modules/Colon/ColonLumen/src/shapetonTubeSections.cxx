@@ -21,7 +21,7 @@ constexpr double CentringSmooth = 2.0;                   // sections, standard d
 constexpr double LeastClosedRays = 0.9;                  // minimum fraction of the rays for locating the center
 constexpr double LargestReach = LargestBoreRadius + 1.0; // mm, of rays within a bore
 
-/** Interpolated position between two samples at the gas boundary. */
+/** Interpolated position of the gas boundary between two samples, 0 to 1. */
 double
 Passed(double before, double after, double boundary)
 {
@@ -109,7 +109,7 @@ ToMiddle(const CatheterRegion & region, const TubeSection & section)
   return Eigen::Vector3d(2.0 / TubeSection::NumberOfRays * (sum - radii / closed * directions));
 }
 
-/** The shift of the nearest section with a known center, preferring earlier ones; zero if none. */
+/** The shift of the nearest section with a known center, preferring earlier ones; zero if there is none. */
 Eigen::Vector3d
 NearestShift(const std::vector<std::optional<Eigen::Vector3d>> & shifts, std::ptrdiff_t n)
 {
@@ -127,7 +127,7 @@ NearestShift(const std::vector<std::optional<Eigen::Vector3d>> & shifts, std::pt
   return Eigen::Vector3d::Zero();
 }
 
-/** Centers an axis in its bore with smooth shifts; open sections use adjacent shifts. */
+/** Centers an axis in its bore by smooth shifts; open sections use adjacent shifts. */
 void
 MoveToMiddle(const CatheterRegion & region, BoreAxis & axis)
 {

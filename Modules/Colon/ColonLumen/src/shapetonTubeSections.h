@@ -41,7 +41,7 @@ constexpr double ThinnestTubeWall = 1.0; // mm, next to gas; chosen
 constexpr double ThinnestWallInFluid = 1.6;
 constexpr double ThickestTubeWall = 4.5; // mm; chosen
 
-/** The first layer along a ray from the center of a bore. Distances from the center, mm. */
+/** The first layer along a ray from the center of a bore. Distances are from the center, mm. */
 struct TubeRay
 {
   double      inner{ 0.0 };  ///< end of the gas; 0 if not within reach
@@ -79,22 +79,22 @@ struct TubeSection
   DirectionOf(int ray) const;
   OutwardRay
   RayAlong(int ray, double boundary) const;
-  /** The ray nearest to a point; `distance` is set to the distance of the point from the axis. */
+  /** The ray nearest to a point; `distance` is set to the distance from the point to the axis. */
   int
   RayTo(const Eigen::Vector3d & position, double & distance) const;
-  /** Fraction of enclosed rays. */
   double
   ClosedShare() const; ///< fraction of rays that end at the wall
   double
   ShareOf(BehindLayer behind) const;
+  /** Fraction of enclosed rays. */
   double
   EnclosedShare() const;
-  /** Median over the rays that end at the wall; 0 without such rays. */
+  /** Median over the rays that end at the wall; 0 if there are none. */
   double
   BoreRadius() const;
   /** Deviation of the bore from a circle: root mean square of the second and third harmonics of the radius over the
-   * angle, divided by its mean. The first harmonic is caused by an off-center axis, harmonics above the third by voxel
-   * steps. */
+   * angle, divided by the mean radius. The first harmonic is caused by an off-center axis, harmonics above the third by
+   * voxel steps. */
   double
   Ovality() const;
 };

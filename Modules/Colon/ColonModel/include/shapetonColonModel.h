@@ -24,17 +24,16 @@ struct ColonModel;
 /** Settings of BuildColonModel(). For a mask without a CT, `position` is not used. \ingroup ShapetonColonModel */
 struct ColonModelSettings : ColonModelOptions
 {
-  /** Thickness of the slices of the CT, mm; 0 if unknown. */
+  /** Slice thickness of the CT, mm; 0 if unknown. */
   double sliceThickness{ 0.0 };
   /** Called on the calling thread with the stage and the completed fraction, 0 to 1. */
   Progress progress;
   /** Called with the cleansed CT (HU) on another thread, in parallel with the remaining steps (after them if
-   * single-threaded). Called again, after the first call has returned, if filling gaps of the line with gas
-   * changes the CT.
-   * Intended for slow work such as writing. */
+   * single-threaded). Called again, after the first call has returned, if the CT changes because gaps of the line were
+   * filled with gas. Intended for slow work such as writing. */
   std::function<void(const itk::Image<float, 3> *)> onCleansed;
-  /** Called with the model without its wall on another thread while the wall is built (afterwards if single-threaded).
-   * Intended for slow work that does not require the wall, such as writing the volumes. */
+  /** Called on another thread with the model, except for its wall, while the wall is built (afterwards if
+   * single-threaded). Intended for slow work that does not require the wall, such as writing the volumes. */
   std::function<void(const ColonModel &)> besideWall;
   /** Metadata stored with the surfaces, see ColonWallSettings. */
   std::vector<std::pair<std::string, std::string>> facts;
@@ -48,14 +47,14 @@ struct ColonModelSettings : ColonModelOptions
  */
 struct ColonModel
 {
-  /** Labels on the grid of the input. For a mask without a CT only the labels and pieces are set. */
+  /** Labels on the grid of the input. For a mask without a CT, only the labels and the pieces are set. */
   ColonLumen lumen;
-  /** Whether a CT was given, not only a mask. */
+  /** Whether a CT was given, rather than only a mask. */
   bool           hasIntensities{ true };
   ScanResolution resolution;
-  /** Cleansed CT (HU); null without intensities. */
+  /** Cleansed CT (HU); null if there are no intensities. */
   itk::Image<float, 3>::Pointer cleansed;
-  /** Centerline with the valve, see SetIleocecalValve(), and the limit of the resolution, see SetNotAssessableBelow().
+  /** Centerline, including the valve, see SetIleocecalValve(), and the resolution limit, see SetNotAssessableBelow().
    */
   ColonCenterline centerline;
   ValveSearch     valve;
@@ -66,7 +65,7 @@ struct ColonModel
   ColonWall       wall;
   /** Warnings of all stages. */
   Remarks warnings;
-  /** Reason why the colon is not usable, or empty. On failure, only the parts computed before are set; with
+  /** Reason why the colon is not usable, or empty. On failure, only the parts computed before it are set, or, with
    * keepPartial, all parts that can be computed. */
   std::string failure;
 };
@@ -80,18 +79,18 @@ BuildColonModel(const itk::Image<float, 3> * ct, const ColonModelSettings & opti
 ShapetonColonModel_EXPORT ColonModel
 BuildColonModel(const itk::Image<float, 3> * ct, const LumenMask * lumen, const ColonModelSettings & options);
 
-/** Runs the pipeline on a mask of the lumen, without cleansing. The raw wall is the 0.5 isosurface of the mask, with
- * stairs and handles; the repaired wall is extracted from the smoothed mask. \ingroup ShapetonColonModel */
+/** Runs the pipeline, except for cleansing, on a mask of the lumen. The raw wall is the 0.5 isosurface of the mask,
+ * with stairs and handles; the repaired wall is extracted from the smoothed mask. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT ColonModel
 BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelSettings & options);
 
-/** Stretches of at least 10 mm where the scan border cuts the colon; shorter ones are the anal canal.
+/** Stretches, at least 10 mm long, where the scan border cuts the colon; shorter ones are the anal canal.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT std::vector<HinderedStretch>
                           CutsByScan(const CurveSet & line);
 
-/** Axis of a catheter with the point arrays radius (outer radius, different at the tip) and balloonRadius (0 without a
- * balloon) in mm, as input of RankCatheterLast(). \ingroup ShapetonColonModel */
+/** Axis of a catheter with the point arrays radius (outer radius, different at the tip) and balloonRadius (0 where
+ * there is no balloon) in mm, as input of RankCatheterLast(). \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT CurveSet
 CurveOfCatheter(const RectalCatheter & catheter);
 } // namespace shapeton

@@ -24,10 +24,10 @@ struct BridgedOccupancy
 };
 
 /** Joins the pieces of a lumen by tubes around the centerline where the point array `gap` is 1, the line is outside the
- * lumen, or it passes from one piece to another one that touches it at edges of voxels.
+ * lumen, or the line passes from one piece to another that touches it only at voxel edges.
  *
  * \param centerline LPS mm, with point arrays `gap` and `arcLength`.
- * \param radius of the tubes, mm, greater than 0; at least one voxel, or the tube may be disconnected.
+ * \param radius of the tubes, mm, greater than 0; should be at least one voxel, otherwise the tube may be disconnected.
  * Throws InputError if RequireSound() fails or an array is missing, and ParameterError for a radius out of range.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT BridgedOccupancy
@@ -49,12 +49,12 @@ ExtractWall(const OccupancyImage * occupancy, const LumenMaskImage * mask = null
 /** Limits on the motion of vertices during smoothing. See SmoothWall(). \ingroup ShapetonColonModel */
 struct WallSmoothingOptions
 {
-  /** Number of pairs of a shrinking and an inflating step (Taubin: A signal processing approach to fair surface design,
-   * 1995), from 0. */
+  /** Number of pairs of shrinking and inflating steps (Taubin: A signal processing approach to fair surface design,
+   * 1995), at least 0. */
   int iterations{ 10 };
-  /** Maximum displacement of a vertex along its normal, mm, from 0. */
+  /** Maximum displacement of a vertex along its normal, mm, at least 0. */
   double normalLimit{ 0.15 };
-  /** Maximum displacement along the surface, mm, from 0. */
+  /** Maximum displacement along the surface, mm, at least 0. */
   double tangentialLimit{ 0.5 };
 };
 
@@ -66,7 +66,7 @@ SmoothWall(const SurfaceMesh & mesh, const WallSmoothingOptions & options);
 /** Discs to remove from a closed wall at rectum and cecum. See OpenColonEnds(). \ingroup ShapetonColonModel */
 struct OpenEndsOptions
 {
-  /** Radius (mm) of the disc to remove at each end, measured along surface edges; geodesics are about a tenth
+  /** Radius (mm) of the disc to remove at each end, measured along surface edges; geodesic distances are about a tenth
    * shorter. */
   double radius{ 20.0 };
   /** Lower bound for reducing the radius in steps of 1 mm until the region is a disc. */
@@ -89,7 +89,7 @@ struct OpenWall
 
 /** Opens a closed surface at both ends of the centerline.
  *
- * The pole is the intersection of the outward tangent at the end with the surface. The largest geodesic disc around it
+ * The pole is the intersection of the surface with the outward tangent at the end. The largest geodesic disc around it
  * that is a topological disc (connected, Euler number 1, one simple boundary) is removed.
  *
  * \param centerline one curve, from the rectum to the cecum, LPS mm.
@@ -98,8 +98,8 @@ struct OpenWall
 ShapetonColonModel_EXPORT OpenWall
 OpenColonEnds(const SurfaceMesh & closed, const CurveSet & centerline, const OpenEndsOptions & options = {});
 
-/** Settings of BuildColonWall(). 0 `faces` selects FacesForDiffusion() of the area and the narrowest radius of a
- * surface simplified to 55,000 faces. \ingroup ShapetonColonModel */
+/** Settings of BuildColonWall(). If `faces` is 0, FacesForDiffusion() computes the number from the area and the
+ * smallest radius of a surface simplified to 55,000 faces. \ingroup ShapetonColonModel */
 struct ColonWallSettings : ColonWallOptions
 {
   OpenEndsOptions ends;
@@ -112,7 +112,7 @@ struct ColonWallSettings : ColonWallOptions
   std::function<void(const SurfaceMesh & raw, const SurfaceMesh & repaired)> besideSimplification;
 };
 
-/** Changes and counts of BuildColonWall(). \ingroup ShapetonColonModel */
+/** Changes made by BuildColonWall(), and counts. \ingroup ShapetonColonModel */
 struct ColonWallReport
 {
   LumenTopologyReport topology;
@@ -136,19 +136,19 @@ struct ColonWallReport
 };
 
 /** The wall in three versions, each with two boundary loops (the raw one may remain closed, with a warning), point
- * array `arcLength` (mm, of the closest point of the centerline within the lumen), cell array `bridged` (1 on the
- * tubes) and field arrays `rectumLoop`, `cecumLoop`. A point array `notAssessable` of the centerline is also copied to
- * a cell array.
+ * array `arcLength` (mm, that of the closest point of the centerline, measured within the lumen), cell array `bridged`
+ * (1 on the tubes) and field arrays `rectumLoop`, `cecumLoop`. A point array `notAssessable` of the centerline is also
+ * copied to a cell array.
  * \ingroup ShapetonColonModel
  */
 struct ColonWall
 {
   /** The 0.5 isosurface with all handles; vertices were moved only along the surface. */
   SurfaceMesh raw;
-  /** Without handles, smoothed within the limits. */
+  /** The isosurface without handles, smoothed within the limits. */
   SurfaceMesh repaired;
-  /** The wall to flatten, with fewer faces: the repaired surface, or for other topologies (ColonWallOptions) a surface
-   * of the same occupancy and smoothing without that repair. */
+  /** The wall to flatten, with fewer faces: the simplified repaired surface or, for topologies other than Repaired (see
+   * ColonWallOptions), a surface from the same occupancy with the same smoothing but without that repair. */
   SurfaceMesh     simplified;
   ColonWallReport report;
 };
@@ -171,7 +171,7 @@ BuildColonWall(OccupancyImage::ConstPointer occupancy,
                const ColonWallSettings &    options = {},
                OccupancyImage::ConstPointer repairedOccupancy = nullptr);
 
-/** Builds the wall from a mask: the raw surface from the binary mask, the repaired one from the smoothed mask.
+/** Builds the wall from a mask: the raw surface from the binary mask, and the repaired one from the smoothed mask.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT ColonWall
 BuildColonWallFromMask(const LumenMaskImage *    mask,

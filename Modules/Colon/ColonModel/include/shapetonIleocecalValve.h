@@ -27,7 +27,7 @@ struct IleocecalValve
    * lip. */
   double length{ 0.0 };
   double width{ 0.0 };
-  /** Median HU inside, since lips contain fat; NaN without a CT. */
+  /** Median HU inside, since lips contain fat; NaN if there is no CT. */
   double attenuation{ std::numeric_limits<double>::quiet_NaN() };
   /** Model probability that this is the valve, 0 to 1. */
   double confidence{ 0.0 };
@@ -44,16 +44,16 @@ struct ValveSearch
 
 /** Finds the ileocecal valve within 160 mm of the end of the centerline of a colon.
  *
- * Candidates are bulges of the wall that persist after smoothing of the folds: regions of the 0.5 level of the lumen,
- * smoothed by a Gaussian of 3 mm, where both principal curvatures are above .01/mm. Regions within 18 mm of each other
- * are the lips of one candidate. Log-odds are the sum of terms for size, position along the line, similarity to a ball
- * (a polyp on a stalk) and tissue. At most one candidate is the valve. The confidence is the probability of the best
- * candidate plus that of the candidates within 25 mm of it, which are on the same fold.
+ * Candidates are bulges of the wall that remain after smoothing removes the folds: regions on the 0.5 level of the
+ * lumen, smoothed by a Gaussian of 3 mm, where both principal curvatures are above .01/mm. Regions within 18 mm of each
+ * other are the lips of one candidate. Log-odds are the sum of terms for size, position along the line, similarity to a
+ * ball (a polyp on a stalk) and tissue. At most one candidate is the valve. The confidence is the probability of the
+ * best candidate plus those of the candidates within 25 mm of it, which are on the same fold.
  *
  * \param labels nonzero voxels are lumen.
- * \param ct HU on the same grid, cleansed or not; null: shape only.
- * \param centerline one curve from rectum to cecum with the point array arcLength (mm); throws InputError without it.
- * The result does not depend on the number of threads. \ingroup ShapetonColonModel */
+ * \param ct HU on the same grid, cleansed or not; if null, only the shape is used.
+ * \param centerline one curve from rectum to cecum with the point array arcLength (mm); throws InputError if the array
+ * is missing. The result does not depend on the number of threads. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT ValveSearch
 FindIleocecalValve(const LumenMask * labels, const itk::Image<float, 3> * ct, const CurveSet & centerline);
 
@@ -63,7 +63,7 @@ FindIleocecalValve(const LumenMask * labels, const itk::Image<float, 3> * ct, co
 /** Stores the valve in the curve, or removes a stored valve. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT void
 SetIleocecalValve(const std::optional<IleocecalValve> & valve, CurveSet & centerline);
-/** The valve stored in a centerline, if any. Throws InputError for an array of the wrong size.
+/** The valve stored in a centerline, if any. Throws InputError if the array has the wrong size.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT std::optional<IleocecalValve>
                           IleocecalValveOf(const CurveSet & centerline);

@@ -9,8 +9,8 @@
 
 namespace shapeton
 {
-/** Labels the voxels of a lumen by the closest point of the centerline, measured within the lumen to separate touching
- * loops; 0 outside the lumen.
+/** Labels the voxels of a lumen according to the closest point of the centerline, measured within the lumen to separate
+ * touching loops; the label is 0 outside the lumen.
  * \param centerline one curve with the point array `arcLength`.
  * \param labelOf maps the distance along the centerline (mm) to a label; called from several threads.
  * \ingroup ShapetonColonModel */

@@ -14,19 +14,19 @@ namespace shapeton
 /** \class ScanResolution
  * \brief Resolution of a scan, and the smallest polyp that it supports.
  *
- * The rule is 3 samples across a polyp in the coarsest direction, whatever the direction of the axes in the patient;
- * Documentation/validation/colon-polyps.md has the measurements. Polyps below 6 mm are not reported anyway (C-RADS,
- * Zalis et al., Radiology 2005; ESGAR, Neri et al., Eur Radiol 2013).
+ * The rule is 3 samples across a polyp in the coarsest direction, regardless of how the axes are oriented in the
+ * patient; see Documentation/validation/colon-polyps.md for the measurements. Polyps below 6 mm are not reported anyway
+ * (C-RADS, Zalis et al., Radiology 2005; ESGAR, Neri et al., Eur Radiol 2013).
  * \ingroup ShapetonColonModel
  */
 struct ScanResolution
 {
   /** Along the image axes, mm. */
   itk::Vector<double, 3> spacing;
-  /** mm; 0 if unknown, as for a mask. */
+  /** mm; 0 if unknown, as in the case of a mask. */
   double sliceThickness{ 0.0 };
-  /** Width at half maximum (mm) in the coarsest direction: of the voxel or slice, whichever is wider, and of the
-   * smoothing against noise. The blur of the scanner is not included. */
+  /** Width at half maximum (mm) in the coarsest direction, due to the voxel or slice, whichever is wider, and to noise
+   * smoothing. The blur of the scanner is not included. */
   double blur{ 0.0 };
   /** Diameter, mm. */
   double smallestPolyp{ 0.0 };
@@ -41,8 +41,8 @@ MeasureScanResolution(const itk::ImageBase<3> * grid, double sliceThickness, dou
 ShapetonColonModel_EXPORT std::string
                           InWords(const ScanResolution & resolution);
 
-/** Warns if polyps of 6 mm are not evaluable, or slices are thicker than the 3 mm that the ACR-SAR-SCBT-MR practice
- * parameter and ESGAR allow. \ingroup ShapetonColonModel */
+/** Warns if polyps of 6 mm are not evaluable, or if slices are thicker than the 3 mm allowed by the ACR-SAR-SCBT-MR
+ * practice parameter and ESGAR. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT Remarks
 WarningsOf(const ScanResolution & resolution);
 
@@ -51,7 +51,7 @@ WarningsOf(const ScanResolution & resolution);
 ShapetonColonModel_EXPORT void
 SetNotAssessableBelow(const ScanResolution & resolution, CurveSet & centerline);
 
-/** The value of SetNotAssessableBelow(); 0 if polyps of 6 mm are assessable. \ingroup ShapetonColonModel */
+/** The value stored by SetNotAssessableBelow(); 0 if polyps of 6 mm are assessable. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT double
 NotAssessableBelow(const CurveSet & centerline);
 

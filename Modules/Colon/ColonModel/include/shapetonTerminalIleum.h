@@ -6,7 +6,7 @@
 namespace shapeton
 {
 /** \class TerminalIleum
- * \brief The part of the lumen in the ileum, from gas or tagged fluid that passed back through the valve.
+ * \brief The part of the lumen in the ileum, formed by gas or tagged fluid that passed back through the valve.
  * \ingroup ShapetonColonModel */
 struct TerminalIleum
 {
@@ -14,17 +14,18 @@ struct TerminalIleum
   LumenMask::Pointer mask;
   /** Center of the opening into the colon, LPS, mm. */
   Eigen::Vector3d mouth{ Eigen::Vector3d::Zero() };
-  /** Length, mm: along the line through it, or the straight distance from the mouth to the farthest point if it is a
-   * side branch of the colon. */
+  /** Length, mm: that of the line through the ileum, or the straight distance from the mouth to the farthest point if
+   * the ileum is a side branch of the colon. */
   double length{ 0.0 };
   /** Volume, ml. */
   double volume{ 0.0 };
 };
 
-/** Finds the terminal ileum in a lumen: a connected region at least 4 mm outside the morphological opening of the lumen
- * by a ball of 8.5 mm radius, which is attached to the colon only within 25 mm of the valve, extends at least 30 mm,
- * and contains no point of the centerline. These rules avoid removing colon: corners of haustra are shallower, loops of
- * colon are wider, and an appendix is attached elsewhere. Empty if not found.
+/** Finds the terminal ileum in a lumen: a connected region of lumen at least 4 mm away from the morphological opening
+ * of the lumen by a ball with a radius of 8.5 mm. The region is attached to the colon only within 25 mm of the valve,
+ * extends at least 30 mm, and does not contain any point of the centerline. These rules prevent the removal of colon:
+ * corners of haustra are shallower, loops of colon are wider, and an appendix is attached elsewhere. Empty if not
+ * found.
  *
  * \param labels nonzero voxels are lumen.
  * \param centerline as for FindIleocecalValve(). The result does not depend on the number of threads.
@@ -32,12 +33,12 @@ struct TerminalIleum
 ShapetonColonModel_EXPORT std::optional<TerminalIleum>
 FindTerminalIleum(const LumenMask * labels, const CurveSet & centerline, const IleocecalValve & valve);
 
-/** Finds an ileum that was filled by reflux through the valve and contains the end of the line. The cecum is then a
- * pouch of lumen beside the line, at least 21 mm deep beyond the inscribed ball and with at least 1 ml. After the
- * pouch, three quarters of the line (at least 40 mm) have an inscribed radius of at most 12.5 mm. The median radii of
- * this part and of its first 100 mm are at most 3/4 of the median of the 150 mm before it. The ileum is the lumen
- * around the line after its narrowest place next to the pouch. Empty if not found; fast for a line without a narrow
- * end.
+/** Finds an ileum that was filled by reflux through the valve and that contains the end of the line. The cecum is then
+ * a pouch of lumen beside the line, at least 21 mm deep beyond the inscribed ball and at least 1 ml in volume. After
+ * the pouch, the line continues for at least 40 mm, with an inscribed radius of at most 12.5 mm along three quarters of
+ * its length. The median radii of this part and of its first 100 mm are at most 3/4 of the median radius of the 150 mm
+ * before it. The ileum is the lumen around the line after its narrowest place next to the pouch. Empty if not found;
+ * fast if the line does not have a narrow end.
  *
  * \param labels nonzero voxels are lumen.
  * \param centerline LPS, mm, one curve with point arrays `arcLength`, `radius` and `gap`, from the rectum.

@@ -49,8 +49,8 @@ TopologyOfMask(const LumenMaskImage * mask);
 /** Grows an object within a limit without changing its topology.
  *
  * Simple points are added in order of decreasing rank; ties are resolved in order of discovery, so the result is
- * deterministic. A rejected voxel is tested again after each added neighbor, so that finally no more voxels can be
- * added. Where two fronts cannot join, a membrane one voxel thick remains at the lowest ranks.
+ * deterministic. A rejected voxel is tested again each time a neighbor is added, so that no more voxels can be added at
+ * the end. Where two fronts cannot join, a membrane one voxel thick remains at the lowest ranks.
  *
  * \param grown the seed on input, the result on output; seed voxels remain even outside the limit.
  * \param limit voxels that may be added.

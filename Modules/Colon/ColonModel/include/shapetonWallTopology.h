@@ -8,7 +8,8 @@ enum class WallTopology
 {
   /** The lumen is repaired to a ball before the wall is extracted; see RepairLumenTopology(). */
   Repaired,
-  /** The wall is extracted with its handles and simplified, then each is cut along a short loop; see CutHandles(). */
+  /** The wall is extracted with its handles and simplified, then each handle is cut along a short loop; see
+   * CutHandles(). */
   Denoised,
   /** The wall keeps its handles. */
   Raw

@@ -14,7 +14,7 @@ constexpr double QueueStep = 0.1;
 /** Number of curve points around a site to search for the closest position. */
 constexpr std::int32_t Reach = 8;
 
-/** Bucket queue of voxels; the order is exact to one QueueStep. */
+/** Bucket queue of voxels; the order is exact to within one QueueStep. */
 class DistanceQueue
 {
 public:
@@ -72,7 +72,7 @@ ArcLengthField::PointOfVoxel(std::int64_t voxel) const
     { static_cast<double>(voxel % nx), static_cast<double>(voxel / nx % ny), static_cast<double>(voxel / nx / ny) });
 }
 
-/** Propagates closer sites between face neighbors. */
+/** Propagates the sites between face neighbors, replacing sites by closer ones. */
 void
 ArcLengthField::Spread(const LumenMaskImage * lumen)
 {

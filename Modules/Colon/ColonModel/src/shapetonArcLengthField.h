@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Maps a wall point to the closest centerline point within the lumen, which separates touching loops. */
+/** Maps a wall point to the closest centerline point, measured within the lumen to separate touching loops. */
 class ArcLengthField
 {
 public:

@@ -48,7 +48,7 @@ CecalRegion::PlaceGrid(const CurveSet & centerline, const Eigen::VectorXd & befo
       box.extend(centerline.V.row(i).transpose());
     }
   }
-  // The grid is centered in the box, so that a mirrored patient has mirrored voxels.
+  // The grid is centered in the box, so that the voxels of a mirrored patient are mirrored, too.
   const Eigen::Array3i half = ((0.5 * box.sizes().array() + margin) / Step).ceil().cast<int>();
   m_Grid.SetSize({ { 2 * half[0] + 1, 2 * half[1] + 1, 2 * half[2] + 1 } });
   m_Origin = box.center() - Step * half.cast<double>().matrix();

@@ -19,7 +19,7 @@ class CecalRegion
 public:
   /** Voxel size, mm. */
   static constexpr double Step = 1.25;
-  /** Length (mm) of the end of the line where the valve may be. */
+  /** Length (mm) of the end section of the line where the valve may be. */
   static constexpr double Reach = 160.0;
 
   /** \param ct HU on the grid of the labels; may be null.
@@ -58,14 +58,14 @@ public:
   {
     return m_IsLumen;
   }
-  /** HU; undefined without intensities. */
+  /** HU; undefined if there are no intensities. */
   float
   Hounsfield(std::size_t voxel) const
   {
     return m_Hounsfield[voxel];
   }
-  /** Distance (mm) to the end of the line, from the line point nearest to a voxel of lumen or adjacent tissue; greater
-   * than Reach if not reached. */
+  /** Distance (mm) to the end of the line from the line point nearest to a voxel of the lumen or adjacent tissue;
+   * greater than Reach if the voxel was not reached. */
   float
   BeforeEnd(std::size_t voxel) const
   {

@@ -24,14 +24,14 @@ DistanceToAxis(const Eigen::Vector3d & p, const Axis & axis)
   return (p - axis.first - share * way).norm();
 }
 
-/** Ramp from 1 to 0 over the width; 0.5 at the wall of the tube. */
+/** Ramp from 1 to 0 over `width`, with 0.5 at the wall of the tube. */
 double
 TubeOccupancy(double distance, double radius, double width)
 {
   return std::clamp(0.5 + (radius - distance) / width, 0.0, 1.0);
 }
 
-/** Finds the axes of the tubes; warns where the curve is outside the lumen without a gap. */
+/** Finds the axes of the tubes; warns where the curve is outside the lumen but no gap is marked. */
 void
 FindAxes(const OccupancyImage * occupancy, const CurveSet & centerline, BridgedOccupancy & result)
 {
@@ -73,7 +73,7 @@ FindAxes(const OccupancyImage * occupancy, const CurveSet & centerline, BridgedO
   }
 }
 
-/** Pieces of the lumen that share no voxel faces, as in the repair of its topology. */
+/** Pieces of the lumen that do not share voxel faces, as in the topology repair. */
 class PiecesOfLumen
 {
 public:
@@ -110,8 +110,8 @@ private:
   VoxelComponents m_Pieces;
 };
 
-/** Adds axes where the curve passes from one piece of the bridged lumen to another one. Interpolated occupancy is at
- * least 0.5 there, but voxels touch only at edges or corners. Returns whether any was found. */
+/** Adds axes where the curve passes from one piece of the bridged lumen to another. The interpolated occupancy is at
+ * least 0.5 there, but the voxels touch only at edges or corners. Returns whether any was found. */
 bool
 AddAxesBetweenPieces(const CurveSet & centerline, BridgedOccupancy & result)
 {
@@ -135,7 +135,7 @@ AddAxesBetweenPieces(const CurveSet & centerline, BridgedOccupancy & result)
   return result.axes.size() > before;
 }
 
-/** Copies a field to a grid that contains all tubes with a margin. */
+/** Copies a field to a grid that contains all tubes and a margin. */
 OccupancyImage::Pointer
 EnlargedCopy(const OccupancyImage * occupancy, const std::vector<Axis> & axes, double reach)
 {
@@ -177,7 +177,7 @@ EnlargedCopy(const OccupancyImage * occupancy, const std::vector<Axis> & axes, d
   return copy;
 }
 
-/** Maximum of the field and the tube around one axis. */
+/** Adds the tube around one axis to the field: the maximum of both. */
 void
 DrawTube(OccupancyImage * image, const GridGeometry & grid, const Axis & axis, double radius)
 {

@@ -9,8 +9,8 @@ namespace shapeton
 OccupancyImage::ConstPointer
 DrawBridges(const OccupancyImage * occupancy, const BridgedOccupancy & bridges);
 
-/** 1 for each face on a tube rather than on the given lumen. `lumen` is the field without tubes; it may be null if
- * there are no tubes. */
+/** 1 for each face on a tube rather than on the given lumen. `lumen` is the field before tubes were added; it may be
+ * null if there are no tubes. */
 SurfaceArray
 BridgedFaces(const SurfaceMesh & mesh, const BridgedOccupancy & bridges, const OccupancyImage * lumen);
 } // namespace shapeton

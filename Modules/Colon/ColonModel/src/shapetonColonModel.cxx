@@ -68,7 +68,7 @@ FindValve(ColonModel & model)
   SetIleocecalValve(model.valve.valve, model.centerline.curve);
 }
 
-/** Removes the ileum from the lumen and traces the line again. */
+/** Removes the ileum from the lumen, and finds the line and the valve again. */
 void
 RemoveIleum(ColonModel & model, const ColonModelSettings & options)
 {
@@ -77,7 +77,7 @@ RemoveIleum(ColonModel & model, const ColonModelSettings & options)
   FindValve(model);
 }
 
-/** Finds the valve; if ileum is attached, removes it and recomputes line and valve. */
+/** Finds the valve; if there is ileum in the lumen, removes it and recomputes the line and the valve. */
 void
 AddValve(ColonModel & model, const ColonModelSettings & options)
 {
@@ -111,7 +111,8 @@ WallSettingsOf(const ColonModelSettings & options)
            options.besideSimplification };
 }
 
-/** Runs a task and waits for the parallel one, even after an InputError, so that both failures are reported. */
+/** Runs a task and waits for the parallel one, even after an InputError; if both fail, the error of the parallel one is
+ * thrown. */
 template <typename TWork>
 void
 DoAndWaitFor(WorkBeside & beside, const TWork & work)
@@ -143,7 +144,7 @@ AddWall(ColonModel & model, const ColonModelSettings & options, const TMake & ma
   AppendRemarks(model.warnings, model.wall.report.warnings);
 }
 
-/** The cleansed colon, and the parallel task that uses its CT. */
+/** The cleansed colon, and the parallel task that uses the cleansed CT. */
 struct CleansedWork
 {
   CleansedColon colon;
@@ -183,7 +184,7 @@ InWords(const GasInGap & one)
          ": classified as colon; check it, or give the lumen as a mask";
 }
 
-/** Adds gas that fills gaps of the line as seed points and recomputes the model. The result is used, and the seed
+/** Adds seed points in gas that fills gaps of the line, and recomputes the model. The result is used, and the seed
  * points are added to `options`, if the gaps are shortened by at least half of the filled length. */
 void
 FillGaps(ColonModel & model, CleansedWork & cleansed, const itk::Image<float, 3> * ct, ColonModelSettings & options)
@@ -241,12 +242,12 @@ IsCutByScan(const CurveSet & line)
   });
 }
 
-/** Reason why the lumen is not a colon, but a stomach or a loop of bowel: it is completely inside the scan and shorter
+/** Reason why the lumen is not a colon but a stomach or a loop of bowel: it is completely inside the scan and shorter
  * than any colon. Empty otherwise. */
 std::string
 FailureOfShortLine(const ColonModel & model)
 {
-  // An adult colon is 1000 to 2500 mm long, 600 mm or more after a hemicolectomy; a stomach is 200 to 300 mm long.
+  // An adult colon is 1000 to 2500 mm long, or at least 600 mm after a hemicolectomy; a stomach is 200 to 300 mm long.
   constexpr double shortestColon = 400.0; // mm
   if (model.centerline.length >= shortestColon || IsCutByScan(model.centerline.curve))
   {
@@ -275,7 +276,7 @@ MayGoOn(ColonModel & model, const ColonModelSettings & options, LumenOrigin orig
   return model.failure.empty() || options.keepPartial;
 }
 
-/** Computes cleansed CT, centerline and wall of a lumen from the CT or a mask. */
+/** Computes the cleansed CT, the centerline and the wall for a lumen from the CT or from a mask. */
 void
 Complete(ColonModel & model, const itk::Image<float, 3> * ct, ColonModelSettings options, LumenOrigin origin)
 {
@@ -356,7 +357,7 @@ ModelOfMask(const LumenMask * lumen, const ColonModelSettings & options)
   return model;
 }
 
-/** Adds the resolution with its warnings. */
+/** Adds the resolution and its warnings. */
 ColonModel
 WithResolution(ColonModel && model, const itk::ImageBase<3> * grid, double sliceThickness)
 {
@@ -366,7 +367,7 @@ WithResolution(ColonModel && model, const itk::ImageBase<3> * grid, double slice
   return std::move(model);
 }
 
-/** Radius (mm) of the cross-section of a ball through a point; 0 outside the ball. */
+/** Radius (mm) of the cross-section of a ball at a point; 0 outside the ball. */
 double
 RadiusOfSection(const itk::Point<double, 3> & center, double diameter, const itk::Point<double, 3> & point)
 {

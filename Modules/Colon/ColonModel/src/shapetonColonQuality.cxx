@@ -233,7 +233,8 @@ AssessabilityToJson(const ColonModel & model)
 bool
 BeginsInRectum(const CurveSet & curve)
 {
-  // The lines of four real colons begin at 10 to 50 mm; a line from the descending colon would begin at about 80 mm.
+  // The lines of four real colons begin at distances of 10 to 50 mm; a line from the descending colon would begin at
+  // about 80 mm.
   constexpr double farthest = 65.0; // mm, see ColonExtent::DistanceFromAnus()
   ColonExtent      extent;
   for (Eigen::Index n = 0; n < curve.V.rows(); ++n)
@@ -252,7 +253,7 @@ InCentimeters(double begin, double end)
   return "from " + InTenths(begin / mmPerCm) + " to " + InTenths(end / mmPerCm) + " cm";
 }
 
-/** Parts missing from a complete line from the rectum to the cecum. */
+/** Parts that the line would need to be complete from the rectum to the cecum. */
 std::vector<std::string>
 MissingParts(const ColonModel & model)
 {

@@ -63,7 +63,7 @@ public:
     Remarks                       remarksOnRaw;
     std::optional<ArcLengthField> arcLengths;
     SurfaceMesh                   repaired;
-    // All other steps depend on the repaired surface; the raw surface is independent.
+    // All other steps depend on the repaired surface, but not on the raw surface.
     ParallelInvoke([this] { this->Repair(); },
                    [&, this] {
                      remarksOnRaw = this->MakeRaw();
@@ -164,7 +164,7 @@ private:
     this->Advance(Step::Opened);
   }
 
-  /** The surface to simplify for topologies other than Repaired. */
+  /** Makes the surface to simplify for topologies other than Repaired. */
   void
   MakeUnrepaired()
   {
@@ -178,7 +178,7 @@ private:
     }
   }
 
-  /** Opens the raw surface, unless handles next to an end prevent a disc. */
+  /** Opens the raw surface, unless handles near an end prevent a disc there. */
   Remarks
   OpenRaw()
   {
@@ -274,7 +274,7 @@ private:
     }
   }
 
-  /** Progress scaled to a part of the total. */
+  /** Simplifies the wall; the progress is scaled to a part of the total. */
   void
   SimplifyTo(int faces, double begin, double end)
   {
@@ -285,7 +285,7 @@ private:
     m_Wall.simplified = SimplifySurface(isRepaired ? m_Wall.repaired : m_Unrepaired, options, &m_Simplification);
   }
 
-  /** Computes the face count from area and narrowest radius of the simplified wall. */
+  /** Computes the face count from the area and the smallest radius of the simplified wall. */
   int
   FacesForFlatMap() const
   {
@@ -326,7 +326,7 @@ private:
     }
   }
 
-  /** `notAssessable` of the centerline point with the arcLength nearest to that of each face. */
+  /** For each face, `notAssessable` of the centerline point with the nearest arcLength. */
   SurfaceArray
   HindrancesOfFaces(const SurfaceMesh & mesh) const
   {

@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** Maximum number of faces of an enclosed island relative to the surrounding disc. */
+/** Maximum number of faces of an enclosed island relative to that of the surrounding disc. */
 constexpr std::size_t GreatestIsland = 4;
 } // namespace
 

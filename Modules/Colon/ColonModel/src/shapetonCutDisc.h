@@ -20,8 +20,8 @@ public:
   }
 
   /** The faces whose vertices are all within `radius` of the pole, measured along edges, including enclosed islands and
-   * faces that protrude at the boundary; in ascending order. Empty if they do not form a topological disc or touch
-   * excluded faces. The part with the vertex `outside` is never an island. */
+   * faces that would protrude into the opening; in ascending order. Empty if they do not form a topological disc or
+   * touch excluded faces. The part with the vertex `outside` is never an island. */
   std::vector<int>
   FindDisc(int pole, double radius, int outside) const;
 
@@ -57,7 +57,7 @@ SetLoops(SurfaceMesh &               mesh,
          const Eigen::Vector3d &     rectum,
          const Eigen::Vector3d &     cecum);
 
-/** Smooths the rims by moving boundary vertices unless an adjacent face would degenerate or flip. */
+/** Smooths the rims by moving boundary vertices, except where an adjacent face would degenerate or flip. */
 void
 SmoothRims(SurfaceMesh & mesh, const SurfaceConnectivity & connectivity);
 } // namespace shapeton

@@ -15,8 +15,8 @@ struct GasInGap
   ColonLeftOut  gas;
 };
 
-/** Finds gas of at least 10 ml, with an inscribed radius of at least 7 mm, near both ends of a gap of at least 30 mm.
- * The maximum distance from an end is a quarter of the gap length, but at most 20 mm. */
+/** Finds gas with a volume of at least 10 ml and an inscribed radius of at least 7 mm near both ends of a gap at least
+ * 30 mm long. The maximum distance from an end is a quarter of the gap length, but at most 20 mm. */
 std::vector<GasInGap>
 FindGasInGaps(const ColonLumen & lumen, const ColonCenterline & line);
 

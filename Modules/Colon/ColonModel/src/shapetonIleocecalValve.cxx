@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-/** Field array of the centerline: position (3), arc length, length, width, confidence; mm and 0 to 1. */
+/** Field array of the centerline: position (3 numbers), arc length, length and width in mm; confidence from 0 to 1. */
 constexpr const char * arrayName = "ileocecalValve";
 constexpr int          valuesInArray = 7;
 constexpr double       leastConfidence = 0.5; // chosen: more likely the valve than not

@@ -78,7 +78,7 @@ KeepSolidPiece(LumenMaskImage * mask, double voxelVolume, LumenTopologyReport & 
   report.lumenVolume = static_cast<double>(pieces.sizes[largest]) * voxelVolume;
 }
 
-/** Erosion along one axis: keeps voxels with both neighbors. Voxels outside the grid count as set. */
+/** Erosion along one axis: keeps voxels whose two neighbors are set. Voxels outside the grid count as set. */
 std::vector<unsigned char>
 Eroded(const VoxelGrid & grid, const std::vector<unsigned char> & mask, int axis)
 {
@@ -115,7 +115,7 @@ SquaredDistancesToRim(const LumenMaskImage * lumen)
   return SquaredDistances(grid, { spacing[0], spacing[1], spacing[2] }, inside);
 }
 
-/** Ranks by distance to the wall. Ties next to the wall are broken by the occupancy, so that a membrane follows the
+/** Ranks by distance to the wall. Ties next to the wall are broken by occupancy, so that a membrane follows the
  * septum. */
 GrowthRankImage::Pointer
 RanksOfLumen(const LumenMaskImage * lumen, const OccupancyImage * occupancy)
@@ -157,7 +157,7 @@ RaiseCenterline(GrowthRankImage * ranks, const CurveSet & centerline)
   }
 }
 
-/** A lumen voxel of maximum rank. */
+/** Sets a lumen voxel of maximum rank as the seed. */
 void
 PlantSeed(LumenMaskImage * grown, const LumenMaskImage * limit, const GrowthRankImage * ranks)
 {

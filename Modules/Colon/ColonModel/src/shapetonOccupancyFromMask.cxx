@@ -9,10 +9,11 @@ namespace shapeton
 {
 namespace
 {
-/** Upper bound of the threshold (occupancy). Chosen far above 0.5; it only saves time and memory. */
+/** Upper bound on the threshold (occupancy). Chosen far above 0.5; it only saves time and memory. */
 constexpr float HighestLevel = 0.95F;
 
-/** Threshold that preserves the number of voxels. It is near 0.5, so voxels far from 0.5 are only counted. */
+/** Threshold that preserves the number of voxels. It is near 0.5, so voxels with values far above 0.5 are only
+ * counted. */
 float
 LevelOfEqualVolume(const OccupancyImage * image, std::size_t voxels)
 {

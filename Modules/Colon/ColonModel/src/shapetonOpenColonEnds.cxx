@@ -47,7 +47,7 @@ RayAtEnd(const CurveSet & centerline, bool isRectum)
   return { end, way.normalized() };
 }
 
-/** Ray parameter of the intersection with a triangle; infinity if none (Moeller, Trumbore 1997). */
+/** Ray parameter of the intersection with a triangle; infinity if there is none (Moeller, Trumbore 1997). */
 double
 HitOfRay(const Ray & ray, const Eigen::Vector3d & a, const Eigen::Vector3d & b, const Eigen::Vector3d & c)
 {
@@ -74,7 +74,7 @@ ClosestVertex(const SurfaceMesh & mesh, const Eigen::Vector3d & point)
   return static_cast<int>(closest);
 }
 
-/** The vertex closest to the first intersection of the ray, or to its origin if none. */
+/** The vertex closest to the first intersection of the ray with the surface, or to its origin if there is none. */
 int
 PoleVertex(const SurfaceMesh & mesh, const Ray & ray)
 {

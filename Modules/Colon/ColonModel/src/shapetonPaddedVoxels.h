@@ -59,8 +59,8 @@ struct VoxelComponents
   std::vector<std::int64_t> sizes; ///< number of voxels per label; label 0 is unused
 };
 
-/** The components of the voxels where (flags & flag) != 0 equals `isSet`, including the padding: for `isSet` false,
- * label 1 is the outside. */
+/** The components of the voxels for which (flags & flag) != 0 equals `isSet`. The padding is included: if `isSet` is
+ * false, label 1 is the outside. */
 VoxelComponents
 FindComponents(const PaddedVoxels & voxels, unsigned char flag, bool isSet, VoxelContact contact);
 } // namespace shapeton

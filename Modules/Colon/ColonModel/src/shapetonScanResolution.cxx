@@ -14,7 +14,7 @@ constexpr double     SmallestReported = 6.0;              // mm; C-RADS, see the
 constexpr double     ThickestSlice = 3.0;                 // mm; ACR and ESGAR, see the header
 constexpr const char BelowArray[] = "notAssessableBelow"; // field array of the centerline, mm
 
-/** In tenths of mm, so that rounding errors of headers do not exceed a limit. */
+/** Rounded to tenths of mm, so that rounding errors in headers do not cause a limit to be exceeded. */
 double
 ToTenths(double mm)
 {

@@ -57,7 +57,7 @@ Spread18(Bits bits)
   return SpreadY(x) | SpreadZ(x) | SpreadZ(SpreadY(bits));
 }
 
-/** Whether the voxels `wanted` are in one component of `set`; false if `wanted` is empty. */
+/** Whether all voxels of `wanted` are in one component of `set`; false if `wanted` is empty. */
 template <typename TSpread>
 bool
 IsOneComponent(Bits wanted, Bits set, const TSpread & spread)
@@ -71,7 +71,7 @@ IsOneComponent(Bits wanted, Bits set, const TSpread & spread)
   return wanted != 0 && (wanted & ~reached) == 0;
 }
 
-/** Voxels ordered by rank, first in, first out for equal ranks. */
+/** Voxels ordered by rank; first in, first out at equal ranks. */
 class RankQueue
 {
 public:

@@ -32,7 +32,7 @@ struct SurfaceVoxel
   double          greater;
 };
 
-/** Central differences of a field per voxel. */
+/** Central differences of a field, in units of voxels. */
 class FieldShape
 {
 public:
@@ -72,7 +72,7 @@ private:
   const std::vector<float> & m_Field;
 };
 
-/** The surface element of the 0.5 level in a voxel; empty if the level is more than 1.5 voxels away. */
+/** Computes the surface element of the 0.5 level in a voxel; returns false if the level is at least 1.5 voxels away. */
 bool
 MeasureSurface(const CecalRegion & region, const FieldShape & shape, double value, SurfaceVoxel & one)
 {
@@ -123,7 +123,7 @@ BulgingSurface(const CecalRegion & region)
   return surface;
 }
 
-/** 26-connected components; ascending indices in each. */
+/** 26-connected components, each with ascending indices. */
 std::vector<std::vector<SurfaceVoxel>>
 ConnectedParts(const VoxelGrid & grid, const std::vector<SurfaceVoxel> & surface)
 {

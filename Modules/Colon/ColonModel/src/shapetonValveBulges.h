@@ -23,8 +23,8 @@ struct ValveBulge
   /** Maximum and minimum width perpendicular to the axis, mm. */
   double length{ 0.0 };
   double width{ 0.0 };
-  /** Median HU inside, at least 2 mm from the lumen and at most half the width deep; NaN if no such voxels exist or
-   * without a CT. */
+  /** Median HU inside, at least 2 mm from the lumen and at most half the width deep; NaN if there are no such voxels or
+   * there is no CT. */
   double attenuation{ std::numeric_limits<double>::quiet_NaN() };
 };
 

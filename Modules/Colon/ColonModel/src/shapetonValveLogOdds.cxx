@@ -7,7 +7,7 @@ namespace shapeton
 {
 namespace
 {
-/** The largest bulge and its neighbors. */
+/** Evidence from the largest bulge, which is first, and its neighbors. */
 ValveEvidence
 EvidenceOf(const std::vector<ValveBulge> & lips)
 {
@@ -41,9 +41,8 @@ Step(double value, double middle, double width)
   return 1.0 / (1.0 + std::exp(-(value - middle) / width));
 }
 
-/** Log-likelihood ratio of the area for a valve versus other bulges: the larger the area, the
- * rarer are other bulges. A valve covers
- * about 200 mm^2; larger areas are not further evidence, since large polyps exist. */
+/** Log-likelihood ratio of the area for a valve versus other bulges: other bulges become rarer as the area increases. A
+ * valve covers about 200 mm^2; larger areas are not further evidence, since large polyps exist. */
 double
 LogOddsOfSize(double area)
 {

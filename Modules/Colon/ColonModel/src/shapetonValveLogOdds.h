@@ -11,7 +11,7 @@ namespace shapeton
 /** A candidate for the valve: a bulge, or several nearby bulges, such as lips. */
 struct ValveEvidence
 {
-  /** The candidate without arcLength and confidence. */
+  /** The candidate; arcLength and confidence are not set. */
   IleocecalValve valve;
   /** Distance to the end of the line, mm. */
   double beforeEnd{ 0.0 };
@@ -21,11 +21,11 @@ struct ValveEvidence
   double solidAngle{ 0.0 };
 };
 
-/** Groups bulges with a larger one within 18 mm. */
+/** Groups bulges with a larger one that is at most 18 mm away. */
 std::vector<ValveEvidence>
 JoinLips(std::vector<ValveBulge> bulges);
 
-/** Log-odds of a candidate relative to no valve. */
+/** Log-odds that a candidate is the valve rather than another bulge. */
 double
 ValveLogOdds(const ValveEvidence & evidence);
 } // namespace shapeton

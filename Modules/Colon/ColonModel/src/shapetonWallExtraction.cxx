@@ -12,10 +12,10 @@ namespace shapeton
 namespace
 {
 constexpr float LevelOfWall = 0.5F; // occupancy at the wall
-/** Minimum distance of values from the level, to avoid degenerate faces at a voxel. */
+/** Minimum difference of values from the level, to avoid degenerate faces at a voxel. */
 constexpr float LeastStep = 0.001F;
 
-/** Reflects a value at the level if it is on the wrong side. */
+/** Reflects a value about the level if it is on the wrong side. */
 float
 ClampedValue(float value, bool isLumen)
 {

@@ -13,7 +13,7 @@
 
 namespace shapeton
 {
-/** Options of FlattenColon(), its other inputs and the receiver of progress. \ingroup ShapetonFlatColon */
+/** Options and other inputs of FlattenColon(), and the receiver of its progress. \ingroup ShapetonFlatColon */
 struct ColonFlatteningSettings : ColonFlatteningOptions
 {
   /** Curve near which to cut the tube, as in TubeOptions. */
@@ -27,8 +27,8 @@ struct ColonFlatteningSettings : ColonFlatteningOptions
 /** Result of FlattenColon(). \ingroup ShapetonFlatColon */
 struct ColonFlattening
 {
-  /** The flattened tube: prepared, without ears, with handles removed if requested, and with caps replacing cut-off
-   * pouches (UnfoldedTube). */
+  /** The flattened tube after preparation, with ears removed, with handles removed if requested, and with caps
+   * replacing cut-off pouches (UnfoldedTube). */
   SurfaceMesh surface;
   TubeMap     map;
   /** Number of times u and v were computed; 1 if the first map had no folds. */
@@ -42,7 +42,7 @@ struct ColonFlattening
   /** Diffusion time (mm^2); 0 for the Euclidean metric. */
   double time{ 0.0 };
   int    eigenpairs{ 0 };
-  /** HeatDiffusionMetric::drownedEdges for the metric of the map. */
+  /** HeatDiffusionMetric::drownedEdges of the metric of the map. */
   int drownedEdges{ 0 };
   /** NarrowestLevelRadius() (mm); 0 if the time was set. */
   double narrowestRadius{ 0.0 };
@@ -78,14 +78,14 @@ FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningSe
 ShapetonFlatColon_EXPORT Json
 ColonFlatteningToJson(const ColonFlattening & flattening);
 
-/** Writes a VTP file with one point per handle, the arrays genus, uv and radius (mm), and `facts` as metadata. Without
- * handles the file has no points. Throws OutputError. \ingroup ShapetonFlatColon */
+/** Writes a VTP file with one point per handle, the arrays genus, uv and radius (mm), and `facts` as metadata. If there
+ * are no handles, the file does not contain points. Throws OutputError. \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT void
 WriteHandles(const std::vector<SurfaceHandle> &                       handles,
              const std::vector<std::pair<std::string, std::string>> & facts,
              const std::string &                                      path);
 
-/** Returns the points of a single curve. Throws InputError with the prefix `what` if there are several curves, or the
+/** Returns the points of a single curve. Throws InputError with the prefix `what` if there are several curves or the
  * curve is a single point. \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT std::vector<Eigen::Vector3d>
                          OnlyCurve(const CurveSet & curves, const std::string & what);

@@ -7,7 +7,7 @@
 namespace shapeton
 {
 /** \class FlatColonAxis
- * \brief The axis of the tube for each grid column: the reference for relief.
+ * \brief The axis of the tube for each grid column, to which heights of the wall refer.
  * \ingroup ShapetonFlatColon */
 struct FlatColonAxis
 {
@@ -15,7 +15,7 @@ struct FlatColonAxis
   VertexMatrix centers;
   /** Unit vectors toward larger u. */
   VertexMatrix tangents;
-  /** Smoothed mean distance of the wall from the center, mm. */
+  /** Smoothed mean distance from the center to the wall, mm. */
   Eigen::VectorXd radii;
 };
 
@@ -44,9 +44,9 @@ FrameAt(const FlatColonAxis & axis, int column, const Eigen::Vector3d & point);
 ShapetonFlatColon_EXPORT std::vector<double>
                          DistanceOfColumns(const FlatColonGrid & grid);
 
-/** Distance (mm) of each column along a centerline with the point array arcLength. Column centers are assigned to
- * vertices in nondecreasing order so that the sum of squared distances is minimal; this is robust to touching loops of
- * the colon. Throws InputError if the centerline lacks arcLength.
+/** Distance (mm) of each column along a centerline with the point array arcLength. Column centers are assigned to line
+ * vertices in nondecreasing order such that the sum of squared distances is minimal; this is robust to touching loops
+ * of the colon. Throws InputError if the centerline lacks arcLength.
  * \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT std::vector<double>
                          DistanceOfColumns(const FlatColonAxis & axis, const CurveSet & centerline);

@@ -20,7 +20,7 @@ struct FlatPlace
 };
 
 /** \class FlatColonLocator
- * \brief Projects points in space to the flat map by the nearest point of the surface.
+ * \brief Projects points in space to the flat map, using the nearest point of the surface.
  *
  * The grid must outlive the locator. Thread-safe.
  * \ingroup ShapetonFlatColon */

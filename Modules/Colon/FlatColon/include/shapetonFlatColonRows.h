@@ -31,7 +31,8 @@ struct ShapetonFlatColon_EXPORT FlatColonRow
   /** Number of pixels in the row. */
   int
   ShownColumns() const;
-  /** Converts a position in grid columns to pixels from the left border of the row; omitted columns map to the cut. */
+  /** Converts a position in grid columns to pixels from the left border of the row; omitted columns are mapped to the
+   * cut. */
   double
   PlaceOf(double column) const;
   /** The grid column shown by a pixel of the row. */

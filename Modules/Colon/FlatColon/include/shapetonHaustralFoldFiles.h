@@ -15,11 +15,11 @@ namespace shapeton
 
 /** Feature points as curves of one vertex each, LPS mm: three per fold, with the cell arrays fold (label), kind (0
  * center, 1 and 2 ends), reliability (0 to 1), uv (mm of the map), and arcLength (of the fold, mm along the centerline;
- * only if known for all). */
+ * only if known for all folds). */
 ShapetonFlatColon_EXPORT CurveSet
 FeaturesOfFolds(const HaustralFolds & folds);
 
-/** Writes the feature points with metadata as VTP; the file is empty without folds. Throws OutputError. */
+/** Writes the feature points and metadata as VTP; the file is empty if there are no folds. Throws OutputError. */
 ShapetonFlatColon_EXPORT void
 WriteFoldFeatures(const HaustralFolds &                                    folds,
                   const std::vector<std::pair<std::string, std::string>> & facts,
@@ -30,7 +30,8 @@ WriteFoldFeatures(const HaustralFolds &                                    folds
 ShapetonFlatColon_EXPORT CsvTable
 TableOfFolds(const HaustralFolds & folds);
 
-/** Reads the folds from a table file without loss. Throws InputError with the file and the line. */
+/** Reads the folds from a table file; the values are restored exactly. Throws an InputError that states the file and
+ * the line. */
 ShapetonFlatColon_EXPORT std::vector<HaustralFold>
                          ReadFoldTable(const std::string & path);
 
@@ -46,15 +47,15 @@ ShapetonFlatColon_EXPORT std::vector<LabelColor>
 ShapetonFlatColon_EXPORT const std::string &
                                RequireFoldLabelsName(const std::string & path);
 
-/** Writes compressed NRRD; its header contains pixel size and circumference of the grid and `metadata`. Throws
- * OutputError if the file cannot be written, and ParameterError for another extension. */
+/** Writes a compressed NRRD file whose header contains the pixel size and circumference of the grid and `metadata`.
+ * Throws OutputError if the file cannot be written, and ParameterError for another extension. */
 ShapetonFlatColon_EXPORT void
 WriteFoldLabels(const HaustralFolds &  folds,
                 const FlatColonGrid &  grid,
                 const std::string &    path,
                 const VolumeMetadata & metadata = {});
 
-/** Reads a file written by WriteFoldLabels(). Throws InputError with the file and the error.
+/** Reads a file written by WriteFoldLabels(). Throws an InputError that states the file and the error.
  * \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT itk::Image<unsigned short, 2>::Pointer
                          ReadFoldLabels(const std::string & path);

@@ -96,7 +96,7 @@ private:
     }
   }
 
-  /** Updates everything that depends on the faces; called after each change of them. */
+  /** Updates everything that depends on the faces; called whenever they have changed. */
   void
   Connect()
   {
@@ -128,8 +128,8 @@ private:
     return least;
   }
 
-  /** The given time, or the default time, which depends on the narrowest radius; the Euclidean metric if no time is
-   * suitable. */
+  /** Uses the given time, or the default time, which depends on the smallest radius; uses the Euclidean metric if no
+   * time is suitable. */
   void
   ChooseTime()
   {

@@ -12,18 +12,19 @@ namespace
 {
 constexpr int         rounds = 60;         // of expectation maximization; chosen: bounds the time
 constexpr std::size_t mostSamples = 60000; // pixels; chosen: bounds the time of the fit
-/** Minimum standard deviation of a class, 1/mm; walls are not smoother, and it prevents collapse of a class. */
+/** Minimum standard deviation of a class, 1/mm. Walls are not smoother than this, and it prevents classes from
+ * collapsing. */
 constexpr double leastDeviation = 0.01;
 constexpr double greatestOdds = 6.0;
 /** Initial mean curvature of folds, 1/mm: 0.1 at the rim of a fold 10 mm thick, reduced to about half by smoothing. */
 constexpr double leastFold = 0.05;
 
-/** Maximum weight of a pixel in median areas. A pixel of a pouch may cover thousands of square millimeters with an
- * unrepresentative curvature. */
+/** Maximum weight of a pixel, in median pixel areas. A pixel of a pouch may cover thousands of square millimeters with
+ * an unrepresentative curvature. */
 constexpr double greatestArea = 20.0;
 
-/** Initial mean of a class, as a quantile of the curvature, and its initial share. The fit starts there; its
- * sensitivity to the start was not measured. */
+/** Initial mean of a class, as a quantile of the curvature, and its initial fraction. The sensitivity of the fit to the
+ * start was not measured. */
 struct Start
 {
   double quantile;
@@ -81,7 +82,7 @@ Density(const CurvatureMixture::Class & one, double value)
   return one.share * std::exp(-0.5 * z * z) / one.deviation;
 }
 
-/** Area, and area-weighted sums of values and squares, of one class. */
+/** Area, and area-weighted sums of values and of their squares, for one class. */
 struct Moments
 {
   double area{ 0.0 };
@@ -103,7 +104,7 @@ struct Moments
   }
 };
 
-/** Updates the classes; false if a class is empty. */
+/** Updates the classes; returns false if a class is empty. */
 bool
 Improve(const Samples & samples, CurvatureMixture & mixture)
 {
@@ -116,7 +117,7 @@ Improve(const Samples & samples, CurvatureMixture & mixture)
     double                sum = 0.0;
     for (int k = 0; k < 3; ++k)
     {
-      // Folds bulge more than the wall; excludes weaker bulges, such as pouches.
+      // Folds bulge more than the wall; this excludes weaker bulges, such as pouches.
       const bool isPossible = k < 2 || value > mixture.wall.mean;
       densities[k] = isPossible ? Density(*classes[k], value) + 1e-12 : 0.0;
       sum += densities[k];

@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** The tube with the cut closed; faces counterclockwise from outside. */
+/** The tube with the cut closed; faces are counterclockwise as seen from outside. */
 struct Tube
 {
   explicit Tube(const FlatColonGrid & grid) : V(grid.InwardNormals().rows(), 3), F(grid.Faces())
@@ -59,7 +59,7 @@ KeyOf(const FlatColonGridOptions & options)
 template <typename TKey, typename TValue>
 using KeptValues = std::list<std::pair<TKey, TValue>>;
 
-/** The cached value of a key, computed on first use. References to list elements remain valid. */
+/** The cached value for a key, computed on first use. References to list elements remain valid. */
 template <typename TKey, typename TValue, typename TMake>
 const TValue &
 FindOrMake(std::mutex & mutex, KeptValues<TKey, TValue> & kept, const TKey & key, const TMake & make)
@@ -76,7 +76,7 @@ FindOrMake(std::mutex & mutex, KeptValues<TKey, TValue> & kept, const TKey & key
 }
 } // namespace
 
-/** One mutex per kind, since axis and curvature request a grid. */
+/** One mutex per kind of value, since computing an axis or a curvature requests a grid. */
 struct FlatColon::Derived
 {
   std::mutex                                                    gridMutex;

@@ -30,7 +30,7 @@ ForColumn(const FlatColonGrid & grid, int column, const TTake & take)
   }
 }
 
-/** Center of the wall (three values) and the mean distance from it; NaN for a column without faces. */
+/** Center of the wall (three values), and mean distance from it to the wall; NaN for a column without faces. */
 Eigen::Vector4d
 MeasureColumn(const FlatColonGrid & grid, int column)
 {
@@ -47,7 +47,7 @@ MeasureColumn(const FlatColonGrid & grid, int column)
   return { center.x(), center.y(), center.z(), distance / weight };
 }
 
-/** Replaces NaN rows by the nearest valid row, preferring earlier rows. */
+/** Replaces NaN rows by the nearest valid row; earlier rows are preferred. */
 void
 FillGaps(Eigen::MatrixXd & values, const std::string & what)
 {
@@ -131,7 +131,7 @@ NeverFalling(const Eigen::MatrixXd & values)
   return fit;
 }
 
-/** At most `number` of `total` indices, evenly spaced, including both ends. */
+/** At most `number` evenly spaced indices out of `total`, including both ends. */
 std::vector<int>
 Spread(int total, int number)
 {
@@ -144,7 +144,8 @@ Spread(int total, int number)
   return indices;
 }
 
-/** Nondecreasing station indices of the points with minimum sum of squared distances (dynamic programming). */
+/** Assigns a station to each point: nondecreasing station indices with the minimum sum of squared distances (dynamic
+ * programming). */
 std::vector<int>
 AssignInOrder(const VertexMatrix & points, const VertexMatrix & stations)
 {
@@ -237,7 +238,7 @@ DistanceOfColumns(const FlatColonGrid & grid)
 std::vector<double>
 DistanceOfColumns(const FlatColonAxis & axis, const CurveSet & centerline)
 {
-  // Chosen: bounds the assignment to 8 million pairs; about 1 mm of a colon of 2 m.
+  // Chosen: limits the assignment to 8 million pairs; columns are about 1 mm wide in a colon 2 m long.
   constexpr int         mostColumns = 2000;
   constexpr int         mostStations = 4000;
   const Eigen::VectorXd arcLength = PointValues(centerline, "arcLength", "the centerline");

@@ -52,7 +52,7 @@ SignedAreaOfMap(const Eigen::MatrixX2d & uv, const FaceMatrix & F)
   return sum;
 }
 
-/** 1 if the faces are oriented toward the tube axis, else -1. */
+/** 1 if the faces are oriented toward the tube axis, -1 otherwise. */
 double
 SignOfInside(const VertexMatrix & V, const FaceMatrix & F, const Eigen::VectorXd & u, double partLength)
 {

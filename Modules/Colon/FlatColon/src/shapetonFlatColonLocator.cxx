@@ -6,7 +6,7 @@ namespace shapeton
 {
 namespace
 {
-/** Barycentric coordinates of a point in the plane of a triangle; the nearest corner if degenerate. */
+/** Barycentric coordinates of a point in the plane of a triangle; the nearest corner if the triangle is degenerate. */
 Eigen::Vector3d
 BarycentricOfPoint(const VertexMatrix & V, const FaceMatrix & F, int face, const Eigen::Vector3d & point)
 {

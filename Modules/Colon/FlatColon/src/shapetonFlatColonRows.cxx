@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** Scales of evenly spaced pixels of the row that are not bridged, or of all if all are bridged. */
+/** Scales at evenly spaced pixels of the row that are not bridged; with `withBridges`, at all of them. */
 std::vector<double>
 ScalesOf(const FlatColonGrid & grid, const FlatColonRow & row, bool withBridges)
 {
@@ -50,7 +50,7 @@ MeasureScale(const FlatColonGrid & grid, FlatColonRow & row)
   row.highScale = quantile(high);
 }
 
-/** Whether at least 90 % of the pixels of a column are bridged; the others are the seam of collapsed lumen. */
+/** Whether at least 90 % of the pixels of a column are bridged; the others may be the seam of a collapsed lumen. */
 bool
 IsBridgedAllAround(const FlatColonGrid & grid, int column)
 {

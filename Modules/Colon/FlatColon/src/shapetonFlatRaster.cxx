@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** Columns (pixels) per task. Chosen: many more tasks than threads, few faces in two bands. */
+/** Columns (pixels) per task. Chosen: there are many more tasks than threads, but few faces are in two bands. */
 constexpr int bandColumns = 128;
 
 using Place = std::array<std::int64_t, 2>;
@@ -21,7 +21,7 @@ Area(const Place & a, const Place & b, const Place & c)
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/** The first pixel with its center at or after a coordinate. */
+/** The first pixel whose center is at or after a coordinate. */
 std::int64_t
 FirstPixel(std::int64_t place)
 {
@@ -36,7 +36,7 @@ OwnsItsPoints(const Place & from, const Place & to)
   return to[1] == from[1] ? to[0] > from[0] : to[1] < from[1];
 }
 
-/** Tests pixel centers for a triangle with positive area. */
+/** A triangle with positive area, to test whether pixel centers are in it. */
 class Triangle
 {
 public:

@@ -17,8 +17,8 @@ struct SnappedMap
   std::vector<std::int64_t>     v;
 };
 
-/** Snaps the vertices. Duplicates along the cut whose v differs by whole turns differ by exact multiples of the number
- * of rows after snapping. Other duplicates are snapped independently. */
+/** Snaps the vertices. After snapping, duplicates along the cut whose v differs by whole turns differ by exact
+ * multiples of the number of rows. Other duplicates are snapped independently. */
 SnappedMap
 SnapMap(const Eigen::MatrixX2d & uv, const std::vector<int> & sourceOfVertex, double pixelSize, int rows);
 

@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** Shape of a face from its corners. */
+/** Shape of a face, computed from its corners. */
 struct FaceShape
 {
   FaceShape(const VertexMatrix & V, const FaceMatrix & F, int face)
@@ -35,7 +35,7 @@ AreaOfMap(const Eigen::MatrixX2d & uv, const FaceMatrix & F, int face)
   return 0.5 * std::abs(a.x() * b.y() - a.y() * b.x());
 }
 
-/** Averages values of vertices along the surface. */
+/** Averages vertex values along the surface. */
 class SurfaceSmoother
 {
 public:
@@ -46,8 +46,8 @@ public:
     : m_F(F), m_SourceOfVertex(sourceOfVertex), m_AreaOfFaces(areaOfFaces), m_AreaOfVertices(areaOfVertices)
   {}
 
-  /** Smooths with a standard deviation of `length`. Averaging to faces and back has a variance of h^2 / 3 per
-   * direction, where h is the mean edge length. */
+  /** Smooths with a standard deviation of `length`. Averaging from vertices to faces and back adds a variance of h^2 /
+   * 3 per direction, where h is the mean edge length. */
   template <typename TValues>
   void
   Smooth(double length, TValues & values) const

@@ -10,11 +10,11 @@ namespace shapeton
 /** Vertex values with duplicates along the cut merged; one row per source vertex. */
 struct FlatVertexValues
 {
-  /** Area-weighted means of the face normals, normalized; zero without area. */
+  /** Area-weighted means of the face normals, normalized; zero if the area is zero. */
   VertexMatrix normals;
   /** Mean curvature, 1/mm, positive where the surface bulges toward the normals. */
   Eigen::VectorXd curvature;
-  /** Square root of surface area / map area of the adjacent faces. */
+  /** Square root of the ratio of surface area to map area of the adjacent faces. */
   Eigen::VectorXd scale;
 };
 

@@ -18,14 +18,14 @@ using Eigen::Vector2d;
 constexpr double endShare = 0.2;
 /** Minimum fraction of the plateau curvature at the start of a trace, well within the fold. */
 constexpr double coreShare = 0.6;
-/** Rise after a drop, as a fraction of the plateau curvature, that indicates another fold. */
+/** Rise after a drop that indicates another fold, as a fraction of the plateau curvature. */
 constexpr double riseShare = 0.1;
 constexpr double stepLength = 0.5;     ///< mm of the map
 constexpr double farthest = 20.0;      ///< mm of the map from the start of a trace
 constexpr double sideways = 0.3;       ///< of a step
 constexpr double memoryOfCourse = 0.9; ///< weight of the previous direction
 
-/** First row of the fold: the row after the widest gap or, for a ring, the row with the fewest pixels. */
+/** First row of the fold: the row after the widest gap or, if the fold is a ring, the row with the fewest pixels. */
 int
 FirstRow(const FoldPixels & pixels, int rows)
 {
@@ -161,7 +161,7 @@ private:
     return LowerQuantile(std::move(values), 0.6);
   }
 
-  /** The first and last positions on the plateau. */
+  /** Indices of the first and last positions on the plateau. */
   std::pair<int, int>
   Core(const FoldPlaces & ridge, double plateau) const
   {
@@ -217,7 +217,7 @@ private:
     return path;
   }
 
-  /** Forward step, slightly toward higher curvature. */
+  /** Steps forward, deviating slightly toward higher curvature. */
   Vector2d
   Step(const Vector2d & place, Vector2d & course, double step) const
   {

@@ -8,7 +8,7 @@ namespace shapeton
 /** Positions (column, row); rows exceed the last row where a fold crosses the cut. */
 using FoldPlaces = std::vector<Eigen::Vector2d>;
 
-/** The rows of a fold, unwrapped around the tube. */
+/** The pixel positions of a fold, with rows unwrapped around the tube. */
 FoldPlaces
 UnrollFold(const FoldPixels & pixels, int rows);
 
@@ -41,16 +41,16 @@ struct FoldCrest
   Middle(const FoldPicture & picture) const;
 };
 
-/** The long axis of the ellipse, with the axial end points of the dissertation. */
+/** The crest along the long axis of the ellipse; its ends are the axial end points of the dissertation. */
 FoldCrest
 CrestOfEllipse(const FoldPicture & picture, const FoldPlaces & places, const FoldEllipse & ellipse);
 
 /** Traces the ridge of curvature within the fold and extends it at both ends down to a fifth of the plateau curvature,
- * since a common threshold shortens folds, low ones most. Curvature below `floor` (1/mm) is wall. */
+ * since a common threshold shortens folds, especially low ones. Curvature below `floor` (1/mm) is wall. */
 FoldCrest
 TraceCrest(const FoldPicture & picture, const FoldPlaces & places, const FoldEllipse & ellipse, double floor);
 
-/** Pixels within 2 mm of the crest with at least half of its curvature; may contain duplicates. */
+/** Pixels within 2 mm of the crest that have at least half of its curvature; may contain duplicates. */
 FoldPixels
 PixelsAlongCrest(const FoldPicture & picture, const FoldCrest & crest);
 

@@ -15,7 +15,7 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/** Maximum surface distance (mm) from the crest to a foot: the length of the flank of the highest folds. */
+/** Maximum surface distance (mm) from the crest to a foot: the length of the flanks of the highest folds. */
 constexpr double farthestFoot = 18.0;
 
 class HeightMeter
@@ -59,7 +59,7 @@ private:
     return m_Picture.Index(static_cast<int>(std::lround(place.x())), row < 0 ? row + m_Picture.rows : row);
   }
 
-  /** Collects points from the crest to the foot; false if the map or the wall ends before the foot is
+  /** Collects points from the crest to the foot; returns false if the map or the wall ends before the foot is
    * reached. */
   bool
   AddFlank(const Vector2d & start, const Vector2d & course, std::vector<Vector3d> & points) const

@@ -11,7 +11,7 @@ namespace
 {
 using Graph = cv::detail::GCGraph<double>;
 
-/** Exceeds the sum of all other costs, to force a pixel to be wall. */
+/** A cost greater than the sum of all others, which forces a pixel to be wall. */
 constexpr double never = 1e9;
 
 class FoldCut

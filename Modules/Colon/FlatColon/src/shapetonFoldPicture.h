@@ -11,7 +11,7 @@ struct FoldPicture
   int    columns{ 0 };
   int    rows{ 0 };
   double pixelSize{ 1.0 };
-  /** Smoothed curvature: 1/mm, positive at folds; or in the published unit, negative at folds. */
+  /** Smoothed curvature: in 1/mm, positive at folds, or in the published unit, negative at folds. */
   std::vector<float> curvature;
   /** Sign of the curvature of folds: 1 or -1. */
   double sign{ 1.0 };
@@ -19,7 +19,7 @@ struct FoldPicture
   std::vector<float> scale;
   /** Whether the pixel is on a face that is not bridged. */
   std::vector<char> isWall;
-  /** Part number of the pixel from 1; 0 for none. */
+  /** Number of the part that contains the pixel, from 1; 0 if there is none. */
   std::vector<int> part;
 
   std::size_t

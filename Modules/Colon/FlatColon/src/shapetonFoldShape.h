@@ -8,7 +8,7 @@ namespace shapeton
 /** A fold with its measurements. */
 struct MeasuredFold
 {
-  /** Measures a fold, without label and reliabilities. */
+  /** Measures a fold, except for its label and reliabilities. */
   HaustralFold fold;
   FoldPixels   pixels;
   FoldCrest    crest;

@@ -13,7 +13,7 @@ namespace shapeton
 {
 namespace
 {
-/** Parts of a fold grown from its ridges with decreasing level. */
+/** Parts of a fold, grown from its ridges at a decreasing level. */
 class FoldFlood
 {
 public:
@@ -56,7 +56,7 @@ private:
   {
     return std::abs(m_Picture.curvature[this->IndexOf(i)]);
   }
-  /** The parts adjacent to a pixel, starting with the part of the highest neighbor. */
+  /** The parts adjacent to a pixel, starting with that of the highest neighbor. */
   std::vector<int>
   PartsAround(int i)
   {

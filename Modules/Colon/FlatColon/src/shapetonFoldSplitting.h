@@ -8,7 +8,7 @@ namespace shapeton
 /** Rule for splitting merged folds. */
 struct FoldSplittingRule
 {
-  /** Saddle curvature, relative to the lower ridge, below which two ridges are separate folds. */
+  /** Curvature of a saddle, relative to the lower ridge, below which two ridges are separate folds. */
   double saddle{ 0.5 };
   /** The same limit for a saddle on a taenia, where most folds end. */
   double saddleOnTaenia{ 0.6 };
@@ -18,13 +18,13 @@ struct FoldSplittingRule
   std::vector<char> isTaenia;
 };
 
-/** Watershed of curvature: floods a fold from its ridges downward and merges ridges not separated by the rule. Parts
- * are ordered by their first pixels. */
+/** Watershed of curvature: floods a fold from its ridges downward and merges ridges that the rule does not separate.
+ * Parts are ordered by their first pixels. */
 std::vector<FoldPixels>
 SplitFold(const FoldPicture & picture, const FoldPixels & pixels, const FoldSplittingRule & rule);
 
-/** Mask of the pixels within `distance` mm of the taeniae on the map, from sample points projected to the surface.
- * Throws InputError if most points are more than 15 mm from the surface. */
+/** Mask of the map pixels within `distance` mm of the taeniae, which are sampled and projected to the surface. Throws
+ * InputError if most points are more than 15 mm from the surface. */
 std::vector<char>
 MaskOfTaeniae(const FlatColonGrid & grid, const CurveSet & taeniae, double distance);
 } // namespace shapeton

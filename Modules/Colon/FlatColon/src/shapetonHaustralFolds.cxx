@@ -85,7 +85,8 @@ private:
     return m_Mixture.hasFolds ? CutFolds(m_Picture, m_Mixture, m_Options) : std::vector<char>(m_Picture.Size(), 0);
   }
 
-  /** Finds connected components and splits merged folds. Marks large ones in the picture, so that crests end there. */
+  /** Finds connected components and splits merged folds. Marks large folds in the picture, so that the crests of other
+   * folds end there. */
   std::vector<FoldPixels>
   Parts()
   {
@@ -156,7 +157,7 @@ private:
     return area;
   }
 
-  /** Extends labels along the crests, which are longer than the graph cut result. */
+  /** Extends labels along the crests, which are longer than the parts found by the graph cut. */
   void
   LengthenLabels(HaustralFolds & folds) const
   {

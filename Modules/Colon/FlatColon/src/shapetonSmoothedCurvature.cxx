@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** 1/mm, the curvature of a ball of 1 mm radius. Higher values are mesh defects, such as needles. */
+/** 1/mm, the curvature of a ball with a radius of 1 mm. Higher values are mesh defects, such as needles. */
 constexpr double greatestCurvature = 1.0;
 
 /** Area-weighted means of the face normals, normalized or zero. */

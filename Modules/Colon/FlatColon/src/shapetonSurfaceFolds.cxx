@@ -46,7 +46,7 @@ CurvatureOfPoints(const FlatColon & flat, double time)
   return curvature;
 }
 
-/** Connectivity that includes adjacency across the cut. */
+/** Connectivity including adjacency across the cut. */
 SurfaceConnectivity
 ConnectivityOfTube(const FlatColonGrid & grid)
 {
@@ -107,7 +107,8 @@ ThresholdBetween(const SurfaceMesh &         surface,
       best = bin;
     }
   }
-  // The threshold is at least 0, since folds bulge into the lumen; a lower one would split a wall without folds.
+  // The threshold is at least 0, since folds bulge into the lumen; a lower one would find folds in a wall that has
+  // none.
   return std::max(low + width * (best + 1), 0.0);
 }
 

@@ -23,7 +23,7 @@ enum class PolypPreset
 {
   /** Bulges of the wall that differ from folds in shape. */
   Default,
-  /** Parts of the wall most visited by shapetons (dissertation 3.5.2): 65,000 shapetons, distance 0.005, p = 15, 4,000
+  /** Parts of the wall least visited by shapetons (dissertation 3.5.2): 65,000 shapetons, distance 0.005, p = 15, 4,000
    * steps. */
   Published
 };
@@ -32,7 +32,7 @@ enum class PolypPreset
 ShapetonPolypCandidates_EXPORT std::string
                                NameOf(PolypPreset preset);
 
-/** Size classes for reports, by the largest diameter rounded to whole millimeters.
+/** Size classes for reports, based on the largest diameter rounded to whole millimeters.
  * \ingroup ShapetonPolypCandidates */
 enum class PolypSize
 {
@@ -49,7 +49,7 @@ SizeOf(double diameter);
 ShapetonPolypCandidates_EXPORT std::string
                                NameOf(PolypSize size);
 
-/** Tissue of a candidate, from the HU inside it. \ingroup ShapetonPolypCandidates */
+/** Tissue of a candidate, determined from the HU inside it. \ingroup ShapetonPolypCandidates */
 enum class PolypTissue
 {
   Unknown, ///< no CT, or soft tissue or fat so thin that partial volume decides
@@ -59,7 +59,7 @@ enum class PolypTissue
   Tagged,  ///< above 150 HU: contains contrast medium, like tagged stool
 };
 
-/** The kind of tissue with this attenuation in HU. \ingroup ShapetonPolypCandidates */
+/** The kind of tissue that has this attenuation in HU. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT PolypTissue
 TissueOf(double hounsfield);
 /** "unknown", "gas", "fat", "soft tissue", "tagged". \ingroup ShapetonPolypCandidates */
@@ -79,7 +79,7 @@ enum class PolypMorphology
 ShapetonPolypCandidates_EXPORT std::string
                                NameOf(PolypMorphology morphology);
 
-/** Structure that a candidate was recognized as instead of a polyp. Reports list such candidates separately.
+/** Structure, other than a polyp, that a candidate was recognized as. Reports list such candidates separately.
  * \ingroup ShapetonPolypCandidates */
 enum class PolypLookalike
 {
@@ -93,28 +93,29 @@ enum class PolypLookalike
 };
 
 /** "ileocecal valve", "rectal catheter", "balloon of the rectal catheter", "gas", "residue of electronic cleansing",
- * "tagged stool or residue"; empty for none. \ingroup ShapetonPolypCandidates */
+ * "tagged stool or residue"; empty for None. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
                                NameOf(PolypLookalike lookalike);
 
 /** Evidence for a candidate from the other position of the patient. \ingroup ShapetonPolypCandidates */
 struct PolypInOtherPosition
 {
-  /** Corresponding point on the other wall by the registration, LPS, mm. */
+  /** Corresponding point on the other wall according to the registration, LPS, mm. */
   Eigen::Vector3d point{ Eigen::Vector3d::Zero() };
   /** Distance (mm) from that point to the most similar candidate of the other position, or to the nearest if none is
-   * similar; infinity without candidates. */
+   * similar; infinity if there are no candidates. */
   double distance{ std::numeric_limits<double>::infinity() };
-  /** Number of that candidate; 0 for none. */
+  /** Number of that candidate; 0 if there is none. */
   int candidate{ 0 };
   /** Whether a similar candidate (likeness of at least 0.1) was found. */
   bool isSeen{ false };
-  /** Whether the point is collapsed, bridged or not imaged in one position, so no conclusion is possible. */
+  /** Whether the wall at the point is collapsed, bridged or not imaged in one of the positions, so that no conclusion
+   * is possible. */
   bool isExcluded{ false };
   /** Local confidence of the registration, 0 to 1. */
   double confidence{ 0.0 };
-  /** Similarity of the best matching candidate of the other position, 0 to 1: its score, weighted by Gaussians of the
-   * distance (standard deviation 8 mm) and of the log ratio of the widths (0.5). */
+  /** Similarity (0 to 1) of the best-matching candidate in the other position: the score of that candidate, weighted by
+   * Gaussians of the distance (standard deviation 8 mm) and of the log ratio of the widths (0.5). */
   double likeness{ 0.0 };
   /** PolypCandidate::score before WeighByOtherPosition(); NaN if it was not called. */
   double ownScore{ std::numeric_limits<double>::quiet_NaN() };
@@ -137,7 +138,7 @@ struct OtherPolypCandidate
  */
 struct PolypCandidate
 {
-  /** Rank from 1, by descending score in this position. */
+  /** Rank by descending score in this position, from 1. */
   int number{ 0 };
   /** Shape score (0 to 1) times the TissueLikelihood() of the head, if known; see WeighByOtherPosition(). */
   double score{ 0.0 };
@@ -152,38 +153,38 @@ struct PolypCandidate
   /** Vertices of the head on the wall. */
   std::vector<int> vertices;
   /** Largest and smallest width (mm) of the head perpendicular to its axis. Up to 0.9 mm is added for heads lower than
-   * about half their width, which merge into the wall before their maximum width. */
+   * about half their width, since these merge into the wall before they reach their maximum width. */
   double diameter{ 0.0 };
   double leastDiameter{ 0.0 };
-  /** Height (mm) above a ring 1 to 2 mm around it, without the stalk. On a concave wall the ring is higher than the
-   * base: 4.2 mm for a head of 6 mm on a tube of radius 20 mm. */
+  /** Height (mm) above a ring 1 to 2 mm around the head, excluding the stalk. On a concave wall the ring is higher than
+   * the base: the height is 4.2 mm for a head 6 mm high on a tube with a radius of 20 mm. */
   double        height{ 0.0 };
   PolypFeatures features;
   /** mm along the centerline from the anal verge; NaN if the wall lacks arcLength. */
   double arcLength{ std::numeric_limits<double>::quiet_NaN() };
-  /** Segment, 1 rectum to 6 cecum; 0 unknown. */
+  /** Segment, from 1 (rectum) to 6 (cecum); 0 if unknown. */
   int segment{ 0 };
-  /** Position on the flat map, mm; NaN without a map. */
+  /** Position on the flat map, mm; NaN if there is no map. */
   Eigen::Vector2d uv{ Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN()) };
-  /** Median HU inside; NaN without a CT. */
+  /** Median HU inside; NaN if there is no CT. */
   double      attenuation{ std::numeric_limits<double>::quiet_NaN() };
   PolypTissue tissue{ PolypTissue::Unknown };
-  /** Mean, and 5 % and 95 % quantiles, of the same HU values as `attenuation`; NaN without a CT. */
+  /** Mean, and 5 % and 95 % quantiles, of the HU values used for `attenuation`; NaN if there is no CT. */
   double meanAttenuation{ std::numeric_limits<double>::quiet_NaN() };
   double lowAttenuation{ std::numeric_limits<double>::quiet_NaN() };
   double highAttenuation{ std::numeric_limits<double>::quiet_NaN() };
   /** Mean HU of the same part in the CT before cleansing; NaN if unknown. */
   double uncleansedAttenuation{ std::numeric_limits<double>::quiet_NaN() };
-  /** Fraction of the head covered by tagged fluid, 0 to 1; NaN without a CT. */
+  /** Fraction of the head covered by tagged fluid, 0 to 1; NaN if there is no CT. */
   double submergedShare{ std::numeric_limits<double>::quiet_NaN() };
-  /** Fraction (0 to 1) of the surface of the head that is coated with contrast medium: at least 250 HU up to 1 mm above
-   * or 1.5 mm below it, and more than 3 mm from fluid. NaN without a CT. */
+  /** Fraction (0 to 1) of the surface of the head that is coated with contrast medium: at least 250 HU within 1 mm
+   * above or 1.5 mm below it, and more than 3 mm from fluid. NaN if there is no CT. */
   double filmShare{ std::numeric_limits<double>::quiet_NaN() };
   /** See MeasureMorphology(). */
   PolypMorphology morphology{ PolypMorphology::Unknown };
   bool            isOnFold{ false };
-  /** Largest diameter (mm) of the cuts through the center of the head in the planes of the patient, and that plane:
-   * "axial", "coronal" or "sagittal"; NaN and empty if not measured. */
+  /** Largest diameter (mm) of the head in cuts through its center along the planes of the patient, and the plane of
+   * that cut: "axial", "coronal" or "sagittal"; NaN and empty if not measured. */
   double      planeDiameter{ std::numeric_limits<double>::quiet_NaN() };
   std::string plane;
   /** Number of the candidate of which this is a fragment, see JoinFragments(); its own number otherwise, 0 if unknown.
@@ -198,20 +199,20 @@ struct PolypCandidate
 /** Options of FindPolypCandidates(). \ingroup ShapetonPolypCandidates */
 struct PolypCandidateOptions : PolypSensitivityOptions
 {
-  /** Time (mm^2) for diffusing the normals of a wall from voxels of 0.8 mm. For other walls it is adapted so that the
-   * total blur by voxels and diffusion is the same, see MatchedSmoothingTime(). */
+  /** Time (mm^2) for diffusing the normals of a wall made from 0.8 mm voxels. For other walls, it is adapted so that
+   * the total blur due to voxels and diffusion is the same, see MatchedSmoothingTime(). */
   double smoothingTime{ 1.0 };
   /** Lower bound of the smaller principal curvature on a head, 1/mm. */
   double leastCurvature{ 0.01 };
-  /** Minimum diameter, mm, from 0. Smaller heads cannot be distinguished from segmentation residue. */
+  /** Minimum diameter, mm; at least 0. Smaller heads cannot be distinguished from segmentation residue. */
   double leastDiameter{ 3.5 };
   /** May throw to abort. */
   Progress progress;
 };
 
-/** Adapts a diffusion time (mm^2) from voxels of 0.8 mm to a wall: reduced by half the difference in voxel face area
- * (mm^2), to at least 0.3 mm^2. The voxel face area is estimated as three times the mean face area of the wall, the
- * ratio that results from marching cubes. \ingroup ShapetonPolypCandidates */
+/** Adapts a diffusion time (mm^2) chosen for 0.8 mm voxels to a wall: the time is reduced by half the difference in
+ * voxel face area (mm^2), to at least 0.3 mm^2. The voxel face area is estimated as three times the mean face area of
+ * the wall, the ratio that results from marching cubes. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT double
 MatchedSmoothingTime(const SurfaceMesh & wall, double time);
 
@@ -219,37 +220,39 @@ MatchedSmoothingTime(const SurfaceMesh & wall, double time);
  *
  * 1. Principal curvatures from diffused normals (SurfaceShape).
  * 2. Bulges: connected parts where both are positive. The crest of a fold is curved in one direction only, so a polyp
- *    on a fold is a separate part. Plaques (FindWallPlaques()) of at least 8 mm add flat polyps.
+ *    on a fold is a separate part. Plaques (FindWallPlaques()) at least 8 mm wide are added to find flat polyps.
  * 3. PolypScore() from shape index, roundness, hollowness of the foot and curvedness.
  * 4. Non-maximum suppression of overlapping bulges.
  *
- * \param wall at full resolution, faces counterclockwise from outside the lumen; point array arcLength and cell array
- * bridged are optional. Bridges and parts within 3 mm of a rim are excluded. Throws ParameterError for a sensitivity
- * outside [0, 1], and the InputError of MakeSurfaceLaplacian(). The result does not depend on the number of threads.
+ * \param wall at full resolution, with faces counterclockwise as seen from outside the lumen; the point array arcLength
+ * and the cell array bridged are optional. Bridges and parts within 3 mm of a rim are excluded. Throws ParameterError
+ * for a sensitivity outside [0, 1], and the InputError of MakeSurfaceLaplacian(). The result does not depend on the
+ * number of threads.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
 FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & options = {});
 
-/** Marks the candidate that may be the ileocecal valve if no valve is known: the largest of at least 15 mm, 30 to 100
- * mm before the end of the centerline. \ingroup ShapetonPolypCandidates */
+/** Marks the candidate that may be the ileocecal valve if no valve is known: the largest candidate that is at least 15
+ * mm wide and 30 to 100 mm before the end of the centerline. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
 NoteIleocecalValve(double lengthOfCenterline, std::vector<PolypCandidate> & candidates);
 
 /** Adds the remark "the ileocecal valve" to candidates at the valve and ranks them last among those listed at the
  * default sensitivity, with scores of at most 1 - defaultPolypSensitivity. The scores of domes and caps (shape index
- * above 13/16) do not depend on the valve confidence, to preserve large polyps mistaken for the valve. The scores of
- * ridges, such as the lips of a valve, are multiplied by the probability that they are not the valve. A candidate is at
- * the valve if its distance from the valve center is at most half the valve length + 3 mm, or 12 mm if that is greater.
+ * above 13/16) do not depend on the valve confidence, so that large polyps mistaken for the valve are preserved. The
+ * scores of ridges, such as the lips of a valve, are multiplied by the probability that they are not the valve. A
+ * candidate is at the valve if its distance from the valve center is at most half the valve length + 3 mm, or 12 mm if
+ * that is greater.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
 RankValveLast(const IleocecalValve & valve, std::vector<PolypCandidate> & candidates);
 
-/** Adds a remark to candidates within 60 mm of the anal verge along the centerline, which may be a catheter tip, a
- * balloon or hemorrhoids. \ingroup ShapetonPolypCandidates */
+/** Adds a remark to candidates within 60 mm of the anal verge along the centerline, since these may be a catheter tip,
+ * a balloon or hemorrhoids. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
 NoteRectalCatheter(std::vector<PolypCandidate> & candidates);
 
-/** Adds a remark to candidates with a smaller diameter than the resolution supports, see NotAssessableBelow().
+/** Adds a remark to candidates whose diameter is smaller than the resolution supports, see NotAssessableBelow().
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
 NoteSmallerThan(double notAssessableBelow, std::vector<PolypCandidate> & candidates);

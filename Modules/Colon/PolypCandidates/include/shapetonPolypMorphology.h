@@ -9,9 +9,9 @@ namespace shapeton
 {
 /** Sets morphology, isOnFold, planeDiameter and plane of the candidates.
  *
- * - Flat: at most 3 mm high, and lower than half its smallest width (C-RADS; Paris classification 0-IIa).
- * - Pedunculated: 2 to 4 mm beyond the edge of the head, along the surface, the girth is less than 0.8 of that of the
- *   head. A stalk is narrower than its head there; the wall around a sessile polyp is wider.
+ * - Flat: at most 3 mm high, and lower than half of the smallest width (C-RADS; Paris classification 0-IIa).
+ * - Pedunculated: 2 to 4 mm beyond the edge of the head, along the surface, the girth is less than 0.8 times that of
+ *   the head. A stalk is narrower than its head there; the wall around a sessile polyp is wider.
  * - On a fold: most of the wall within 2 mm of the head belongs to folds.
  *
  * \param isFold whether a point of the wall (LPS, mm) belongs to a fold; empty if folds are unknown.
@@ -27,8 +27,8 @@ MeasureMorphology(const SurfaceMesh &                                  wall,
 ShapetonPolypCandidates_EXPORT void
 JoinFragments(const SurfaceMesh & wall, std::vector<PolypCandidate> & candidates);
 
-/** "sessile", "pedunculated, on a fold", ...; "diminutive" instead of a form at 5 mm and less, by the larger size;
- * empty if unknown. \ingroup ShapetonPolypCandidates */
+/** "sessile", "pedunculated, on a fold", ...; "diminutive" instead of a form if the larger size is at most 5 mm; empty
+ * if unknown. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
                                MorphologyInWords(const PolypCandidate & candidate);
 } // namespace shapeton

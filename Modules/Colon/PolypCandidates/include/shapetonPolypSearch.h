@@ -15,7 +15,7 @@
 
 namespace shapeton
 {
-/** Data of a colon in one position; only wall and lumen are required. \ingroup ShapetonPolypCandidates */
+/** Data of a colon in one position; only the wall and the lumen are required. \ingroup ShapetonPolypCandidates */
 struct PolypColon
 {
   /** Wall at full resolution, without handles. */
@@ -35,7 +35,7 @@ struct PolypColon
   itk::Image<unsigned short, 2>::Pointer folds;
   /** Surface with the cell array segment; may be empty. */
   SurfaceMesh segments;
-  /** Warnings about missing data and the consequences. */
+  /** Warnings about missing data and their consequences. */
   Remarks warnings;
   /** Identities of the files. */
   std::vector<std::pair<std::string, std::string>> facts;
@@ -48,13 +48,13 @@ struct PolypSearchSettings : PolypSearchOptions
   Progress progress;
 };
 
-/** Finds candidates and adds all available data: attenuation, shape diffusion, position on the flat map, segment,
+/** Finds candidates and adds all available data: attenuation, shape diffusion, position on the flat map, segment and
  * remark. Throws the exceptions of the individual steps. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
                                SearchPolyps(const PolypColon & colon, const PolypSearchSettings & options = {});
 
-/** Mean distance (mm) of the candidates to a wall; 0 without candidates. The walls of two positions may coincide
- * locally, so only the mean identifies the wall. \ingroup ShapetonPolypCandidates */
+/** Mean distance (mm) from the candidates to a wall; 0 if there are no candidates. The walls of two positions may
+ * coincide locally, so only the mean identifies the wall. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT double
 MeanDistanceToWall(const SurfaceMesh & wall, const std::vector<PolypCandidate> & candidates);
 
@@ -63,24 +63,26 @@ MeanDistanceToWall(const SurfaceMesh & wall, const std::vector<PolypCandidate> &
 ShapetonPolypCandidates_EXPORT std::vector<OtherPolypCandidate>
                                AsOthers(const std::vector<PolypCandidate> & candidates);
 
-/** Maps candidates to the other position by a map from ColonRegistration: a flat surface with the point arrays mapped
- * (LPS, mm), excluded and confidence. Throws InputError, prefixed with `what`, if an array is missing or the mean
- * distance of the candidates to the surface exceeds 10 mm. \ingroup ShapetonPolypCandidates */
+/** Maps candidates to the other position using a map from ColonRegistration: a flat surface with the point arrays
+ * mapped (LPS, mm), excluded and confidence. Throws InputError, prefixed with `what`, if an array is missing or the
+ * mean distance from the candidates to the surface exceeds 10 mm. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
 FindInOtherPosition(const SurfaceMesh &                      map,
                     const std::string &                      what,
                     const std::vector<OtherPolypCandidate> & others,
                     std::vector<PolypCandidate> &            candidates);
 
-/** Minimum confidence of a registration used as evidence for single candidates. \ingroup ShapetonPolypCandidates */
+/** Minimum confidence of a registration that is used as evidence about single candidates. \ingroup
+ * ShapetonPolypCandidates */
 constexpr double LeastRegistrationConfidence = 0.5;
 
-/** Updates candidates after FindInOtherPosition() by the evidence from the other position: polyps are stationary, most
- * stool is mobile. The shape score is replaced by the probability of a polyp given shape score, flatness and likeness
- * (logistic regression on phantoms, see Documentation/validation/colon-polyps.md); the tissue factor is unchanged. The
- * new score is blended with the old one by the confidence of the registration. The score is unchanged at the valve and
- * where the other position is not visible. Candidates are sorted by the new scores, keep their numbers, and receive a
- * remark if nothing similar is visible. \param confidence of the registration, 0 to 1.
+/** Updates candidates after FindInOtherPosition() using the evidence from the other position: polyps are stationary,
+ * most stool is mobile. The shape score is replaced by the probability of a polyp given its shape score, flatness and
+ * likeness (logistic regression on phantoms, see Documentation/validation/colon-polyps.md); the tissue factor is
+ * unchanged. The new score is blended with the old one, weighted by the confidence of the registration. The score is
+ * unchanged at the valve and where the other position is not visible. Candidates are sorted by the new scores, keep
+ * their numbers, and receive a remark if nothing similar is visible in the other position. \param confidence of the
+ * registration, 0 to 1.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
 WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates);
@@ -100,7 +102,7 @@ struct PolypLesion
 {
   /** "A", "B", ..., "Z", "AA", ... */
   std::string letter;
-  /** Numbers of its candidates in the first and the second position; 0 for none. */
+  /** Numbers of its candidates in the first and the second position; 0 if there is none. */
   int first{ 0 };
   int second{ 0 };
   /** Whether only one of its two candidates is listed as a possible polyp. */
@@ -113,21 +115,22 @@ struct PolypLesion
 ShapetonPolypCandidates_EXPORT bool
 AreSameLesion(const PolypCandidate & first, const PolypCandidate & second);
 
-/** Lesions with a candidate that is listed as a possible polyp in at least one position, in the order of the first
- * position, followed by lesions of the second position only. Each candidate belongs to at most one lesion.
+/** Lesions with a candidate that is listed as a possible polyp in at least one position. Those in the first position
+ * come first, in its order, followed by those in the second position only. Each candidate belongs to at most one
+ * lesion.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<PolypLesion>
 LesionsOfPositions(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second);
 
 /** "If confirmed: 2 of 10 mm and more, 0 of 6 to 9 mm": counts the lesions of two positions, or the possible polyps of
- * one position, by their larger size in the best plane, and also by their size in space if the counts differ. Disputed
- * lesions are not counted. The C-RADS category (Zalis et al., Radiology 2005) is the reader's decision.
+ * one position, by their larger size in the best plane. If the counts by size in space differ, it also contains those.
+ * Disputed lesions are not counted. The C-RADS category (Zalis et al., Radiology 2005) is the reader's decision.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
 SizesIfConfirmed(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second = {});
 
-/** The candidates with their values rounded as in the table, so that a page made from them agrees with a page made from
- * the table. \ingroup ShapetonPolypCandidates */
+/** The candidates with values rounded as in the table, so that a page generated from them agrees with a page generated
+ * from the table. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
                                CandidatesAsWritten(std::vector<PolypCandidate> candidates);
 
@@ -135,18 +138,19 @@ ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
 ShapetonPolypCandidates_EXPORT CsvTable
 TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates);
 
-/** Reads candidates from a table, without vertices, apex, axis and score features. Throws InputError for an invalid
+/** Reads candidates from a table; vertices, apex, axis and score features are not set. Throws InputError for an invalid
  * file. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
                                ReadPolypCandidates(const std::string & path);
 
 /** Reads candidates for FindInOtherPosition(), with the scores of their position, from a table with the columns x, y, z
- * (LPS, mm); without a column `candidate` they are numbered by row. Throws InputError for an invalid file.
+ * (LPS, mm); if there is no column `candidate`, they are numbered by row. Throws InputError for an invalid file.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<OtherPolypCandidate>
                                ReadOtherPolypCandidates(const std::string & path);
 
-/** Points for 3D Slicer, labeled by number and diameter; empty without candidates. \ingroup ShapetonPolypCandidates */
+/** Points for 3D Slicer, labeled by number and diameter; empty if there are no candidates. \ingroup
+ * ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<Markup>
                                MarkupsOfPolypCandidates(const std::vector<PolypCandidate> & candidates);
 } // namespace shapeton

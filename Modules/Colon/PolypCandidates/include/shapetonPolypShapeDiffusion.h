@@ -13,8 +13,8 @@ namespace shapeton
 using PolypLumenImage = itk::Image<unsigned char, 3>;
 
 /** Sets the features heat and shapetonDensity of candidates: cumulative heat diffusion (10 mm^2) and 4,000 shapetons
- * (200 steps of 1.8 mm), both with p = 15, in a box 12 mm around each head, where tissue is 1 and lumen 0. Sampled at
- * the points used for the attenuation. \ingroup ShapetonPolypCandidates */
+ * (200 steps of 1.8 mm), both with p = 15, in a box that extends 12 mm around each head, with 1 in tissue and 0 in the
+ * lumen. The features are sampled at points below the surface of the head. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
 MeasureShapeDiffusion(const SurfaceMesh &           wall,
                       const PolypLumenImage *       lumen,
@@ -24,9 +24,9 @@ MeasureShapeDiffusion(const SurfaceMesh &           wall,
 /** The part of the wall that FindPublishedPolypCandidates() searches. \ingroup ShapetonPolypCandidates */
 enum class VisitedWall
 {
-  /** Few visits, the color of the polyp in Figure 3.10: blue, by dissertation 3.4. */
+  /** Few visits: the color of the polyp in Figure 3.10, which is blue according to dissertation 3.4. */
   Least,
-  /** Many visits, the other end of the color scale; not published. */
+  /** Many visits: the other end of the color scale; not published. */
   Most
 };
 
@@ -43,9 +43,9 @@ struct PublishedPolypOptions : PolypSensitivityOptions
 };
 
 /** Finds candidates by shapeton diffusion (dissertation 3.5.2). Shapetons start in the tissue within 8 mm of the lumen
- * and perform random walks in the volume. Wall vertices are ranked by the smoothed density in the tissue below, the
- * fewest visits highest (see VisitedWall). Candidates are parts of the top 4 % of the wall, 3 to 40 mm wide; the score
- * is the mean rank, scaled from (0.96, 1) to (0, 1), times the roundness.
+ * and perform random walks in the volume. Wall vertices are ranked by the smoothed density in the tissue below; by
+ * default, those with the fewest visits rank highest (see VisitedWall). Candidates are parts of the top 4 % of the
+ * wall, 3 to 40 mm wide; the score is the mean rank, scaled from (0.96, 1) to (0, 1), times the roundness.
  *
  * The dissertation only displays the density with a manual transfer function; ranks and limits are original work.
  * \param ct cleansed CT in HU; if null, tissue is 1 and lumen is 0. Throws the exceptions of FindPolypCandidates(). The

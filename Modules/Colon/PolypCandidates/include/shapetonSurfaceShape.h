@@ -12,7 +12,7 @@ namespace shapeton
  * \brief Principal curvatures of a wall at each vertex.
  *
  * The vertex normals are diffused over the surface and renormalized; vertices are not moved. This preserves the
- * curvature of balls and cylinders for any diffusion time and removes voxel steps and noise. The shape operator of a
+ * curvature of balls and cylinders at any diffusion time and removes voxel steps and noise. The shape operator of a
  * face is the least squares fit to the differences of its normals (Rusinkiewicz, Estimating curvatures and their
  * derivatives on triangle meshes, 2004); the shape operator of a vertex is the mean over its faces.
  * \ingroup ShapetonPolypCandidates */
@@ -24,13 +24,13 @@ struct SurfaceShape
    * for a ball of radius r; the smaller one is 0 for a straight fold. */
   Eigen::VectorXd greater;
   Eigen::VectorXd lesser;
-  /** Vertex areas, mm^2; a third of each face. */
+  /** Vertex areas, mm^2: a third of the area of each adjacent face. */
   Eigen::VectorXd areas;
 };
 
 /** \param F counterclockwise as seen from outside the lumen.
- * \param time of the diffusion, mm^2, from 0; removes features of radius below sqrt(2 time) mm. Throws the InputError
- * of MakeSurfaceLaplacian(). The result does not depend on the number of threads.
+ * \param time of the diffusion, mm^2, at least 0; removes features with a radius below sqrt(2 time) mm. Throws the
+ * InputError of MakeSurfaceLaplacian(). The result does not depend on the number of threads.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT SurfaceShape
 MeasureSurfaceShape(const VertexMatrix &        V,
@@ -39,9 +39,9 @@ MeasureSurfaceShape(const VertexMatrix &        V,
                     double                      time,
                     const Progress &            progress = {});
 
-/** (2/pi) atan((k1 + k2) / (k1 - k2)) in [-1, 1]: 1 for a cap in the lumen, 0.5 a ridge, 0 a saddle, -1 a pit
- * (Koenderink and van Doorn, Surface shape and curvature scales, 1992, with this sign; Yoshida and Nappi, IEEE TMI 20,
- * 2001, map it to [0, 1]). \ingroup ShapetonPolypCandidates */
+/** (2/pi) atan((k1 + k2) / (k1 - k2)) in [-1, 1]: 1 for a cap in the lumen, 0.5 for a ridge, 0 for a saddle, -1 for a
+ * pit (Koenderink and van Doorn, Surface shape and curvature scales, 1992, with this sign; Yoshida and Nappi, IEEE TMI
+ * 20, 2001, map it to [0, 1]). \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT double
 ShapeIndex(double greater, double lesser);
 

@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** A part of the wall that bulges into the lumen in all directions, like the head of a polyp and unlike the crest of a
+/** A part of the wall that bulges into the lumen in all directions, like the head of a polyp but unlike the crest of a
  * fold. \ingroup ShapetonPolypCandidates */
 struct WallBulge
 {
@@ -23,7 +23,7 @@ struct WallBulge
   /** Area, mm^2. */
   double area{ 0.0 };
   /** Integral of the Gaussian curvature, the solid angle of the normals, sr: 2 pi for any half ellipsoid, up to 4 pi
-   * for a ball on a thin stalk, small for ripples of any size. */
+   * for a ball on a thin stalk, and small for ripples of any size. */
   double solidAngle{ 0.0 };
   /** Mean weighted by the smaller curvature, which is 0 at the rim, where any bulge resembles a ridge. */
   double shapeIndex{ 0.0 };
@@ -44,14 +44,14 @@ struct WallBulge
 /** Solid angle (sr) that separates bulges from plaques. \ingroup ShapetonPolypCandidates */
 constexpr double LeastSolidAngleOfBulge = 0.08;
 
-/** Size of parts of a wall. \ingroup ShapetonPolypCandidates */
+/** Limits on the size of parts of a wall. \ingroup ShapetonPolypCandidates */
 struct WallPartLimits
 {
   /** Minimum solid angle, sr. */
   double leastSolidAngle{ LeastSolidAngleOfBulge };
   /** Minimum width, mm. */
   double leastWidth{ 2.0 };
-  /** Solid angle below which parts are kept, sr. */
+  /** Solid angle, sr; only parts below it are kept. */
   double solidAngleEnd{ std::numeric_limits<double>::infinity() };
 };
 
@@ -76,7 +76,7 @@ ShapetonPolypCandidates_EXPORT std::vector<WallBulge>
 
 /** Finds plaques: broad convex parts of the wall (both principal curvatures positive, at least 4 mm wide) whose solid
  * angle is too small for a bulge, such as flat polyps. A half ellipsoid 16 mm wide and 2.3 mm high, fused with a
- * concave wall, has 0.05 sr. A bulge is never a part of a plaque, because its solid angle is greater.
+ * concave wall, has a solid angle of 0.05 sr. A bulge is never a part of a plaque, because its solid angle is greater.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<WallBulge>
                                FindWallPlaques(const SurfaceMesh &         wall,

@@ -11,8 +11,8 @@ namespace
 {
 constexpr double rimWidth = 3.0; // mm
 
-/** Width (mm) of a head hidden by the fillet at its foot, as measured on phantoms (README). Heads lower than about half
- * their width merge into the wall before their maximum width. */
+/** Width (mm) of a head that is hidden by the fillet at its foot, as measured on phantoms (see the README). Heads lower
+ * than about half their width merge into the wall before their maximum width. */
 double
 HiddenRim(double prominence)
 {

@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** Significant digits of lengths along the colon, coordinates, other measured values, and shares. */
+/** Significant digits of lengths along the colon, coordinates, other measured values, and fractions. */
 constexpr int distanceDigits = 5, coordinateDigits = 6, measureDigits = 4, shareDigits = 3;
 
 std::string
@@ -20,7 +20,7 @@ Cell(double value, int digits = distanceDigits)
   return std::isfinite(value) ? CsvTable::Rounded(value, digits) : "";
 }
 
-/** The value that is read back from a cell. */
+/** Replaces a value by the one that is read back from its cell. */
 void
 RoundAsCell(double & value, int digits)
 {
@@ -53,7 +53,7 @@ AddOther(const std::optional<PolypInOtherPosition> & other, std::vector<std::str
   cells.push_back(Cell(other->ownScore, measureDigits));
 }
 
-/** The value of an enumeration, from 0 to `last`, with this name; the first one otherwise. */
+/** The value of an enumeration, from 0 to `last`, that has this name; the first value if there is none. */
 template <typename TEnum>
 TEnum
 Named(const std::string & name, TEnum last)
@@ -157,7 +157,7 @@ LetterOfLesion(std::size_t index)
   return index < letters ? last : LetterOfLesion(index / letters - 1) + last;
 }
 
-/** The size in the best plane, if known, or in space, mm. */
+/** The size in the best plane, if requested and known, otherwise in space, mm. */
 double
 DiameterOf(const PolypCandidate & candidate, bool isInPlane)
 {

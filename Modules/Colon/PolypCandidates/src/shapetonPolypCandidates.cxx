@@ -197,7 +197,7 @@ RankValveLast(const IleocecalValve & valve, std::vector<PolypCandidate> & candid
       AddRemark("the ileocecal valve", one);
     }
   }
-  // Last among equal scores, since Rank() is stable.
+  // Puts the valve last among equal scores, since Rank() is stable.
   std::stable_partition(candidates.begin(), candidates.end(), [](const PolypCandidate & one) {
     return one.lookalike != PolypLookalike::Valve;
   });

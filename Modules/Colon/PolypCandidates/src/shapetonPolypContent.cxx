@@ -37,7 +37,7 @@ public:
     return isInside ? m_Lumen->GetPixel(index) : 0;
   }
 
-  /** Distance (mm) without lumen in all 26 directions, up to 3 in steps of 0.6. */
+  /** Distance (mm) up to which there is no lumen in any of 26 directions; at most 3, in steps of 0.6. */
   double
   Clearance(const Eigen::Vector3d & point) const
   {
@@ -55,7 +55,7 @@ private:
   static constexpr double step = 0.6; // mm
   static constexpr int    steps = 5;  ///< 3 mm in total
 
-  /** Number of steps to the nearest such label in 26 directions; steps + 1 for none. */
+  /** Number of steps to the nearest such label in 26 directions; steps + 1 if there is none. */
   template <typename TIsIt>
   int
   StepsTo(const Eigen::Vector3d & point, const TIsIt & isIt) const
@@ -77,7 +77,7 @@ private:
   const PolypLumenImage * m_Lumen;
 };
 
-/** A sample inside a head: HU and distance to the lumen, mm. */
+/** A sample inside a head: distance to the lumen (mm), and HU. */
 struct InnerPoint
 {
   double clearance;
@@ -171,7 +171,8 @@ MeanOf(const std::vector<double> & values)
                         : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/** Sorted HU inside a head, where the lumen does not affect them; below a film of contrast medium, if there is one. */
+/** Sorted HU inside a head where the lumen does not affect them, and below the film of contrast medium, if there is
+ * one. */
 std::vector<double>
 ValuesInside(const std::vector<InnerPoint> & points)
 {
@@ -219,7 +220,7 @@ SubmergedShare(const SurfaceMesh & wall, const PolypCandidate & candidate, const
   return static_cast<double>(wet) / static_cast<double>(candidate.vertices.size());
 }
 
-/** Fraction of the vertices of a head with contrast on or directly below the surface, not near fluid. */
+/** Fraction of the vertices of a head that have contrast on or directly below the surface and are not near fluid. */
 double
 FilmShare(const SurfaceMesh &                                                       wall,
           const PolypCandidate &                                                    candidate,
@@ -276,8 +277,8 @@ RemarkOn(const PolypCandidate & candidate)
 double
 TissueLikelihood(double hounsfield, double submergedShare)
 {
-  // HU: middles and widths of the steps from a bubble to a polyp, beside gas and under fluid, and from a polyp to
-  // tagged stool. On phantoms, bubbles under fluid have -307 to -124 HU, polyp heads at least -102 HU.
+  // In HU: the middles and widths of the steps from a bubble to a polyp, next to gas and under fluid, and from a polyp
+  // to tagged stool. On phantoms, bubbles under fluid have -307 to -124 HU, polyp heads at least -102 HU.
   constexpr double besideGas = -300.0, widthBesideGas = 35.0;
   constexpr double underFluid = -130.0, widthUnderFluid = 20.0;
   constexpr double tagged = 225.0, widthOfTagged = 25.0;

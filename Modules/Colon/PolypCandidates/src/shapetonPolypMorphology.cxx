@@ -56,7 +56,7 @@ VerticesAround(const SurfaceMesh &         wall,
   return distances;
 }
 
-/** Mean girth (mm) of the surface between two distances: the area of the band by its width. */
+/** Mean girth (mm) of the surface between two distances: the area of the band divided by its width. */
 double
 GirthOf(const SurfaceMesh & wall, const SurfaceConnectivity & connectivity, const std::map<int, double> & around)
 {
@@ -108,7 +108,8 @@ IsOnFold(const SurfaceMesh &                                  wall,
   return 2 * onFold > ring;
 }
 
-/** Greatest distance (mm) between points of a head near the plane through its center perpendicular to an axis. */
+/** Greatest distance (mm) between points of a head that are near the plane through its center perpendicular to an
+ * axis. */
 double
 DiameterInPlane(const SurfaceMesh & wall, const PolypCandidate & candidate, int axis)
 {

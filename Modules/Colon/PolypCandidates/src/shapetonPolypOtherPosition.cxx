@@ -30,7 +30,7 @@ double
 Likeness(const PolypCandidate & candidate, const OtherPolypCandidate & other, double distance)
 {
   // The mean registration error of phantoms is 4.8 mm. The likeness is below 0.01 for 68 of 91 candidates that are not
-  // at a polyp, and for 3 at polyps of at least 5.5 mm.
+  // at a polyp, and for 3 candidates at polyps of at least 5.5 mm.
   constexpr double deviation = 8.0, deviationOfLogWidth = 0.5; // mm
   const double     away = distance / deviation;
   const double     wider =
@@ -65,7 +65,7 @@ FindMostAlike(const PolypCandidate &                   candidate,
   }
 }
 
-/** Flatness, 1 for a flat head. Of the flat polyps visible in one position, two of five are missed in the other, and
+/** Flatness; 1 for a flat head. Two fifths of the flat polyps visible in one position are missed in the other, and
  * stool is rarely flat. */
 double
 Flatness(const PolypCandidate & candidate)
@@ -74,14 +74,15 @@ Flatness(const PolypCandidate & candidate)
   return 1.0 / (1.0 + std::exp((candidate.height / candidate.diameter - prominence) / width));
 }
 
-/** Probability of a polyp, given the shape score and the evidence of the other position. Logistic regression on the CT
- * of realistic phantoms (seeds 2 to 7: 89 polyps, 91 other candidates); see Documentation/validation/colon-polyps.md.
+/** Probability of a polyp, given the shape score and the evidence from the other position. Logistic regression on the
+ * CT of realistic phantoms (seeds 2 to 7: 89 polyps, 91 other candidates); see
+ * Documentation/validation/colon-polyps.md.
  */
 double
 ProbabilityInPair(const PolypCandidate & candidate)
 {
   constexpr double ofScore = 0.27, ofLikeness = 4.85, ofFlatness = 2.65, constant = -2.69;
-  // Score; bounds its log odds to 6.9.
+  // Minimum score; limits its log odds to +-6.9.
   constexpr double least = 1e-3;
   const double     score = std::clamp(candidate.shapeScore, least, 1.0 - least);
   const double     logOdds = ofScore * std::log(score / (1.0 - score)) + ofLikeness * candidate.other->likeness +

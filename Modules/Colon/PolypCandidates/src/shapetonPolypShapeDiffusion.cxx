@@ -63,7 +63,7 @@ MeanOfTissue(const TissueBox & box, const std::vector<float> & values)
   return number > 0.0 ? sum / number : 0.0;
 }
 
-/** Area fraction of the wall with a smaller value. */
+/** For each vertex, the area fraction of the wall with a smaller value. */
 Eigen::VectorXd
 RanksByArea(const Eigen::VectorXd & values, const Eigen::VectorXd & areas)
 {
@@ -80,7 +80,7 @@ RanksByArea(const Eigen::VectorXd & values, const Eigen::VectorXd & areas)
   return ranks;
 }
 
-/** Visits 1.5 mm below each vertex, smoothed over the wall. */
+/** Number of visits 1.5 mm below each vertex, smoothed over the wall. */
 Eigen::VectorXd
 DensityOnWall(const SurfaceMesh &         wall,
               const SurfaceConnectivity & connectivity,

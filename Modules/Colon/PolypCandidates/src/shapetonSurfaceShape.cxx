@@ -39,7 +39,8 @@ InwardNormals(const VertexMatrix & V, const FaceMatrix & F)
   return normals;
 }
 
-/** The shape operator of a face as a symmetric 3 x 3 matrix: least squares solution of S e = dn over the edges e. */
+/** The shape operator S of a face as a symmetric 3 x 3 matrix: the least squares solution of S e = dn over the edges
+ * e. */
 Matrix3d
 ShapeOperator(const VertexMatrix & V, const FaceMatrix & F, const VertexMatrix & normals, int face)
 {

@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** A part of a volume as plain arrays (x fastest), input of shape diffusion. */
+/** A part of a volume as plain arrays (x fastest), used as input of shape diffusion. */
 class TissueBox
 {
 public:
@@ -39,7 +39,7 @@ public:
   /** Replaces the binary values by HU from a CT on the same grid, clamped to [-1000, 200] and scaled to [0, 1]. */
   void
   TakeIntensities(const itk::Image<float, 3> * ct);
-  /** Mask of tissue within `depth` mm of the lumen along the axes. */
+  /** Mask of the tissue within `depth` mm of the lumen, measured along the axes. */
   std::vector<unsigned char>
   TissueNearLumen(double depth) const;
   /** Mean of tissue values at the points; points outside the box contribute 0. */

@@ -21,8 +21,8 @@ using Eigen::Vector3d;
 constexpr double ringBegin = 1.0;
 constexpr double ringEnd = 2.0;
 
-/** Measures parts of a wall where a level function, linear within faces, is positive. All measures are integrals or
- * extents within the exact rim, so they hardly depend on the vertex positions. */
+/** Measures the parts of a wall where a level function, linear within faces, is positive. All measures are integrals or
+ * extents within the exact rim, so they hardly depend on where the vertices are. */
 class BulgeFinder
 {
 public:
@@ -33,7 +33,7 @@ public:
     : m_Wall(wall), m_Connectivity(connectivity), m_Shape(shape), m_Level(level)
   {}
 
-  /** Extracts connected vertices of positive level from `isFree`. */
+  /** Finds the vertices connected to a seed and removes them from `isFree`. */
   std::vector<int>
   Grow(int seed, std::vector<char> & isFree) const
   {
@@ -54,7 +54,7 @@ public:
     return found;
   }
 
-  /** A bulge with the edge crossings of its rim. */
+  /** A bulge and the points at which its rim crosses edges. */
   struct Rimmed
   {
     WallBulge             bulge;
@@ -172,8 +172,8 @@ private:
     return points;
   }
 
-  /** Directions perpendicular to the axis are relative to the direction of largest spread, for invariance to rotation
-   * and reflection. */
+  /** Directions perpendicular to the axis are relative to the direction of largest spread, so that the widths are
+   * invariant to rotation and reflection. */
   void
   MeasureWidths(Rimmed & part) const
   {
@@ -230,7 +230,8 @@ private:
     return std::sqrt(least);
   }
 
-  /** Connected faces within `reach` mm (Euclidean) of the rim, at least the faces at its vertices. */
+  /** Faces connected within `reach` mm (Euclidean distance) of the rim, including at least the faces at the vertices of
+   * the bulge. */
   std::vector<int>
   FacesAround(const Rimmed & part, double reach) const
   {
@@ -319,7 +320,7 @@ private:
   const Eigen::VectorXd &     m_Level;
 };
 
-/** The smaller principal curvature above a minimum (1/mm), negative where the wall is left out. */
+/** The smaller principal curvature minus a minimum (1/mm); negative where the wall is excluded. */
 Eigen::VectorXd
 LevelAbove(double leastCurvature, const SurfaceShape & shape, const std::vector<char> & isLeftOut)
 {

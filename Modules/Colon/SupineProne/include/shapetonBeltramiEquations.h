@@ -11,8 +11,8 @@
 
 namespace shapeton
 {
-/** Positions (mm along and around) of the nodes of one cylinder on another, in row-major order. The coordinate around
- * the cylinder is unwrapped; the node after the last one of a row is the first one plus a turn.
+/** Positions (mm along and around) on one cylinder of the nodes of another, in row-major order. The coordinate around
+ * the cylinder is unwrapped; the last node of a row is followed by the first one plus a turn.
  * \ingroup ShapetonSupineProne */
 struct CylinderValues
 {
@@ -21,16 +21,16 @@ struct CylinderValues
 };
 
 /** \class BeltramiEquations
- * \brief Linear finite elements for maps between cylinders and their Beltrami coefficients.
+ * \brief Linear finite elements for maps between cylinders and for the Beltrami coefficients of these maps.
  *
- * A map f of z = x + iy, x mm along the source and y mm around it, satisfies the Beltrami equation df/dz* = mu df/dz,
- * with |mu| < 1 where it preserves orientation and mu = 0 where it is conformal. For given mu, both coordinates solve
- * div(A grad f) = 0, where det A = 1:
+ * A map f of z = x + iy, where x and y are mm along and around the source, satisfies the Beltrami equation df/dz* = mu
+ * df/dz, with |mu| < 1 where f preserves orientation and mu = 0 where f is conformal. For a given mu, both coordinates
+ * solve div(A grad f) = 0, where det A = 1:
  *
  *   (1 - |mu|^2) A = [ |1 - mu|^2, -2 Im mu; -2 Im mu, |1 + mu|^2 ].
  *
- * Rows are at arbitrary distances, nodes at equal angles. Each cell is split along the diagonal from (row, angle) to
- * (row + 1, angle + 1), as in CylinderMap. \ingroup ShapetonSupineProne */
+ * Rows are at arbitrary distances, the nodes of a row at equal angles. Each cell is split along the diagonal from (row,
+ * angle) to (row + 1, angle + 1), as in CylinderMap. \ingroup ShapetonSupineProne */
 class ShapetonSupineProne_EXPORT BeltramiEquations
 {
 public:
@@ -43,7 +43,7 @@ public:
     std::array<int, 3> turns;
   };
 
-  /** A point in a triangle: barycentric coordinates, with sum 1. */
+  /** A point in a triangle, given by barycentric coordinates whose sum is 1. */
   struct Place
   {
     int                   triangle;
@@ -58,7 +58,7 @@ public:
   };
 
   /** \param heights mm between consecutive rows of nodes, along the source.
-   * \param angles number of nodes of a row, at least three.
+   * \param angles number of nodes in a row, at least three.
    * \param sourceAround,targetAround circumferences, mm. */
   BeltramiEquations(std::vector<double> heights, int angles, double sourceAround, double targetAround);
 

@@ -25,8 +25,8 @@ TurnDifference(double turn, double from);
  * \brief The wall of a colon as a cylinder: distance along the centerline and angle on the flat map.
  *
  * The length of the conformal flat map depends on folds and caliber; lengths along the centerline agree much better
- * between two positions of a colon. The distance is DistanceOfColumns() of the grid column, made strictly ascending.
- * The two conversions are exact inverses. The flat colon must outlive this object.
+ * between the two positions of a colon. The distance is DistanceOfColumns() of the grid column, made strictly
+ * ascending. The two conversions are exact inverses. The flat colon must outlive this object.
  * \ingroup ShapetonSupineProne */
 class ShapetonSupineProne_EXPORT ColonCylinder
 {
@@ -71,7 +71,7 @@ public:
   {
     return *m_Grid;
   }
-  /** Mean distance of the wall from its center in each column, mm. */
+  /** Mean distance from the center to the wall in each column, mm. */
   const Eigen::VectorXd &
   Radii() const
   {

@@ -15,16 +15,16 @@ struct MappedPoint
   Eigen::Vector3d point{ Eigen::Vector3d::Zero() };
   /** Local confidence: the probability that the point is within ConfidentDistance of the true one. */
   double confidence{ 0.0 };
-  /** Whether the wall is not visible in one of the positions, so the map is interpolated from both sides. */
+  /** Whether the wall is not visible in one of the positions, so that the map is interpolated from both sides. */
   bool isExcluded{ true };
-  /** Distance (mm) of the input point from its wall; 0 for map positions. */
+  /** Distance (mm) from the input point to its wall; 0 for map positions. */
   double distance{ 0.0 };
 };
 
 /** \class ColonPointMapper
  * \brief Maps points in space and on the flat map between the two positions.
  *
- * Intended for findings of one position: points, polyps, vertex labels. The registration must outlive the object.
+ * Intended for findings in one position: points, polyps, vertex labels. The registration must outlive the object.
  * Thread-safe. Uv and point are NaN at holes of the wall, and where the inverse map is undefined, which occurs only if
  * RegistrationFigures::flips is nonzero.
  * \ingroup ShapetonSupineProne */

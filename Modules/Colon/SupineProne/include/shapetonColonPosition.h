@@ -17,7 +17,7 @@ namespace shapeton
 /** Registration input: the colon in one position. \ingroup ShapetonSupineProne */
 struct ColonPosition
 {
-  /** Name in messages: "supine", a folder. */
+  /** Name used in messages: "supine", for example, or a folder. */
   std::string name;
   /** The flat wall. */
   std::shared_ptr<const FlatColon> flat;
@@ -37,12 +37,12 @@ struct ColonPosition
   /** Smoothed mean curvature of the vertices of the flat surface, 1/mm, positive where the wall bulges into the lumen;
    * if empty, the curvature of the grid is used. */
   Eigen::VectorXd curvature;
-  /** Excluded columns of the grid, from FindExcludedColumns(). */
+  /** Flags of the excluded columns of the grid, from FindExcludedColumns(). */
   std::vector<char> isExcluded;
 };
 
-/** Finds collapsed columns of the grid: bridged for more than half of their turn, at a gap of the centerline (point
- * array gap, if present), or with a mean radius below `leastRadius` mm.
+/** Finds collapsed columns of the grid: columns that are bridged over more than half a turn, are at a gap of the
+ * centerline (point array gap, if present), or have a mean radius below `leastRadius` mm.
  * \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT std::vector<char>
 FindExcludedColumns(const FlatColon & flat, const CurveSet & centerline, double leastRadius = 9.0);

@@ -13,7 +13,7 @@ struct ColonPositionFiles
   ColonPosition position;
   /** The known segments. */
   std::vector<ColonSegmentExtent> segments;
-  /** "sha256:..." of all files read, independent of their location. */
+  /** "sha256:..." of all files read, regardless of their location. */
   std::string identity;
   /** Warnings about missing optional data. */
   Remarks warnings;

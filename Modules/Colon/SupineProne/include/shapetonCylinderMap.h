@@ -27,7 +27,7 @@ struct CylinderNodes
   {
     return static_cast<int>(s.cols());
   }
-  /** Image of a node; the turn of column Angles() is 1 more than that of column 0. */
+  /** Image of a node; the turn of column Angles() is greater by 1 than that of column 0. */
   CylinderPlace
   At(int row, int angle) const
   {

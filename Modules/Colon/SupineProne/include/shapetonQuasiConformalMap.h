@@ -27,7 +27,7 @@ struct MapConditions
 /** The map for the Beltrami coefficient mu of each triangle, |mu| < 1, under the constraints: each coordinate minimizes
  * the energy (linear Beltrami solver, Lui, Lam, Yau, Gu 2014). It is harmonic for mu = 0. If constraints are given in
  * addition to those on the ends and the rotation of the cylinder, the coefficient of the map differs from mu.
- * Constraints hold to rounding error; contradictory ones are satisfied in the least squares sense.
+ * Constraints hold to within rounding error; contradictory ones are satisfied in the least squares sense.
  * \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT CylinderValues
 SolveBeltrami(const BeltramiEquations &               equations,
@@ -43,7 +43,7 @@ struct QuasiConformalOptions
   double smoothing{ 8.0 };
   /** Maximum number of iterations. */
   int iterations{ 30 };
-  /** Maximum change of a coefficient for convergence. */
+  /** Maximum change in a coefficient at convergence. */
   double tolerance{ 0.01 };
   /** Called after each solve. */
   Progress progress;
@@ -58,7 +58,7 @@ struct QuasiConformalMap
   double greatest{ 0.0 };
   /** Number of solves. */
   int solves{ 0 };
-  /** Maximum violation of a constraint (mm), nonzero only for contradictory constraints. */
+  /** Maximum violation of a constraint (mm); nonzero only if constraints contradict each other. */
   double greatestMiss{ 0.0 };
 };
 
@@ -68,9 +68,9 @@ struct QuasiConformalMap
  * iteration, so triangles may remain flipped; these are counted.
  *
  * \param start initial positions of the nodes; used only for the first `conditionsOf`.
- * \param conditionsOf returns the constraints linearized about a map, for nonlinear constraints such as other
- * coordinates or curves. Called for each map, and finally with a fixed coefficient until the constraints converge; the
- * fixed point must satisfy the original constraints. \ingroup ShapetonSupineProne */
+ * \param conditionsOf returns the constraints linearized about a map, which allows nonlinear constraints such as those
+ * in other coordinates or on curves. Called for each map, and finally with a fixed coefficient until the constraints
+ * converge; the fixed point must satisfy the original constraints. \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT QuasiConformalMap
 FindQuasiConformalMap(const BeltramiEquations &                                        equations,
                       CylinderValues                                                   start,

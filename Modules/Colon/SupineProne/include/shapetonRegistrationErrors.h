@@ -20,9 +20,9 @@ struct PointError
   enum class Kind
   {
     Counted,
-    /** Whether the point is in an excluded stretch. */
+    /** The point is in an excluded stretch. */
     Excluded,
-    /** Whether the point is more than 10 mm from one of the surfaces, so distances are undefined. */
+    /** The point is more than 10 mm from one of the surfaces, so distances are undefined. */
     OffSurface
   };
   Kind kind{ Kind::OffSurface };
@@ -41,7 +41,7 @@ struct RegistrationErrors
    * circumference. */
   std::vector<double> inSpace;
   std::vector<double> onMap;
-  /** Number of ignored pairs: more than 10 mm from one of the surfaces, and in an excluded stretch. */
+  /** Numbers of ignored pairs: those more than 10 mm from one of the surfaces, and those in an excluded stretch. */
   int offSurface{ 0 };
   int excluded{ 0 };
 
@@ -56,8 +56,8 @@ struct RegistrationErrors
   ShareWithin10() const;
   ShapetonSupineProne_EXPORT double
   MeanOnMap() const;
-  /** Half width (mm) of the 95 % confidence interval of the mean, from blocks of consecutive points, since errors of
-   * neighbors are correlated. */
+  /** Half width (mm) of the 95 % confidence interval of the mean, computed from blocks of consecutive points, since
+   * errors of neighbors are correlated. */
   ShapetonSupineProne_EXPORT double
   HalfInterval() const;
 };

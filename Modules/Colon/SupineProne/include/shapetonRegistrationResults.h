@@ -14,7 +14,7 @@ namespace shapeton
  * \ingroup ShapetonSupineProne */
 ///@{
 
-/** Verdict on a pair of folds, or on a supine fold, from points with known correspondence. */
+/** Verdict on a pair of folds, or on a supine fold, based on points with known correspondence. */
 enum class FoldVerdict
 {
   /** No point is nearby, or the true partner was not detected. */
@@ -64,7 +64,7 @@ struct SegmentMatches
   std::string segment;
   int         supineFolds{ 0 };
   int         proneFolds{ 0 };
-  /** Pairs by segment of the supine fold. */
+  /** Pairs, counted in the segment of the supine fold. */
   int followed{ 0 };
   int contradicted{ 0 };
   int supineAlone{ 0 };
@@ -94,11 +94,11 @@ struct RegistrationResults
   /** Ground-truth points with errors. */
   std::vector<PointPair>  points;
   std::vector<PointError> errors;
-  /** registration.json without provenance and warnings. */
+  /** Content of registration.json except for provenance and warnings. */
   Json document;
 };
 
-/** \param truth points with known correspondence, for errors; may be empty. */
+/** \param truth points with known correspondence, used to compute errors; may be empty. */
 ShapetonSupineProne_EXPORT RegistrationResults
 MakeRegistrationResults(const ColonPositionFiles &      supine,
                         const ColonPositionFiles &      prone,

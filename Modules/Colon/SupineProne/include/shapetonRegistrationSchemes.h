@@ -8,7 +8,7 @@ namespace shapeton
 /** Simpler registration methods, for comparison. \ingroup ShapetonSupineProne */
 enum class RegistrationScheme
 {
-  /** Flat maps scaled to the same length and rotated by the one angle for which the fold pictures agree best. */
+  /** Flat maps scaled to the same length and rotated by the single angle at which the fold pictures agree best. */
   Rectangles,
   /** Like Rectangles, but with proportional distances along the centerlines. */
   Centerline,

@@ -45,7 +45,7 @@ struct RegistrationConfidence
   bool   isFlagged{ true };
   /** Reasons for the flag. */
   std::vector<std::string> reasons;
-  /** Number of consistent pairs relative to the number of folds of the position with fewer folds. */
+  /** Number of consistent pairs relative to the number of folds in the position that has fewer folds. */
   double matchedShare{ 0.0 };
   /** Fraction of inconsistent pairs. */
   double contradictedShare{ 0.0 };
@@ -54,24 +54,25 @@ struct RegistrationConfidence
   /** `energy`, then the energies near the warp rotated by one third and by two thirds of a turn; they reveal confused
    * taeniae. */
   std::vector<double> energies;
-  /** Minimum energy of the rotated warps minus energy of the warp. */
+  /** Minimum energy of the rotated warps minus the energy of the warp. */
   double margin{ 0.0 };
   /** Energy of the best of the three other orientations of the picture (mirrored, reversed, both) minus the energy of
-   * the correct one, without landmarks. About 0 for two patients. */
+   * the correct one; landmarks are not used. About 0 for two patients. */
   double senseMargin{ 0.0 };
   /** Root mean square residual of the consistent pairs, mm. */
   double residual{ 0.0 };
   /** Local confidence of each node of the map: the probability that its image is within ConfidentDistance of the true
    * one if both positions are of one patient; 0 where the wall is not visible. It is the product of two probabilities:
-   * that the row is not mapped onto a neighboring fold, along the colon or around it, from a hidden Markov model of the
-   * displacement along the colon; and that the error is small otherwise, from the residuals of nearby folds and the
+   * that the row is not mapped onto a neighboring fold along the colon or around it, from a hidden Markov model of the
+   * displacement along the colon, and that the error is otherwise small, from the residuals of nearby folds and the
    * radius. */
   Eigen::MatrixXd ofNodes;
 
   /** Probability that both positions are of the same patient. The log-odds are the sum of terms of matchedShare,
-   * energy, margin and senseMargin, each at most 4 and their sum at most the term of senseMargin, since a few folds may
-   * be similar in two patients. Each term is 0 halfway between values measured for one patient and for two, so folds
-   * visible in only one position do not outweigh a picture that fits in only one orientation. */
+   * energy, margin and senseMargin. Each term is at most 4, and the sum is limited to the term of senseMargin, since a
+   * few folds may be similar in two patients. Each term is 0 halfway between the values measured for one patient and
+   * those for two, so that folds visible in only one position do not outweigh a picture that fits in only one
+   * orientation. */
   ShapetonSupineProne_EXPORT double
   ProbabilityOfOnePatient() const;
 };
@@ -100,15 +101,15 @@ struct SupineProneRegistration
   std::shared_ptr<const ColonCylinder> target;
   /** From source to target. */
   CylinderMap map;
-  /** Initial map by flexures and taeniae, for comparison. */
+  /** Initial map from flexures and taeniae, for comparison. */
   CylinderMap frame;
-  /** The map by warping, before fold matching. */
+  /** The map from warping, before fold matching. */
   CylinderMap            warp;
   std::vector<FoldMatch> matches;
   FoldMatching           matching;
   RegistrationConfidence confidence;
   RegistrationFigures    figures;
-  /** Distances along source and target of the flexures used, mm. */
+  /** Distances of the flexures used along source and target, mm. */
   std::vector<std::pair<double, double>> flexures;
   /** Whether the wall at each node is not visible in one of the positions. */
   Eigen::Matrix<char, Eigen::Dynamic, Eigen::Dynamic> isExcluded;
@@ -120,14 +121,14 @@ struct SupineProneRegistration
  * 1. Compute the frame: distance along the centerline, piecewise linear between flexures; rotation by the three
  *    taeniae.
  * 2. Apply cylindrical dynamic time warping, free in rotation, to pictures of folds and taeniae about several frames.
- *    Choose the warp with the most fold pairs under a smooth map.
+ *    Choose the warp with the most fold pairs that are consistent with a smooth map.
  * 3. Match folds under the warp (MatchFolds()), and twice under the corrected warp.
- * 4. Correct the warp by a thin plate through centers and ends of matched folds, robust to wrong pairs.
+ * 4. Correct the warp by a thin plate, robust to wrong pairs, through the centers and ends of matched folds.
  * 5. Project the map to a bijection without flipped triangles.
  *
  * SupineProneMap::Published replaces steps 3 to 5.
  *
- * In excluded stretches the map is interpolated from both sides and flagged. The result does not depend on the number
+ * In excluded stretches, the map is interpolated from both sides and flagged. The result does not depend on the number
  * of threads. Throws InputError if a position has no folds, has neither flexures nor taeniae, or appears reversed or
  * mirrored. Source: dissertation 4.3; warping after Nain et al. 2002. \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT SupineProneRegistration

@@ -56,7 +56,8 @@ Smooth(const BeltramiEquations & equations, const std::vector<char> & isCut, Coe
   }
 }
 
-/** Clamps coefficients to `greatest` and averages their neighborhood; false if no coefficient was too large. */
+/** Clamps coefficients to `greatest` and averages over their neighborhood; returns false if no coefficient was too
+ * large. */
 bool
 Bound(const BeltramiEquations & equations, double greatest, Coefficients & mu)
 {

@@ -18,7 +18,7 @@ struct BeltramiProjectionOptions
 struct BeltramiProjection
 {
   CylinderNodes nodes;
-  /** Number of flipped triangles before and after. */
+  /** Number of flipped triangles before and after the projection. */
   int    flipsBefore{ 0 };
   int    flips{ 0 };
   double greatestBefore{ 0.0 };
@@ -28,8 +28,8 @@ struct BeltramiProjection
 
 /** Finds a nearby bijection. The Beltrami coefficient is clamped to `greatest` and locally smoothed, and the map for
  * that coefficient is computed (linear Beltrami solver, Lui, Lam, Yau, Gu 2014), constrained only at the ends, which
- * map to circles. This is repeated with a tighter bound while triangles are flipped. A valid map is returned unchanged,
- * except for its ends. `sourceAround` and `targetAround` are the circumferences, mm. */
+ * map to circles. This is repeated with a tighter bound as long as triangles are flipped. A valid map is returned
+ * unchanged, except for its ends. `sourceAround` and `targetAround` are the circumferences, mm. */
 BeltramiProjection
 ProjectToBijection(const CylinderNodes &             nodes,
                    double                            sourceAround,

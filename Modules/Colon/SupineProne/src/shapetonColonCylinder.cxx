@@ -12,7 +12,8 @@ namespace shapeton
 namespace
 {
 
-/** Smooths the distances, since steps are artifacts of the assignment, and adds a small slope to make them distinct. */
+/** Smooths the distances, since steps are artifacts of the assignment, and enforces a minimum slope to make them
+ * distinct. */
 std::vector<double>
 StrictlyAscending(const std::vector<double> & values, int reach, double leastStep)
 {

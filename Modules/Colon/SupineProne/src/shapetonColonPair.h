@@ -28,7 +28,7 @@ struct ColonPair
   /** Borders of separately registered segments in the source, mm. */
   std::vector<double> breaks;
 
-  /** Borders of separately registered segments in the target, mm. */
+  /** Circumference of the target, mm. */
   double
   Around() const
   {

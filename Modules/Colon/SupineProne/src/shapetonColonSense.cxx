@@ -14,7 +14,7 @@ namespace
 constexpr double rowStep = 3.0; // mm, as WarpRowStep
 constexpr double reach = 75.0;  // mm from the course proportional to the lengths
 
-/** Picture scaled to this number of rows from end to end. */
+/** Picture scaled to a number of rows from end to end. */
 CylinderPicture
 PictureOf(const ColonWithFolds & colon, double step, int rows)
 {
@@ -28,7 +28,7 @@ PictureOf(const ColonWithFolds & colon, double step, int rows)
   return MakeCylinderPicture(colon.position, colon.cylinder, colon.folds, form);
 }
 
-/** Bit 1 reverses the angles, bit 2 the rows. */
+/** The picture in another orientation: bit 1 of `way` reverses the angles, bit 2 the rows. */
 CylinderPicture
 Turned(CylinderPicture picture, int way)
 {

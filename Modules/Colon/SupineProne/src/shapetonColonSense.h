@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** A colon with the fold probability at each pixel of its grid. Non-owning. */
+/** A colon, and the fold probability at each pixel of its grid. Non-owning. */
 struct ColonWithFolds
 {
   const ColonPosition &      position;
@@ -17,8 +17,8 @@ struct ColonWithFolds
   const std::vector<float> & folds;
 };
 
-/** Throws InputError if a reversed or mirrored colon fits better. Uses only the ends and the folds. Returns the energy
- * of the best transformed warp minus the energy of the original one; about 0 for two patients. */
+/** Throws InputError if a colon fits better when reversed or mirrored. Uses only the ends and the folds. Returns the
+ * energy of the best transformed warp minus the energy of the original one; about 0 for two patients. */
 double
 RequireSameSense(const ColonWithFolds & source, const ColonWithFolds & target, const Progress & progress);
 } // namespace shapeton

@@ -20,31 +20,31 @@ struct RowMap
   operator()(const CylinderPlace & place) const;
 };
 
-/** A warp with matched fold pairs and the resulting correction. */
+/** A warp, the fold pairs matched under it, and the resulting correction. */
 struct CorrectedWarp
 {
   CylindricalWarp                         warp;
   FoldMatching                            matching;
   std::shared_ptr<const SmoothCorrection> correction;
-  /** Standard deviation of the taeniae as constraints of the correction, mm. */
+  /** Standard deviation of the taenia constraints of the correction, mm. */
   double taeniaDeviation{ 3.0 };
   /** Stiffness of the correction, mm^2. */
   double stiffness{ 2.0 };
   /** Final weight of the center of each pair in the correction, 0 to 1. */
   std::vector<double> pairWeights;
 
-  /** The map without and with the correction. */
+  /** The map without the correction, and with it. */
   RowMap
   Warp(const ColonPair & pair) const;
   RowMap
   Map(const ColonPair & pair) const;
-  /** Number of consistent pairs minus number of inconsistent pairs. */
+  /** Number of consistent pairs minus the number of inconsistent pairs. */
   double
   Support() const;
 };
 
 /** Matches folds under the warp, and again under the corrected warp. The correction is a thin plate through the centers
- * and ends of matched folds and along the taeniae. This rates a warp. Taeniae are weighted like folds, and the
+ * and ends of matched folds and along the taeniae. Used to rate a warp: taeniae are weighted like folds, and the
  * correction is too stiff to follow wrong pairs. */
 CorrectedWarp
 CorrectWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMethod method, const Progress & progress);

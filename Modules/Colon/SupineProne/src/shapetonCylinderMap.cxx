@@ -11,7 +11,7 @@ constexpr double beyond = 1000.0; ///< mm, added at each end; chosen: beyond any
 constexpr double binSize = 5.0;   ///< mm along the target; chosen
 constexpr int    binAngles = 36;  // around, 10 degrees each; chosen: bins hold few triangles
 
-/** Positions of the rows of the extended nodes. */
+/** Converts a distance (mm) to a position in rows of the extended nodes. */
 double
 RowPlace(const CylinderNodes & nodes, double s)
 {
@@ -42,7 +42,7 @@ Extended(const CylinderNodes & nodes)
   return extended;
 }
 
-/** Corners of triangle 2 * (row * angles + angle) and its successor: nodes (row, angle), (row + 1, angle), (row + 1,
+/** Corners of triangle 2 * (row * angles + angle) and of its successor: nodes (row, angle), (row + 1, angle), (row + 1,
  * angle + 1) and (row, angle), (row + 1, angle + 1), (row, angle + 1). */
 struct TriangleCorners
 {

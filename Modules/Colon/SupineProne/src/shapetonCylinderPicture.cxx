@@ -36,7 +36,7 @@ AddPixel(Splat & splat, double row, double angle, double value)
   }
 }
 
-/** Excludes a row by its fraction of excluded columns. */
+/** Normalizes a picture to mean 0 and standard deviation 1 over the valid rows; excluded rows are set to 0. */
 void
 Normalize(CylinderPicture & picture, const std::vector<char> & isExcluded)
 {

@@ -16,7 +16,7 @@ struct CylinderPicture
   std::vector<char> isExcluded;
   /** Picture of bands along the taeniae with mean 0 and standard deviation 1 in each row; empty if unknown. */
   Eigen::MatrixXd taeniae;
-  /** Center of the first row and row spacing along the colon, mm. */
+  /** Center of the first row, and row spacing along the colon, mm. */
   double begin{ 0.0 };
   double step{ 1.0 };
 

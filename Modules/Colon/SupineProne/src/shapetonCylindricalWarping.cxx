@@ -11,14 +11,14 @@ namespace shapeton
 namespace
 {
 constexpr float infinite = std::numeric_limits<float>::infinity(); // cost of states that cannot be reached
-/** Maximum number of target rows per source row. In collapsed stretches, where the centerline is a shortcut, lengths
+/** Maximum number of target rows per source row. In collapsed stretches, where the centerline takes a shortcut, lengths
  * differ much more. */
 constexpr int           greatestAdvance = 3;
 constexpr int           greatestUnseenAdvance = 8;
 constexpr unsigned char jumped = 255; ///< code of a jump step
 
-/** State (offset, rotation) of each row: the target row is 2 * row + offset - reach, the rotation is the rounded
- * rotation of the frame + rotation - width. */
+/** Searches for the optimal state (offset, rotation) of each row: the target row is 2 * row + offset - reach, and the
+ * rotation is the rounded rotation of the frame + rotation - width. */
 class WarpSearch
 {
 public:
@@ -145,7 +145,8 @@ private:
     return m_Source.isExcluded[row] || m_Source.isExcluded[row - 1];
   }
 
-  /** Rotation steps of the frame from the previous row. Where the wall is not visible, the path follows the frame. */
+  /** Number of steps by which the frame rotates from the previous row to this one. Where the wall is not visible, the
+   * path follows the frame. */
   int
   Turned(int row) const
   {
@@ -154,7 +155,7 @@ private:
     return this->IsUnseen(row) || std::abs(turned) > greatest ? 0 : turned;
   }
 
-  /** step = 3 * number of rows + change of rotation + 1; -1 if none. */
+  /** The previous state for step = 3 * (number of target rows) + (change in rotation) + 1; -1 if there is none. */
   int
   StateBefore(int offset, int rotation, int turned, int step) const
   {

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Pairwise term of two rows of an assignment; the last label of a row is its dustbin. */
+/** Pairwise term for two rows of an assignment; the last label of a row is its dustbin. */
 struct PairTerm
 {
   int             first;
@@ -22,7 +22,8 @@ struct PairedAssignment
   int        iterations{ 0 };
 };
 
-/** Minimizes assignment and pair terms by dual decomposition. Deterministic; stops when the bound is reached. */
+/** Minimizes the sum of assignment and pair terms by dual decomposition. Deterministic; stops when the bound is
+ * reached. */
 PairedAssignment
 SolvePairedAssignment(const AssignmentProblem & problem, const std::vector<PairTerm> & pairs, int iterations);
 } // namespace shapeton

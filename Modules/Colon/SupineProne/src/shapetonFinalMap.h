@@ -10,7 +10,7 @@ namespace shapeton
 CylinderNodes
 NodesOf(const ColonPair & pair, const RowMap & map);
 
-/** Sets map, matching, matches, exclusions, and figures. */
+/** Sets the map, matching, matches, exclusions, and figures of the registration. */
 void
 ProjectMap(const ColonPair &         pair,
            const CorrectedWarp &     corrected,
@@ -18,7 +18,8 @@ ProjectMap(const ColonPair &         pair,
            SupineProneRegistration & registration,
            const Progress &          progress);
 
-/** Sets the same members by FindPublishedMap() about the frame of the registration; warns about flipped triangles. */
+/** Sets the same members using FindPublishedMap() about the frame of the registration; warns about flipped
+ * triangles. */
 void
 MapAsPublished(const ColonPair &         pair,
                FoldMatchingMethod        method,

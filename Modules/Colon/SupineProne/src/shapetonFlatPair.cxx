@@ -23,7 +23,7 @@ ArcOfFlat(const ColonCylinder & cylinder, double u)
   return cylinder.ArcOfColumn(u / cylinder.Grid().PixelSize());
 }
 
-/** mm of the centerline per mm of the flat wall between two positions. */
+/** mm along the centerline per mm of the flat wall, between two positions. */
 double
 SlopeOf(const ColonCylinder & cylinder, double from, double to)
 {

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** The conformal flat walls of a pair, with source nodes in equidistant rows along the centerline. Values of maps are
+/** The conformal flat walls of a pair, with source nodes in rows equidistant along the centerline. Values of maps are
  * in mm of the flat target wall; nodes and positions are in mm along the centerlines. The pair must outlive this
  * object. */
 class FlatPair
@@ -40,12 +40,12 @@ public:
   /** Image of a source position under a map. */
   CylinderPlace
   Mapped(const CylinderPlace & place, const CylinderValues & values) const;
-  /** Constraint that the position maps to `s` of the target. Between nodes a map is linear in mm along the centerline,
-   * but the constraint is in mm of the flat wall; the weights of the corners account for the local ratio. */
+  /** Constraint that a position is mapped to `s` of the target. Between nodes, a map is linear in mm along the
+   * centerline, but the constraint is in mm of the flat wall; the corner weights account for the local ratio. */
   MapCondition
   Along(const CylinderPlace & place, double s, const CylinderValues & values) const;
-  /** Constraint that the position maps to `turn` of the target;
-   * `turn` is unwrapped to the value closest to the current one. */
+  /** Constraint that a position is mapped to `turn` of the target, which is unwrapped to the value closest to the
+   * current one. */
   MapCondition
   Around(const CylinderPlace & place, double turn, const CylinderValues & values) const;
 

@@ -63,7 +63,7 @@ BulgeOfPixels(const ColonPosition & position)
   return curvature;
 }
 
-/** Draws a Gaussian at a position of the map; overlapping values are combined by their maximum. v may be outside [0,
+/** Draws a Gaussian at a position of the map; where Gaussians overlap, the maximum is used. v may be outside [0,
  * circumference]. */
 void
 DrawPoint(const FlatColonGrid & grid, const Eigen::Vector2d & uv, double pixel, std::vector<float> & picture)
@@ -84,7 +84,7 @@ DrawPoint(const FlatColonGrid & grid, const Eigen::Vector2d & uv, double pixel, 
   }
 }
 
-/** Probability (0 to 1) from the distance to the line between the ends of a fold through its center. */
+/** Probability (0 to 1) from the distance to the line from one end of a fold through its center to the other end. */
 std::vector<float>
 DrawFolds(const ColonPosition & position)
 {

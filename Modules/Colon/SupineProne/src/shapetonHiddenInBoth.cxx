@@ -12,7 +12,7 @@ namespace
 {
 constexpr double step = 1.0; // mm along the centerline: a tenth of the shortest stretch that matters
 
-/** Distance along the second centerline for steps along the first one: the mean around the tube. */
+/** Distance along the second centerline at each step along the first one: the mean around the tube. */
 class MeanWay
 {
 public:
@@ -59,7 +59,7 @@ private:
   std::vector<double> m_Other;
 };
 
-/** Adds the parts of a stretch for which the test holds. */
+/** Adds the parts of a stretch that are hidden according to the test. */
 template <typename TTest>
 void
 AddParts(const HinderedStretch & stretch, const TTest & isHidden, std::vector<HinderedStretch> & parts)

@@ -16,8 +16,8 @@ using PlaceMap = std::function<CylinderPlace(const CylinderPlace &)>;
 FoldMatching
 MatchFoldsAbout(const ColonPair & pair, const PlaceMap & map, FoldMatchingMethod method);
 
-/** Residual displacements of matched folds under the map: the center of each pair, then both ends, paired by
- * position. */
+/** Residual displacements of matched folds under the map: for each pair, that of the center, then those of both ends,
+ * which are paired by position. */
 std::vector<DisplacementConstraint>
 ConstraintsOfFolds(const ColonPair & pair, const PlaceMap & map, const FoldMatching & matching);
 } // namespace shapeton

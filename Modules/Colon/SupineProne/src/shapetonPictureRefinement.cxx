@@ -6,7 +6,7 @@ namespace shapeton
 {
 namespace
 {
-/** Picture in the coordinate of its position, with equal settings for both positions. */
+/** Picture in the coordinate of its own position; settings are the same for both positions. */
 CylinderPicture
 PlainPicture(const ColonPosition &      position,
              const ColonCylinder &      cylinder,
@@ -24,7 +24,7 @@ PlainPicture(const ColonPosition &      position,
   return MakeCylinderPicture(position, cylinder, folds, form);
 }
 
-/** Differences between target and source pictures, linearized about the map. */
+/** Differences between the target and source pictures, linearized about the map. */
 std::vector<DirectionConstraint>
 ConstraintsOfPictures(const ColonPair &       pair,
                       const CylinderPicture & source,

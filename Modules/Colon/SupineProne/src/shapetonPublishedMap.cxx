@@ -96,7 +96,7 @@ private:
   int               m_TargetTaenia;
 };
 
-/** The pair with folds restricted to their segments. */
+/** The pair with fold matching restricted to segments. */
 ColonPair
 SegmentWise(ColonPair pair)
 {
@@ -104,7 +104,7 @@ SegmentWise(ColonPair pair)
   return pair;
 }
 
-/** Adds the ends of matched folds. */
+/** Landmarks at the ends of matched folds. */
 std::vector<Landmark>
 LandmarksOf(const ColonPair & pair, const CylinderMap & map, const FoldMatching & matching)
 {
@@ -125,7 +125,7 @@ LandmarksOf(const ColonPair & pair, const CylinderMap & map, const FoldMatching 
   return landmarks;
 }
 
-/** Weight of the center of each pair from its residual, as in SmoothCorrection. */
+/** Weight of the center of each pair, computed from its residual as in SmoothCorrection. */
 std::vector<double>
 PairWeights(const ColonPair & pair, const CylinderMap & map, const FoldMatching & matching)
 {

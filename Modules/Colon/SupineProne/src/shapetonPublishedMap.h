@@ -23,8 +23,8 @@ struct PublishedMap
 
 /** Supine to prone map as in 4.3 and 5.4.2 of the dissertation, which refers to Zeng, Marino, Gurijala, Gu, Kaufman
  * 2010: a quasi-conformal map between the conformal flat walls through landmarks. Ends and flexures are circles that
- * may rotate; the main taenia, along which the method cuts the wall, maps to the main taenia. Folds are matched once
- * under this map, per segment, and the final map is constrained by the ends of all matched folds, correct or not.
+ * may rotate; the main taenia, along which the method cuts the wall, is mapped to the main taenia. Folds are matched
+ * once under this map, per segment, and the final map is constrained by the ends of all matched folds, correct or not.
  *
  * The dissertation does not specify how the Beltrami coefficient is computed; see FindQuasiConformalMap(). The higher
  * weights that it gives to ends of folds near the main taenia are not possible with hard constraints. Here the map is
@@ -36,7 +36,7 @@ FindPublishedMap(const ColonPair &   pair,
                  double              greatestDilatation,
                  const Progress &    progress = {});
 
-/** The same map constrained only by the ends of given fold pairs and of the colon. */
+/** The same map, constrained only by the ends of the given fold pairs and the ends of the colon. */
 CylinderMap
 QuasiConformalMapThrough(const ColonPair &    pair,
                          const CylinderMap &  start,

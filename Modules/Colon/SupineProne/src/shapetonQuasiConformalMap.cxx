@@ -34,8 +34,8 @@ GreatestMiss(const std::vector<MapCondition> & conditions, const Eigen::VectorXd
   return greatest;
 }
 
-/** Adds weight * share * share^T for each constraint. Its nodes are corners of one triangle, so the sparsity pattern is
- * unchanged. */
+/** Adds weight * share * share^T for each constraint. The nodes of a constraint are the corners of one triangle, so the
+ * sparsity pattern is unchanged. */
 void
 AddConditions(const std::vector<MapCondition> & conditions, double weight, Eigen::SparseMatrix<double> & matrix)
 {
@@ -70,8 +70,8 @@ public:
   }
 
 private:
-  /** Minimizes the energy under constraints by the method of multipliers. Each iteration reduces the violation by the
-   * ratio of constraint weight to stiffness, so few iterations are required. */
+  /** Minimizes the energy under constraints by the method of multipliers. Each iteration reduces the violation by a
+   * factor equal to the ratio of constraint weight to stiffness, so few iterations are required. */
   Eigen::VectorXd
   Coordinate(Eigen::SparseMatrix<double>       stiffness,
              const Eigen::VectorXd &           right,
@@ -121,7 +121,7 @@ private:
   SparseCholesky            m_Solver;
 };
 
-/** Solves (mass + length^2 stiffness) nu = mass mu at the nodes. Right triangles have no negative weights, so the
+/** Solves (mass + length^2 stiffness) nu = mass mu at the nodes. Right triangles do not have negative weights, so the
  * maximum principle holds. */
 class CoefficientSmoother
 {
@@ -206,7 +206,7 @@ GreatestCoefficient(const Coefficients & mu)
   return GreatestDifference(mu, Coefficients(mu.size()));
 }
 
-/** Iterates with constraints that depend on the map until they are satisfied. */
+/** Iterates until constraints that depend on the map are satisfied. */
 void
 SettleConditions(ConditionedSolver &                                              solver,
                  const Coefficients &                                             mu,

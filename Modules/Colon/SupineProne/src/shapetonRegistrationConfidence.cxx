@@ -95,9 +95,9 @@ private:
 };
 
 /** Probability that an error is at most ConfidentDistance if folds are matched correctly. Folds slide and rotate by a
- * part of the circumference, so a wide colon has greater errors; residuals show where the map does not follow its
- * folds. Fitted by logistic regression on points with errors of at most 15 mm of 10 phantoms (realistic 1 to 5, hard 1
- * to 4, standard 1; true lumen in voxels of 1.2 mm). */
+ * fraction of the circumference, so errors are larger in a wide colon; residuals show where the map does not follow the
+ * folds. Fitted by logistic regression on points with errors of at most 15 mm in 10 phantoms (realistic 1 to 5, hard 1
+ * to 4, standard 1; true lumen in 1.2 mm voxels). */
 double
 ProbabilityOfSmallError(double radius, double residual)
 {
@@ -138,7 +138,7 @@ JudgeNodes(const ColonPair & pair, SupineProneRegistration & registration)
   }
 }
 
-/** Log-odds of one term. They are limited because, by its folds alone, the real pair looks like two patients. */
+/** Log-odds of one term. They are limited because, judged by its folds alone, the real pair looks like two patients. */
 double
 LogOdds(double value, double middle, double width)
 {
@@ -150,9 +150,9 @@ LogOdds(double value, double middle, double width)
 double
 RegistrationConfidence::ProbabilityOfOnePatient() const
 {
-  // Middles and widths, from phantoms of seeds 1 to 10. Margin of the sense, matched share, energy, margin of the
-  // thirds: 14 pairs of two patients have at most 0.042, 0.60 to 0.75, 0.13 to 0.34, 0.04 to 0.15; 20 pairs of one
-  // patient at least 0.052, at least 0.80, at most 0.13, at least 0.14.
+  // Middles and widths, from phantoms of seeds 1 to 10. For senseMargin, matchedShare, energy and margin, the values
+  // are at most 0.042, 0.60 to 0.75, 0.13 to 0.34 and 0.04 to 0.15 in 14 pairs of two patients, and at least 0.052, at
+  // least 0.80, at most 0.13 and at least 0.14 in 20 pairs of one patient.
   constexpr double sense = 0.047, widthOfSense = 0.008;
   constexpr double matched = 0.775, widthOfMatched = 0.05;
   constexpr double energyOfPair = 0.13, widthOfEnergy = 0.015;
@@ -160,7 +160,7 @@ RegistrationConfidence::ProbabilityOfOnePatient() const
   const double     ofSense = LogOdds(senseMargin, sense, widthOfSense);
   const double     ofAll = ofSense + LogOdds(matchedShare, matched, widthOfMatched) +
                        LogOdds(-energy, -energyOfPair, widthOfEnergy) + LogOdds(margin, thirds, widthOfThirds);
-  // Without the limit by the sense, two schematic colons of different patients pass.
+  // Without the limit imposed by ofSense, two schematic colons of different patients pass.
   return Logistic(std::min(ofAll, ofSense), 0.0, 1.0);
 }
 

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** Sets the confidence from its energies and margin, and the local confidence. */
+/** Sets the confidence based on its energies and margin, and the local confidence. */
 void
 JudgeRegistration(const ColonPair & pair, SupineProneRegistration & registration);
 } // namespace shapeton

@@ -48,7 +48,7 @@ SegmentToJson(const SegmentMatches & row, bool hasTruth)
   return json;
 }
 
-/** Ratio; the total may be zero. */
+/** Ratio of a part to a total, which may be zero. */
 Json
 Share(int share, int whole)
 {

@@ -6,7 +6,7 @@
 namespace shapeton
 {
 /** Creates registration.json from otherwise complete results. \param frame errors of the frame from flexures and
- * taeniae; empty without points. */
+ * taeniae; empty if there are no points. */
 Json
 DocumentOf(const SupineProneRegistration & registration,
            const RegistrationResults &     results,

@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** Linear in mm of the flat maps, from end to end. */
+/** Frame that is linear in mm of the flat maps, from end to end. */
 PiecewiseLine
 FrameOfRectangles(const ColonPair & pair)
 {
@@ -28,7 +28,7 @@ FrameOfRectangles(const ColonPair & pair)
   return frame;
 }
 
-/** Overall rotation (turns) of the target for the best agreement of the fold pictures under the frame. */
+/** Overall rotation (turns) of the target at which the fold pictures agree best under the frame. */
 double
 BestRotation(const ColonPair & pair, const PiecewiseLine & frame)
 {

@@ -10,7 +10,7 @@ namespace
 {
 constexpr double costOutside = 8.0; ///< cost of a row beyond the end of the target or of its segment
 
-/** Mean product of a and b shifted back by `shift` >= 0 columns. */
+/** Mean product of a with b cyclically shifted back by `shift` >= 0 columns. */
 double
 ProductOf(const Eigen::RowVectorXd & a, const Eigen::RowVectorXd & b, Eigen::Index shift)
 {

@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** Costs of assigning source rows to target rows for states (offset, rotation). The pictures must outlive this
+/** Costs of assigning source rows to target rows, for all states (offset, rotation). The pictures must outlive this
  * object. */
 class RowCosts
 {

@@ -9,21 +9,21 @@ namespace shapeton
 {
 namespace
 {
-/** Displacements along the target: 42 mm to both sides, farther than the next fold. */
+/** Displacements along the target: up to 42 mm on both sides, which is farther than the next fold. */
 constexpr double shiftStep = 3.0; // mm, as the warping
 constexpr int    shifts = 14;     // on each side
-/** Largest displacement (mm) on the same fold: about half the distance between folds. */
+/** Largest displacement (mm) that remains on the same fold: about half the distance between folds. */
 constexpr double greatestNoShift = 15.0;
 
 /** Log-likelihood per row and mean squared difference of the pictures, and costs per step of the displacement and of
  * the rotation. They were chosen for the lowest Brier score (0.091) on 9 phantoms (realistic 1 to 4, hard 1 to 4,
- * standard 1), with an ease of 0.1 and noncyclic displacements. Evidence 1: 0.091; shift cost 0.6: 0.098; turn cost 3:
- * 0.092. */
+ * standard 1), with unseenEase = 0.1 and noncyclic displacements. The score is 0.091 with evidence = 1, 0.098 with
+ * shiftCost = 0.6, and 0.092 with turnCost = 3. */
 constexpr double evidence = 2.0;
 constexpr double shiftCost = 1.0;
 constexpr double turnCost = 2.0;
-/** Factor of the costs where the wall is not visible. Brier scores of hard 2, 3, 4: 0.137, 0.170, 0.116; with 0.1:
- * 0.156, 0.174, 0.122. */
+/** Factor for the costs where the wall is not visible. The Brier scores of hard 2, 3 and 4 are 0.137, 0.170 and 0.116;
+ * with a factor of 0.1, they are 0.156, 0.174 and 0.122. */
 constexpr double unseenEase = 0.4;
 
 /** One value for each rotation (row) and displacement (column). */
@@ -45,8 +45,8 @@ CyclicKernel(int states, double cost)
   return kernel;
 }
 
-/** Changes from one row to the next. Displacements are cyclic, too, so that no state has more neighbors than others,
- * which would make small displacements likely without evidence. */
+/** Transition from one row to the next. Displacements are cyclic, too, so that all states have equally many neighbors;
+ * otherwise, small displacements would be likely without evidence. */
 struct ShiftTransition
 {
   Eigen::MatrixXd ofTurns;
@@ -109,7 +109,7 @@ RotationOf(const CylinderNodes & nodes, int row)
   return nodes.turn.row(row).mean() - 0.5 * (nodes.Angles() - 1.0) / nodes.Angles();
 }
 
-/** Likelihood of each state of a row, up to a factor; 1 without evidence. */
+/** Likelihood of each state of a row, up to a factor; 1 if there is no evidence. */
 ShiftStates
 LikelihoodOfRow(const CylinderPicture & source, const CylinderPicture & target, const CylinderMap & map, int row)
 {
@@ -128,7 +128,7 @@ LikelihoodOfRow(const CylinderPicture & source, const CylinderPicture & target, 
   return (-0.5 * evidence / WarpAngles * (squares - squares.minCoeff())).exp();
 }
 
-/** 1 for the states of a row on the same fold, 0 for the others. */
+/** 1 for the states of a row that are on the same fold, 0 for the others. */
 ShiftStates
 NoShift(const CylinderNodes & nodes, int row, double around)
 {

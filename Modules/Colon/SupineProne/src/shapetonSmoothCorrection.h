@@ -15,7 +15,7 @@ struct DisplacementConstraint
 };
 
 /** Constraint on one component of a displacement: direction . displacement = value (mm). The direction is around the
- * tube for a taenia, along the gradient for a picture. */
+ * tube for taeniae and along the gradient for pictures. */
 struct DirectionConstraint
 {
   CylinderPlace   place;
@@ -29,7 +29,7 @@ struct DirectionConstraint
 
 struct SmoothCorrectionOptions
 {
-  /** Node distance along the colon, mm, and number of nodes around. */
+  /** Distance between nodes along the colon, mm, and number of nodes around it. */
   double step{ 10.0 };
   int    angles{ 24 };
   /** Standard deviation of a constraint, mm. */
@@ -43,14 +43,14 @@ struct SmoothCorrectionOptions
   double tension{ 0.01 };
 };
 
-/** A smooth field of displacements on a cylinder: thin plate under tension, periodic around, robust by iteratively
- * reweighted least squares. */
+/** A smooth field of displacements on a cylinder: a thin plate under tension, periodic around the cylinder, made robust
+ * by iteratively reweighted least squares. */
 class SmoothCorrection
 {
 public:
   SmoothCorrection(double begin, double end, double around, const SmoothCorrectionOptions & options = {});
 
-  /** Fits the field; returns the final weight of each constraint in (0, 1], times its own weight. */
+  /** Fits the field; returns, for each constraint, the final weight in (0, 1] times the weight of the constraint. */
   std::vector<double>
   Fit(const std::vector<DisplacementConstraint> & constraints,
       const std::vector<DirectionConstraint> &    directions,

@@ -12,7 +12,7 @@ namespace
 /** Cost of a column to which no path is known. */
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
-/** Columns from index `columns` are the dustbins of the rows. */
+/** Columns with indices from m_Columns are the dustbins of the rows. */
 class AugmentingPaths
 {
 public:
@@ -26,7 +26,7 @@ public:
     m_ColumnPotential.assign(m_Columns + rows, 0.0);
   }
 
-  /** Assigns a column to the row along the shortest path of reduced costs (Dijkstra). */
+  /** Assigns a column to the row, along the shortest path in reduced costs (Dijkstra). */
   void
   Augment(int row)
   {
@@ -85,7 +85,7 @@ private:
     return choice < 0 ? m_Columns + row : m_Problem.candidates[row][choice].column;
   }
 
-  /** Change of the cost relative to an unassigned column. */
+  /** Change in the cost relative to an unassigned column. */
   double
   CostOf(int row, int choice) const
   {

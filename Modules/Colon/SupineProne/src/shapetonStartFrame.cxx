@@ -50,8 +50,8 @@ FrameOf(const ColonPosition &    source,
   return frame;
 }
 
-/** Standard deviation (mm) of an error that is within 30 mm with this probability (inverse error function by Winitzki
- * 2008). */
+/** Standard deviation (mm) of an error that is within 30 mm with this probability (inverse error function after
+ * Winitzki 2008). */
 double
 DeviationOf(double confidence)
 {
@@ -110,7 +110,7 @@ SamplesOfTaenia(const CurveSet &         curves,
   return samples;
 }
 
-/** Linear interpolation between samples, constant beyond. */
+/** Linear interpolation between samples, constant beyond them. */
 std::vector<double>
 Resampled(const std::vector<AngleSample> & samples, double begin, double step, int number)
 {
@@ -135,7 +135,7 @@ Resampled(const std::vector<AngleSample> & samples, double begin, double step, i
   return turns;
 }
 
-/** Median angle of a taenia around the tube relative to the first one, turns in [0, 1). */
+/** Median angle around the tube between the first taenia and another one, turns in [0, 1). */
 double
 MedianOffset(const std::vector<double> & turns, const std::vector<double> & first)
 {

@@ -24,7 +24,7 @@ struct PiecewiseLine
 };
 
 /** Frame from the ends and the flexures found in both colons. A flexure that would stretch the adjacent colon more than
- * three times as much as the rest is skipped with a warning. */
+ * three times as much as the rest is skipped, with a warning. */
 PiecewiseLine
 FlexureFrame(const ColonPosition &      source,
              const ColonCylinder &      sourceCylinder,
@@ -41,8 +41,8 @@ EndFrame(const PiecewiseLine & frame);
 PiecewiseLine
 CautiousFrame(const PiecewiseLine & frame, const ColonPosition & source, const ColonPosition & target);
 
-/** Angles of the three taeniae in unwrapped turns, every `step` mm from the start of the colon; in order around the
- * tube. */
+/** Angles of the three taeniae in unwrapped turns, every `step` mm from the start of the colon. The taeniae are in
+ * order around the tube. */
 struct TaeniaAngles
 {
   double                             begin{ 0.0 };
@@ -58,8 +58,8 @@ struct TaeniaAngles
 TaeniaAngles
 AnglesOfTaeniae(const ColonPosition & position, const ColonCylinder & cylinder, std::vector<std::string> & warnings);
 
-/** Unwrapped rotation (turns) of the target relative to the source at `s` of the source, if taenia i of the source
- * corresponds to taenia i + shift of the target. */
+/** Unwrapped rotation (turns) of the target relative to the source at each position `s` of the source, if taenia i of
+ * the source corresponds to taenia i + shift of the target. */
 std::vector<double>
 RotationOfTaeniae(const TaeniaAngles &        source,
                   const TaeniaAngles &        target,

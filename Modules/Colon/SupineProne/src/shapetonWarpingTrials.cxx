@@ -8,7 +8,7 @@ namespace shapeton
 {
 namespace
 {
-/** A trial frame with the allowed deviation of the path. */
+/** A trial frame, and the allowed deviation of the path from it. */
 struct Trial
 {
   PiecewiseLine frame;
@@ -20,14 +20,15 @@ struct Trial
   double taeniae;
 };
 
-/** Band of the path about the first frame (mm) and its allowed deviation (mm), and their increase for each further
- * frame, which is less certain. On hard phantoms (seeds 1 to 10) other deviations and taenia weights change the error
- * by less than 0.1 mm. */
+/** Band of the path about the first frame (mm) and its allowed deviation (mm), and the increase of both for each
+ * further frame, since these are less certain. On hard phantoms (seeds 1 to 10), other deviations and taenia weights
+ * change the error by less than 0.1 mm. */
 constexpr double firstBand = 60.0;
 constexpr double moreBand = 15.0;
 constexpr double firstDeviation = 25.0;
 constexpr double moreDeviation = 12.0;
-/** Weights of slope (stiff or soft), rotation and taeniae; without taeniae, both slope and rotation may be free. */
+/** Weights of slope (stiff or soft), rotation and taeniae. If there are no taeniae, both slope and rotation may be
+ * free. */
 constexpr double stiffSlope = 2.0;
 constexpr double softSlope = 0.8;
 constexpr double freeSlope = 0.3;
@@ -88,7 +89,7 @@ BandsOf(const TaeniaAngles & taeniae, const std::vector<double> & s, int angles)
   return bands;
 }
 
-/** Picture with the rows of the warping in the coordinate of the source. The frame of the source itself is empty. */
+/** Picture with the rows of the warping in the coordinate of the source. `frame` is null for the source itself. */
 CylinderPicture
 PictureOf(const ColonPair & pair, const PiecewiseLine * frame)
 {
@@ -129,7 +130,7 @@ WarpAbout(const ColonPair & pair, const Trial & trial, const CylinderPicture & s
   return WarpCylinder(source, PictureOf(pair, &trial.frame), trial.frame, {}, options);
 }
 
-/** The path along the colon as an increasing frame. */
+/** The path along the colon, converted to an increasing frame. */
 PiecewiseLine
 FrameOf(const CylindricalWarp & warp)
 {
@@ -142,7 +143,7 @@ FrameOf(const CylindricalWarp & warp)
   return frame;
 }
 
-/** Minimum energies near the warp and near the warp rotated by one and two thirds of a turn. */
+/** Minimum energies near the warp and near the warp rotated by one third and by two thirds of a turn. */
 std::vector<double>
 EnergiesOfThirds(const ColonPair &       pair,
                  const CylindricalWarp & warp,
@@ -167,7 +168,8 @@ EnergiesOfThirds(const ColonPair &       pair,
   return energies;
 }
 
-/** Rotation of the frame of flexures by the taeniae, for the one of three correspondences closest to the warp. */
+/** Rotation of the flexure frame according to the taeniae, for the one of the three correspondences that is closest to
+ * the warp. */
 std::vector<double>
 RotationOfFrame(const ColonPair & pair, const CylindricalWarp & warp)
 {

@@ -103,7 +103,8 @@ public:
     return *this;
   }
 
-  /** Gives a list the number of elements that the sender stated; the caller reads the elements, of at least a byte. */
+  /** Resizes a list to the number of elements stated by the sender; the caller reads the elements, at least one byte
+   * each. */
   template <typename TElement>
   ByteReader &
   SizeOf(std::vector<TElement> & list)

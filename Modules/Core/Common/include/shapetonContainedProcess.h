@@ -16,8 +16,8 @@ namespace shapeton
  *
  * A malformed file may crash the parsers of DCMTK, GDCM, NrrdIO and nifti, make them loop forever, or make them
  * allocate all memory. They therefore run in the program ShapetonFileParser, whose crash becomes an ordinary error
- * here. The program has the version of this library. The environment variable SHAPETON_FILE_PARSER may name it;
- * otherwise it is searched relative to this library, then in the folder of the installation.
+ * here. The program must have the same version as this library. The environment variable SHAPETON_FILE_PARSER may
+ * contain its path; otherwise it is searched for relative to this library, then in the installation folder.
  *
  * A request and its response are byte strings over a socket; bulk data (pixels) are returned in a shared memory block.
  * The program prints nothing and ends with its parent. On Linux it also ends with the thread that started it, so use a
@@ -83,8 +83,8 @@ private:
  * ContainedProcess::Failure with the same message, and the program continues. \ingroup ShapetonCommon */
 using ContainedService = std::function<std::string(const std::string & request, char * shared)>;
 
-/** Functions that create the services of a program, by name. An exception is an error of the constructor of
- * ContainedProcess. \ingroup ShapetonCommon */
+/** Functions that create the services of a program, by name. An exception makes the constructor of ContainedProcess
+ * fail. \ingroup ShapetonCommon */
 using ContainedServices = std::map<std::string, std::function<ContainedService()>>;
 
 /** \class AddContainedServices

@@ -65,7 +65,7 @@ FindDeviceFunction(const char * name);
  * free memory in bytes; otherwise false, with the reason instead of the name. \ingroup ShapetonCommon */
 using DescribeDeviceFunction = bool(std::string & name, std::size_t & memory);
 
-/** Type of ShapetonRunTriads(): a = b + 0.5 c for a number of elements and repetitions; for benchmarks.
+/** Type of ShapetonRunTriads(): a = b + 0.5 c for given numbers of elements and repetitions; for benchmarks.
  * \ingroup ShapetonCommon */
 using RunTriadsFunction = void(std::size_t number, unsigned int triads);
 

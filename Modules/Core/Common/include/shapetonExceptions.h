@@ -87,13 +87,14 @@ RequireParameter(bool                condition,
 }
 
 /** The text with each reference to a parameter, `the parameter "name"`, replaced by what `spell` returns for the name.
- * The second argument of `spell` is true, and ` = ` is replaced, too, if a value follows. \ingroup ShapetonCommon */
+ * The second argument of `spell` is true, and ` = ` is also replaced, if a value follows the name.
+ * \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT std::string
                       SpellParameters(const std::string &                                                         text,
                                       const std::function<std::string(const std::string & name, bool hasValue)> & spell);
 
-/** The description of an exception of ITK without the prefix of its macros, "ITK ERROR: Class(0x55d0c0a8): ", and the
- * location that precedes it in a rethrown exception. \ingroup ShapetonCommon */
+/** The description of an ITK exception, excluding the prefix added by ITK's macros, "ITK ERROR: Class(0x55d0c0a8): ",
+ * and the location that precedes the prefix in a rethrown exception. \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT std::string
                       WithoutItkPrefix(const std::string & description);
 } // namespace shapeton

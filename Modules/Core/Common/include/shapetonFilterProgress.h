@@ -24,8 +24,8 @@ ReportProgress(itk::ProcessObject & filter, double share)
   AbortIfAsked(filter);
 }
 
-/** Reports the progress of a filter again, unchanged: a filter's progress is rounded down whenever it is set. Throws
- * and is called as ReportProgress(). \ingroup ShapetonCommon */
+/** Reports the progress of a filter again without setting it, because each setting would round it down. The thread and
+ * exceptions are those of ReportProgress(). \ingroup ShapetonCommon */
 inline void
 RepeatProgress(itk::ProcessObject & filter)
 {

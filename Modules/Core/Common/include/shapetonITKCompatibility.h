@@ -12,7 +12,7 @@
     ITK_MACROEND_NOOP_STATEMENT
 #endif
 
-// As itkNewMacro, without the second semicolon that 5.2 leaves after the class member (-Wpedantic).
+// Like itkNewMacro, but without the second semicolon that 5.2 leaves after the class member (-Wpedantic).
 #define shapetonNewMacro(thisClass)                                                                                    \
   itkSimpleNewMacro(thisClass);                                                                                        \
   itkCreateAnotherMacro(thisClass);                                                                                    \

@@ -8,7 +8,7 @@ namespace shapeton
 /** \class OpenEndedProgress
  * \brief Reports progress of work with an unknown number of steps, such as an iteration.
  *
- * The completed share grows with each step toward 1; it is one half after the typical number of steps.
+ * The completed fraction grows with each step toward 1; it is one half after the typical number of steps.
  *
  * \ingroup ShapetonCommon */
 class OpenEndedProgress
@@ -24,7 +24,7 @@ public:
     m_Progress(stage, this->Share());
   }
 
-  /** Progress receiver for one more step, reported to the whole as `stage`. */
+  /** Progress callback for one more step, reported as `stage` of the whole. */
   Progress
   NextStep(const std::string & stage = {})
   {

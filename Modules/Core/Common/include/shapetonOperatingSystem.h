@@ -276,7 +276,7 @@ private:
   std::size_t m_DataBytes;
 };
 
-/** Ends this process after this many further seconds of CPU time. */
+/** Ends this process after this many more seconds of CPU time. */
 ShapetonCommon_EXPORT void
 LimitComputingTime(unsigned int seconds);
 
@@ -288,7 +288,7 @@ WasKilled(const ChildProcess::End & end);
 ShapetonCommon_EXPORT void
 CallAfterFork(void (*function)());
 
-/** Path of the program of this process; empty, with an error, if the system does not tell it. */
+/** Path of the program of this process; empty, with an error, if the system does not report it. */
 ShapetonCommon_EXPORT std::string
                       PathOfThisProgram(std::error_code & error);
 
@@ -319,19 +319,19 @@ enum class FileAccess
 ShapetonCommon_EXPORT int
 ErrorOfAccess(const std::string & path, FileAccess access);
 
-/** Creates a new file and removes it; removes an existing file before. */
+/** Creates a new file and removes it; an existing file is removed first. */
 ShapetonCommon_EXPORT int
 ErrorOfCreation(const std::string & path);
 
-/** Writes a file or folder to the disk. */
+/** Flushes a file or folder to disk. */
 ShapetonCommon_EXPORT int
 ErrorOfSync(const std::string & path);
 
-/** Writes all files of the file system of a folder to the disk. */
+/** Flushes the entire file system that contains a folder to disk. */
 ShapetonCommon_EXPORT int
 ErrorOfFileSystemSync(const std::string & folder);
 
-/** Exchanges two names at once; false if the file system cannot. */
+/** Exchanges two names atomically; returns false if the file system does not support this. */
 ShapetonCommon_EXPORT bool
 ExchangeNames(const std::string & first, const std::string & second);
 
@@ -348,12 +348,12 @@ struct FileStatus
 ShapetonCommon_EXPORT FileStatus
 StatusOf(const std::string & path);
 
-/** Opens a file for TryLock() and creates it if necessary; invalid in case of an error, which errno tells. Programs
- * started by this process inherit the descriptor and the lock. */
+/** Opens a file for TryLock() and creates it if necessary; on error, the descriptor is invalid and errno is set.
+ * Programs started by this process inherit the descriptor and the lock. */
 ShapetonCommon_EXPORT FileDescriptor
 OpenLockFile(const std::string & path);
 
-/** Locks a file for this descriptor; EWOULDBLOCK if it is locked by another one, also of this process. */
+/** Locks a file for this descriptor; EWOULDBLOCK if it is locked by another descriptor, even one of this process. */
 ShapetonCommon_EXPORT int
 TryLock(const FileDescriptor & file);
 ///@}

@@ -9,12 +9,12 @@
 namespace shapeton
 {
 /** The text as one line of valid UTF-8: white space and control characters collapse into single blanks, malformed bytes
- * become '?'. File names may contain anything; terminals and XML do not accept it.
+ * become '?'. File names may contain any bytes, but terminals and XML do not accept all of them.
  * \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT std::string
                       Printable(const std::string & text);
 
-/** Number of bytes of a faulty input that an error message repeats. \ingroup ShapetonCommon */
+/** Maximum number of bytes of faulty input quoted in an error message. \ingroup ShapetonCommon */
 constexpr std::size_t LongestExcerpt = 40;
 
 /** `text` in double quotes, shortened if it is too long for a message. \ingroup ShapetonCommon */

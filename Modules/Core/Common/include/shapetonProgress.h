@@ -11,11 +11,11 @@
 namespace shapeton
 {
 /** \class Progress
- * \brief Progress receiver, a parameter of all long-running functions.
+ * \brief Progress callback, a parameter of all long-running functions.
  *
- * A copyable wrapper of a function that takes the name of the stage and the completed share of the whole, from 0 to 1,
- * or only the share. It may be empty. It is called on the thread that started the work. The function may throw to abort
- * the work; the exception propagates to the caller. Each report checks Interruption first.
+ * A copyable wrapper of a function that takes the name of the stage and the completed fraction of the whole, from 0 to
+ * 1, or only the fraction. It may be empty. It is called on the thread that started the work. The function may throw to
+ * abort the work; the exception propagates to the caller. Each report checks Interruption first.
  *
  * \code
  * options.progress = [&](const std::string & stage, double share) { std::cout << stage << ' ' << share << '\n'; };
@@ -43,7 +43,7 @@ public:
     }
   }
 
-  /** Reports the stage and the completed share of the whole. */
+  /** Reports the stage and the completed fraction of the whole. */
   void
   operator()(const std::string & stage, double share) const
   {
@@ -54,14 +54,14 @@ public:
     }
   }
 
-  /** Reports the completed share of work that has a single stage. */
+  /** Reports the completed fraction of work that has a single stage. */
   void
   operator()(double share) const
   {
     (*this)(std::string(), share);
   }
 
-  /** Progress receiver for a part of the work, reported to the whole as `stage`; it fills [begin, end] of the whole. */
+  /** Progress callback for a part of the work, reported as `stage`; the part covers [begin, end] of the whole. */
   Progress
   Part(const std::string & stage, double begin, double end) const
   {

@@ -9,8 +9,8 @@
 namespace shapeton
 {
 /** \name Quantiles
- * Quantiles differ in the rank that belongs to a share of n values, where 0 is the rank of the least value. All are 0
- * without values. */
+ * The functions differ in the rank assigned to a fraction of n values, where the smallest value has rank 0. All return
+ * 0 if there are no values. */
 ///@{
 /** The value of rank n / 2, rounded down. \ingroup ShapetonCommon */
 template <typename TValue>

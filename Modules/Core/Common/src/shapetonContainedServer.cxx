@@ -64,7 +64,7 @@ CreateService(const std::string & name, ContainedService & service)
   });
 }
 
-/** Answers requests until the channel ends. */
+/** Answers requests until the channel is closed. */
 void
 AnswerRequests(const MessageChannel & channel, const ContainedService & service)
 {

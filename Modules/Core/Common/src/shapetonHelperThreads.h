@@ -19,7 +19,7 @@ public:
   virtual void
   SetLimit(unsigned int threads) = 0;
 
-  /** Runs `task`, which must not throw, on a thread that is free; at most the limit less 1 are requested at a time. */
+  /** Runs `task`, which must not throw, on a free thread; fewer tasks than the limit are requested at a time. */
   virtual void
   Run(const std::function<void()> & task) = 0;
 };

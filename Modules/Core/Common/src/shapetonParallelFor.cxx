@@ -19,7 +19,7 @@ namespace shapeton
 {
 namespace
 {
-/** Shares of work, each done once by the thread that takes it. */
+/** Work divided into shares, each done once by the thread that takes it. */
 struct SharedWork
 {
   SharedWork(unsigned int number, std::function<void(unsigned int share)> work)
@@ -40,9 +40,9 @@ struct SharedWork
   std::condition_variable hasEnded;
 };
 
-/** Distributes the shares of all open works to the calling threads and the helpers. A caller takes shares of its own
- * work only and waits only for shares that run, so nested works end whatever the helpers do. A caller that took foreign
- * shares while it waits could meet a lock that it holds itself. */
+/** Distributes the shares of all open work to the calling threads and the helpers. A caller takes shares of its own
+ * work only and waits only for running shares, so nested work always ends, whatever the helpers do. If a waiting caller
+ * took shares of other work, it could encounter a lock that it already holds. */
 class Scheduler
 {
 public:
@@ -84,7 +84,7 @@ public:
     this->AdaptTo(threads);
   }
 
-  /** Offers the shares that nobody has taken to the helpers. */
+  /** Offers the untaken shares to the helpers. */
   void
   Open(SharedWork & work)
   {
@@ -106,7 +106,7 @@ public:
     this->Do(work, share, lock);
   }
 
-  /** Does the shares that nobody has taken and waits for those that run. */
+  /** Does the untaken shares and waits for the running ones. */
   void
   Finish(SharedWork & work)
   {
@@ -118,7 +118,7 @@ public:
     this->Wait(work, lock);
   }
 
-  /** Drops the shares that nobody has taken and waits for those that run. */
+  /** Drops the untaken shares and waits for the running ones. */
   void
   Cancel(SharedWork & work)
   {
@@ -128,7 +128,7 @@ public:
   }
 
 private:
-  /** A forked process has neither the helpers nor, perhaps, an unlocked mutex. It uses ITK's pool, because oneTBB would
+  /** A forked process has no helpers, and its copy of the mutex may be locked. It uses ITK's pool, because oneTBB would
    * offer threads that do not exist. */
   static void
   StartAgainInChild()

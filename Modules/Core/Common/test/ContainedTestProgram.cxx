@@ -107,7 +107,7 @@ const shapeton::AddContainedServices
              { "Echo", [] { return [](const std::string & request, char *) { return request; }; } },
              { "Faulty", MakeFaultyService } });
 
-/** Sends the number of a process that it starts, which then computes until it is killed. */
+/** Starts a process, sends its process ID, and lets it compute until it is killed. */
 int
 BeParent(const MessageChannel & channel)
 {

@@ -6,7 +6,7 @@
 
 namespace
 {
-/** Number of elements of the lists that arrive; -1 if the message is refused. */
+/** Number of elements in the received lists; -1 if the message is refused. */
 int
 SizeOfLists(const std::vector<std::uint64_t> & stated)
 {

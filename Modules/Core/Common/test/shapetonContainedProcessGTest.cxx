@@ -22,7 +22,7 @@ constexpr ContainedProcess::Limits Limits{ 64u << 20, 1, 60 }; // generous, beca
 
 [[maybe_unused]] const int isProgramSet = setenv("SHAPETON_FILE_PARSER", SHAPETON_TEST_PROGRAM, 1);
 
-/** The message of the constructor's error, with another program. */
+/** The message of the constructor's error for this service and program. */
 std::string
 StartErrorOf(const std::string & service, const std::string & program = SHAPETON_TEST_PROGRAM)
 {
@@ -172,7 +172,7 @@ TEST(ContainedProcess, NeitherProcessKeepsDescriptorsOrSharedMemory)
   for (int i = 0; i < 3; ++i)
   {
     ContainedProcess process("Misbehave", 16, Limits);
-    // The standard streams, the channel, the shared memory, and the folder that is listed.
+    // The standard streams, the channel, the shared memory, and the folder being listed.
     EXPECT_EQ(process.Call("descriptors"), "0 1 2 3 4 5 ");
     EXPECT_THROW(process.Call("crash"), ContainedProcess::Failure);
     EXPECT_EQ(process.Call("ok"), "okok");

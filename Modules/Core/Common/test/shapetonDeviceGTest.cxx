@@ -16,7 +16,7 @@ TEST(Device, CpuNeedsNothing)
   EXPECT_EQ(use.Describe(), "cpu");
 }
 
-// A volume of four exabytes fits neither with nor without a GPU.
+// A volume of four exabytes does not fit into any GPU.
 TEST(Device, AutomaticFallsBackToTheCpuAndSaysWhy)
 {
   const auto use = ChooseDevice(Device::Automatic, std::size_t{ 1 } << 62);

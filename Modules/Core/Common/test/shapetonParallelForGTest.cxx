@@ -179,7 +179,7 @@ TEST_P(WithThreads, NothingIsBegunAfterAnAbort)
   EXPECT_LT(begun, number / 2);
 }
 
-/** Counts the threads that are inside of one or more loop bodies. */
+/** Counts the threads that are inside one or more loop bodies. */
 class BusyThreads
 {
 public:
@@ -207,7 +207,7 @@ public:
     return m_Most;
   }
 
-  /** Waits until `number` threads have been busy at the same time; whether that happened within 20 s. */
+  /** Waits until `number` threads have been busy at the same time; returns whether that happened within 20 s. */
   bool
   WaitFor(unsigned int number) const
   {

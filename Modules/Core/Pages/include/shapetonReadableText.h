@@ -8,8 +8,8 @@
 
 namespace shapeton
 {
-/** A number as written by CsvTable, in plain decimal notation: "2.322e+04" becomes "23220". Beyond 15 places left or
- * 6 right of the decimal point it keeps a power of ten, in superscript. Any other text is unchanged.
+/** A number as written by CsvTable, in plain decimal notation: "2.322e+04" becomes "23220". With more than 15 digits
+ * left or 6 digits right of the decimal point, a power of ten is kept, in superscript. Any other text is unchanged.
  * \ingroup ShapetonPages */
 ShapetonPages_EXPORT std::string
                      PlainNumber(const std::string & number);

@@ -41,7 +41,7 @@ Escaped(const std::string & text)
   return escaped;
 }
 
-/** Whether a PNG file shows a picture that is higher than wide, from its header. */
+/** Whether a PNG file shows a picture that is taller than wide, according to its header. */
 bool
 IsTallPng(const std::string & bytes)
 {

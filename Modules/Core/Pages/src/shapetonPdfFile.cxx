@@ -31,7 +31,7 @@ FindPrinter()
   return "";
 }
 
-/** Runs a program and returns what it says. */
+/** Runs a program and collects its output. */
 ChildProcess::End
 RunQuietly(const std::string & program, const std::vector<std::string> & arguments, std::string & messages)
 {
@@ -63,7 +63,7 @@ WritePdf(const std::string & htmlPath, const std::string & pdfPath)
   std::string messages;
   try
   {
-    // Python orders sets by hashes, and the file records the time: both are fixed, for the same bytes.
+    // Python orders sets by hashes, and the file records the time: both are fixed for reproducible output.
     const ChildProcess::End end =
       RunQuietly("/usr/bin/env",
                  { "PYTHONHASHSEED=0", "SOURCE_DATE_EPOCH=0", program, "-q", "-e", "utf-8", htmlPath, pdfPath },

@@ -36,7 +36,7 @@ public:
     return m_Rows;
   }
 
-  /** The table without columns whose cells are all empty. */
+  /** The table, excluding columns whose cells are all empty. */
   CsvTable
   WithoutEmptyColumns() const;
 

@@ -17,8 +17,8 @@ namespace shapeton
 ShapetonReport_EXPORT void
 WriteJson(const Json & document, const std::string & path);
 
-/** Reads a document. Throws InputError with the file and the line and column of the error, or the key that an object
- * repeats.
+/** Reads a document. Throws InputError with the file and either the line and column of the error or the key that occurs
+ * twice in an object.
  * \ingroup ShapetonReport */
 ShapetonReport_EXPORT Json
 ReadJson(const std::string & path);

@@ -16,7 +16,7 @@ namespace
 using Cells = std::vector<std::string>;
 using Rows = std::vector<Cells>;
 
-/** Reads CSV by the grammar of RFC 4180, section 2, with LF. */
+/** Reads CSV according to the grammar of RFC 4180, section 2, with LF. */
 Rows
 ParseCsv(const std::string & text)
 {

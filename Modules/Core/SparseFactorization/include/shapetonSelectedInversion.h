@@ -50,9 +50,8 @@ public:
   SymmetricElements
   Invert(const SymmetricElements & matrix) const;
 
-  /** Inverts matrixOf(0), ... matrixOf(number - 1) with all of ITK's threads, at most `atOnce` at a time, which
-   * determines the memory use. Passes them to `take` in this order, one by one. `matrixOf` may be called
-   * concurrently. */
+  /** Inverts matrixOf(0), ... matrixOf(number - 1) with all of ITK's threads. At most `atOnce` matrices are in memory
+   * at a time. Passes the inverses to `take` in this order, one by one. `matrixOf` may be called concurrently. */
   void
   InvertAll(int                                                         number,
             const std::function<SymmetricElements(int)> &               matrixOf,

@@ -64,7 +64,7 @@ struct Set
   void (
     *SubtractSquare)(int rows, int begin, int end, int depth, const Panel & A, const double * signs, const Panel & C);
   /** Stores A B into the complex C: C has `rows` rows, a multiple of rowGroup, and `columns` columns; A has `depth`
-   * columns. With `lowerOnly` elements above the diagonal of C may or may not be computed. */
+   * columns. With `lowerOnly`, elements above the diagonal of C may or may not be computed. */
   void (*Multiply)(int              rows,
                    int              columns,
                    int              depth,

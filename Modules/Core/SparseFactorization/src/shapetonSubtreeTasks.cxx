@@ -4,7 +4,7 @@ namespace shapeton
 {
 namespace
 {
-/** Largest share of all work in a subtree. */
+/** Largest fraction of all work in one subtree. */
 constexpr double largestPart = 1.0 / 12.0;
 } // namespace
 

@@ -25,8 +25,8 @@ struct AutomaticP
  * geometric mean of edgeContrast and a noise bound. The bound is four times the standard deviation of the noise, but at
  * least a quarter of edgeContrast. p is clamped to [1, 50]. Noise is 3.138 times the lower quartile of the nonzero half
  * gradients, provided that at least one in ten pairs of neighbors differs. Edges are pairs whose half gradient exceeds
- * four times the noise and both adjacent half gradients on the same axis. Half gradients, see VolumeGradientOperator,
- * are those of the window of the options. \ingroup ShapetonHeat */
+ * four times the noise and both adjacent half gradients on the same axis. Half gradients (see VolumeGradientOperator)
+ * are relative to the intensity window of the options. \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT AutomaticP
 ChooseP(const VolumeView & volume, const VolumeGradientOptions & options);
 

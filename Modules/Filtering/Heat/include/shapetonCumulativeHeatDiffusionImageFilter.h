@@ -19,15 +19,13 @@ namespace shapeton
  * (2.4)-(2.6): f_i += dt * sum_j c_ij (f_j - f_i). A few steps reveal local shape (edges, corners), and many steps
  * reveal whole objects: a closed object converges to its mean initial heat, which depends on its shape and size.
  *
- * \par Inputs and Outputs
- * Input: a scalar volume of finite intensities. Output 0: the heat after the last step, in [0, 1], float, on the grid
- * of the input. Output 1: the initial heat. After Update() GetResult() returns the last step, the heat histogram and
- * the components.
+ * \par Inputs and Outputs Input: a scalar volume of finite intensities. Output 0: the heat after the last step, in [0,
+ * 1], float, on the grid of the input. Output 1: the initial heat. After Update(), GetResult() returns the last step,
+ * the heat histogram and the components.
  *
- * \par Parameters
- * Those of CumulativeHeatDiffusionOptions, and the following. The filter processes the whole volume at once, with ITK's
- * global number of threads. Memory: about 8 single-precision copies of the volume, 13 with a histogram. Results are
- * bitwise identical for any number of threads.
+ * \par Parameters The CumulativeHeatDiffusionOptions, and the following. The filter processes the whole volume at once,
+ * with ITK's global number of threads. Memory: about 8 single-precision copies of the volume, 13 with a histogram.
+ * Results are bitwise identical for any number of threads.
  *
  * Source: Gurijala, Shape-based analysis, chapter 2. Differences: the source specifies neither the time step nor the
  * scaling of intensities; (2.4) is read as a product on anisotropic grids; steps are taken by a Chebyshev expansion.
@@ -54,8 +52,8 @@ public:
   shapetonNewMacro(Self);
   itkOverrideGetNameOfClassMacro(CumulativeHeatDiffusionImageFilter);
 
-  /** Sets window, p, smoothing and number of steps, such as those of ChooseHeatParameters(); by default, the filter
-   * uses the published values. */
+  /** Sets window, p, smoothing and number of steps, for example to the result of ChooseHeatParameters(); by default,
+   * the filter uses the published values. */
   void
   UseParameters(const HeatParameterChoice & choice);
 

@@ -21,7 +21,7 @@ struct HeatClassificationRule
   /** Lines whose peak is below this heat belong to the background: surroundings that cool toward 0. Converged objects
    * up to 1500 voxels wide are warmer. */
   double backgroundHeat{ 0.001 };
-  /** Smallest share of all voxels above the background that forms a class; in [0, 1]. */
+  /** Smallest fraction of all voxels above the background that forms a class; in [0, 1]. */
   double minimumShare{ 0.0005 };
   /** Two adjacent peaks are separate classes if the lower one is at least this many times the valley between them. */
   double minimumPeakToValley{ 2.0 };
@@ -36,14 +36,14 @@ struct HeatClassificationRule
 ShapetonHeat_EXPORT std::vector<HeatClass>
 FindHeatClasses(const HeatHistogram & histogram, std::size_t row, const HeatClassificationRule & rule = {});
 
-/** Sets the coherence of the classes of a heat, one value per voxel, and counts the regions they show.
+/** Sets the coherence of the classes of `heat` (one value per voxel) and counts the regions that they show.
  *
- * The coherence is the conductance inside of the class, minus three times the conductance to other classes, relative to
- * the conductance of as many voxels without an edge; at least 0. It is near 1 for a region bounded by edges, and near 0
- * for speckle of insulated voxels. Classes between which the conductance is on average more than half of that without
- * an edge are bands of heat in one region. Returns the sum over regions of the largest coherence of a class, in which a
- * class below 5 % of the voxels counts in proportion to the root of its size. The result does not depend on the number
- * of threads. \ingroup ShapetonHeat */
+ * The coherence is the conductance inside the class, minus three times the conductance to other classes, relative to
+ * the conductance of the same voxels if there were no edges; at least 0. It is near 1 for a region bounded by edges,
+ * and near 0 for speckle of insulated voxels. Two classes are bands of heat in one region if the mean conductance
+ * between them is more than half of that without edges. Returns the sum, over the regions, of the largest coherence of
+ * a class in the region; classes with less than 5 % of the voxels are weighted in proportion to the square root of
+ * their size. The result does not depend on the number of threads. \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT double
 MeasureCoherence(const VolumeGradientOperator & volumeGradient, const float * heat, std::vector<HeatClass> & classes);
 

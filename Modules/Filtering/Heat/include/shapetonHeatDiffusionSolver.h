@@ -62,8 +62,8 @@ public:
     m_Progress = std::move(progress);
   }
 
-  /** Device that computes the heat; default: the CPU. A requested GPU without enough memory for the volume processes
-   * slabs. */
+  /** Device that computes the heat; default: the CPU. A requested GPU that does not have enough memory for the volume
+   * processes it in slabs. */
   void
   SetDevice(Device device)
   {
@@ -76,8 +76,9 @@ public:
     return m_DeviceUse;
   }
 
-  /** Stops when the heat is steady: over a time interval of ratio 2.5, at most the fraction `voxels` of all voxels
-   * changes by more than `change` times their heat, or times `leastHeat` if they are colder. Off by default. */
+  /** Stops when the heat is steady: over a time interval with an end / start ratio of 2.5, at most a fraction `voxels`
+   * of all voxels changes by more than `change` times their heat, or `change` times `leastHeat` if they are colder. Off
+   * by default. */
   struct SteadyRule
   {
     double change{ 0.01 };

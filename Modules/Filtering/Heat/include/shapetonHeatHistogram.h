@@ -66,9 +66,10 @@ public:
   static void
   CountHeats(const float * heats, std::size_t number, std::uint32_t * counts);
 
-  /** The equalization of 2.3.1: for each bin edge, the fraction of the counts below it, without bin 0, averaged over
-   * the rows (NumberOfBins + 1 values, ascending from 0 to 1). All rows use one map, which keeps a converged line at
-   * one position. Rows have equal weight, which leaves room for objects that keep their heat while the rest cools. */
+  /** The equalization of 2.3.1: for each bin edge, the fraction of the counts below it, excluding bin 0, averaged over
+   * the rows (NumberOfBins + 1 values, ascending from 0 to 1). All rows use the same map, so a converged line stays at
+   * the same position. Rows have equal weight, which leaves space for objects that keep their heat while the rest
+   * cools. */
   std::vector<double>
   GetEqualization() const;
 

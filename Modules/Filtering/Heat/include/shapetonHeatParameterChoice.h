@@ -9,8 +9,8 @@
 
 namespace shapeton
 {
-/** Parameters of cumulative heat diffusion that the caller has fixed; the others are chosen. p counts in units of the
- * window, so a given p without a window belongs to the range of the volume, without smoothing.
+/** Parameters of cumulative heat diffusion that the caller has fixed; the others are chosen. p is relative to the
+ * window: if p is given without a window, the window is the range of the volume, without smoothing.
  * \ingroup ShapetonHeat */
 struct GivenHeatParameters
 {
@@ -28,7 +28,7 @@ GivenAmong(const std::vector<std::string> & names, const VolumeDiffusionOptions 
  * \ingroup ShapetonHeat */
 struct ShapetonHeat_EXPORT HeatParameterChoice
 {
-  /** Sets the four parameters; keeps the window if it is that of a constant volume. */
+  /** Sets the four parameters, except for the window if the volume was constant. */
   void
   ApplyTo(VolumeDiffusionOptions & options) const;
 
@@ -36,7 +36,8 @@ struct ShapetonHeat_EXPORT HeatParameterChoice
   double                p{ 0.0 };
   double                smoothing{ 0.0 }; ///< mm
   std::uint64_t         timeSteps{ 0 };
-  /** Regions at these parameters on the reduced volume, by MeasureCoherence(); 0 if no trial was needed. */
+  /** Number of regions that these parameters yield on the reduced volume, by MeasureCoherence(); 0 if no trial was
+   * needed. */
   double regions{ 0.0 };
   /** Reasons, in words; empty for given values. */
   std::string windowReason, pReason, smoothingReason, timeReason;
@@ -46,17 +47,18 @@ struct ShapetonHeat_EXPORT HeatParameterChoice
  * future work, 7.2.2).
  *
  * The volume is averaged over blocks to at most 128^3 voxels. Window, p and time are varied on this copy, and the
- * combination that shows most regions, by MeasureCoherence(), is used. With the factor f between the smallest spacings,
- * p of the volume is f times p of the copy, because the gradient per voxel is 1/f, and the time f^2 times as long.
+ * combination that shows the most regions, by MeasureCoherence(), is used. If the smallest spacing of the copy is f
+ * times that of the volume, the volume gets f times the p of the copy, because its gradient per voxel is 1/f of the
+ * copy's, and f^2 times the number of steps.
  *
  * Windows: for CT, soft tissue (-160 to 240 HU); otherwise, and if that shows hardly more than one region, four
- * windows: from the mean or the end of the dark one to the mean or the end of the bright one of three intensity classes
- * (Otsu 1979). `modality` is that of DICOM, such as "CT"; if it is empty, values that look like HU count as CT. p: 1/p
- * is one or two times the median difference of neighbors inside the window. Smoothing: 0.35 times the smallest spacing
- * of the copy if noise would insulate voxels.
+ * windows: from the mean or the upper end of the darkest of three intensity classes (Otsu 1979) to the mean or the
+ * lower end of the brightest. `modality` is the DICOM modality, such as "CT"; if it is empty, values that look like HU
+ * count as CT. p: 1/p is one or two times the median difference between neighbors inside the window. Smoothing: 0.35
+ * times the smallest spacing of the copy if noise would insulate voxels.
  *
- * `options` contain conductance, device and so on. Throws as DiffuseCumulativeHeat(). For an image in a pipeline,
- * update it first: `filter->UseParameters(ChooseHeatParameters(VolumeView(image), filter->GetOptions()))`.
+ * `options` supplies the conductance, the device and so on. Throws as DiffuseCumulativeHeat(). For an image in a
+ * pipeline, update it first: `filter->UseParameters(ChooseHeatParameters(VolumeView(image), filter->GetOptions()))`.
  *
  * \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT HeatParameterChoice

@@ -14,7 +14,7 @@ class HeatSnapshots
 public:
   virtual ~HeatSnapshots() = default;
 
-  /** Whether HeatHistogram counts the heat of a snapshot: by rows on the CPU, at once on a GPU. */
+  /** Whether HeatHistogram counts the heat of a snapshot: row by row on the CPU, all at once on a GPU. */
   virtual bool
   IsCounted(std::size_t) const
   {

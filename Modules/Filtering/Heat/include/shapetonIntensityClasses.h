@@ -13,8 +13,8 @@ namespace shapeton
 ShapetonHeat_EXPORT std::vector<float>
                     SampleIntensities(const VolumeView & volume);
 
-/** Mean of the darkest, two thresholds, and mean of the brightest of the three classes of greatest variance between
- * them (Otsu 1979), of a sorted sample without its extremes. \ingroup ShapetonHeat */
+/** Mean of the darkest class, the two thresholds, and mean of the brightest class, for the three classes with the
+ * greatest between-class variance (Otsu 1979) in a sorted sample, excluding its extremes. \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT std::array<double, 4>
                     FindIntensityClasses(const std::vector<float> & sample);
 } // namespace shapeton

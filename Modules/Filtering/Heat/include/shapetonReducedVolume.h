@@ -8,14 +8,14 @@
 
 namespace shapeton
 {
-/** A volume in larger voxels, on which parameters are tried. \ingroup ShapetonHeat */
+/** A volume averaged to larger voxels, used to try parameters. \ingroup ShapetonHeat */
 struct ReducedVolume : VolumeView
 {
   double factor{ 1.0 }; ///< its smallest spacing divided by that of the volume
 };
 
-/** Averages over blocks of at least two voxels, which also removes noise, to at most 128^3 voxels. Sides are not
- * reduced below 16 voxels. \ingroup ShapetonHeat */
+/** Reduces a volume to at most 128^3 voxels by averaging over blocks of at least two voxels, which also removes noise.
+ * Sides are not reduced below 16 voxels. \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT ReducedVolume
 ReduceVolume(const VolumeView & volume);
 

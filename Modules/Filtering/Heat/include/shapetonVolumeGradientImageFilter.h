@@ -69,7 +69,7 @@ protected:
   void
   EnlargeOutputRequestedRegion(itk::DataObject * output) override;
 
-  /** The options with the window of the volume, if none is set. */
+  /** The options, with the window of the volume if none is set. */
   TOptions
   OptionsFor(const VolumeView & volume);
 

@@ -17,8 +17,8 @@ ShapetonHeat_EXPORT std::array<double, 2>
                     WindowOf(const VolumeGradientOptions & options, const VolumeView & volume);
 
 /** \class EdgeVolume
- * \brief The volume in which edges are found, and the options by which it, or a part of it, has the edges of the given
- * volume: it is smoothed, and the window is set.
+ * \brief The smoothed volume in which edges are found, and options with the window set, so that it and any part of it
+ * have the same edges as the given volume.
  *
  * \ingroup ShapetonHeat */
 struct ShapetonHeat_EXPORT EdgeVolume
@@ -56,12 +56,12 @@ public:
     Published
   };
 
-  /** The edges of a volume by options, which state p, window and smoothing. Throws ParameterError for options out of
-   * range, std::invalid_argument for a window, spacing or `leastWeight` out of range, for an empty volume and for
-   * intensities that are not finite. If both ends of the window are equal, the volume is treated as constant.
+  /** The edges of a volume for the given p, window and smoothing. Throws ParameterError for options out of range,
+   * std::invalid_argument for a window, spacing or `leastWeight` out of range, for an empty volume and for intensities
+   * that are not finite. If both ends of the window are equal, the volume is treated as constant.
    * \param conductance how the conductances depend on the spacing
-   * \param leastWeight weight of an edge with half gradient 1 / p, in [0, 1]; beyond, it decreases with the square of
-   * the gradient. With 0, as in (2.5), such edges insulate.
+   * \param leastWeight weight of an edge with half gradient 1 / p, in [0, 1]; for larger gradients, it decreases with
+   * the square of the gradient. With 0, as in (2.5), such edges insulate.
    * \param progress may throw to abort */
   explicit VolumeGradientOperator(const VolumeView &            volume,
                                   const VolumeGradientOptions & options = {},

@@ -13,7 +13,7 @@ namespace shapeton
 /** \class VolumeView
  * \brief The intensities of a volume as floats, x fastest, with size and spacing.
  *
- * Refers to values that must outlive it, or shares a copy of its own.
+ * Refers to values that must outlive it, or shares ownership of a copy.
  *
  * \ingroup ShapetonHeat */
 struct VolumeView
@@ -33,7 +33,7 @@ struct VolumeView
     , spacing(spacingInMm)
   {}
 
-  /** The buffered region of an image; copies pixels other than float. */
+  /** The buffered region of an image; pixels of types other than float are copied. */
   template <typename TImage>
   explicit VolumeView(const TImage * image)
   {

@@ -82,9 +82,9 @@ struct ConductanceGraph
 constexpr std::uint32_t noAggregate = ~std::uint32_t(0);
 
 /** Computes the next coarser level. Aggregates are sets joined by strong edges within cells of two nodes along each
- * axis, one along an axis whose spacing is more than 1.5 times the smallest. Unlike fixed boxes, aggregates do not
- * cross insulating edges. `aggregateOf` receives the aggregate of each node. Independent of the number of threads.
- * TLevel is ConductanceField or ConductanceGraph. */
+ * axis, or of one node along an axis whose spacing is more than 1.5 times the smallest. Unlike fixed boxes, aggregates
+ * do not cross insulating edges. `aggregateOf` receives the aggregate of each node. Independent of the number of
+ * threads. TLevel is ConductanceField or ConductanceGraph. */
 template <typename TLevel>
 ConductanceGraph
 Coarsen(const TLevel & level, std::vector<std::uint32_t> & aggregateOf);

@@ -54,8 +54,8 @@ struct Compensated
   }
 };
 
-/** Two steps of the recurrence, from T_k of even k to the next one, and their contributions to the nodes while the
- * values are in registers. Results have separate memory because neighbors still need the old values. */
+/** Two steps of the recurrence, from T_k with even k to the next even one, and their contributions to the nodes while
+ * the values are in registers. Results have separate memory because neighbors still need the old values. */
 struct TwoChebyshevSteps
 {
   using Neighborhood = DiffusionArithmetic::Neighborhood;

@@ -186,14 +186,14 @@ MeasureBorder(const itk::Image<unsigned char, 3> * labels, std::vector<HeatClass
     heatClass.borderShare /= std::max(1.0, total);
   }
 }
-/** Sums over the faces between the classes i and j, at i * classes + j and j * classes + i; once if i = j. */
+/** Sums over the faces between classes i and j, stored at i * classes + j and j * classes + i; stored once if i = j. */
 struct ClassContacts
 {
   std::vector<double> conductance;
   std::vector<double> unhindered; ///< conductance without edges
 };
 
-/** Slices have sums of their own, added in order. */
+/** Each slice has its own sums, which are added in order. */
 ClassContacts
 MeasureContacts(const VolumeGradientOperator & volumeGradient,
                 const float *                  heat,

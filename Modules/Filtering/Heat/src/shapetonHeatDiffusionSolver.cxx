@@ -30,8 +30,8 @@ constexpr std::size_t NumberOfNodes = HeatEngine::MostNodes;
 constexpr double        intervalRatio = 2.5;
 constexpr std::uint64_t explicitStart = 16;
 
-// A long time interval is split if the ratio to its start would exceed this: rounding errors grow with the degree of an
-// expansion and the fine detail of its start, which earlier intervals smooth.
+// A long time interval is split if its end / start ratio would exceed this: rounding errors grow with the degree of an
+// expansion and with the fine detail of its initial field, which earlier intervals smooth out.
 constexpr std::uint64_t longestRatio = 32;
 constexpr std::uint64_t shortestStretch = 1000;
 

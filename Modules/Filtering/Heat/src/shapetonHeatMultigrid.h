@@ -98,8 +98,8 @@ private:
     float greatest; ///< largest correction
   };
 
-  // StepAndSweep(), SweepBack() and Advance() make one pass through memory each, which dominates the time of large
-  // volumes.
+  // StepAndSweep(), SweepBack() and Advance() make one pass through memory each; these passes dominate the run time for
+  // large volumes.
 
   /** Subtracts `step` times the corrections (the images of the directions) from the residuals, then computes the
    * corrections for the new residuals. */

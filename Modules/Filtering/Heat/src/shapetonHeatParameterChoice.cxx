@@ -17,17 +17,18 @@ using Size = std::array<std::size_t, 3>;
 using Spacing = std::array<double, 3>;
 
 constexpr Window SoftTissue = { { -160.0, 240.0 } }; // HU, the usual window of the abdomen
-/** 1/p in units of the median difference between neighbors; beyond 2, edges leak in all of nine real volumes. */
+/** 1/p in units of the median difference between neighbors; beyond 2, edges leak in all nine real volumes tested. */
 constexpr std::array<double, 2> Cuts = { { 1.0, 2.0 } };
 constexpr double                LeastP = 2.0;
 constexpr double                GreatestP = 50.0;
-/** Steps on the copy: nearly a factor 3 apart, from local shape to large objects. */
+/** Steps on the copy, about a factor of 3 apart: from local shape to large objects. */
 constexpr std::array<std::uint64_t, 6> TrialSteps = { { 30, 100, 300, 1000, 3000, 10000 } };
-/** Smoothing in units of the smallest spacing of the copy: a little more than that of the average over its voxels. */
+/** Smoothing in units of the smallest spacing of the copy: slightly more than the smoothing caused by averaging over
+ * its voxels. */
 constexpr double Smoothing = 0.35;
-/** Noise of this many times 1/p between neighbors insulates too many voxels without smoothing. */
+/** Noise between neighbors of more than this many times 1/p insulates too many voxels unless the volume is smoothed. */
 constexpr double GreatestNoise = 0.25;
-/** A window of CT that shows fewer regions, hardly more than one, is not used. */
+/** The soft tissue window of CT is not used if it shows fewer regions than this, hardly more than one. */
 constexpr double LeastRegions = 1.5;
 
 /** Whether a sorted sample looks like HU: much air and much soft tissue. */
@@ -191,7 +192,7 @@ public:
   }
 
 private:
-  /** All times of one window and one p. */
+  /** Tries all times with one window and one p. */
   void
   Try(const Trial & trial, const Progress & progress)
   {
@@ -231,7 +232,7 @@ Text(double value, int digits)
   return NumberText(value, digits);
 }
 
-/** Tries the windows that are left open; returns the reason for the best one. */
+/** Tries the given window, or all candidates; returns the reason for the best one. */
 std::string
 TryWindows(Trials & trials, const GivenHeatParameters & given, const std::string & modality, const Progress & progress)
 {

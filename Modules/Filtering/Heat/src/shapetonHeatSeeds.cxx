@@ -19,7 +19,7 @@ GridOf(const itk::ImageBase<3> * image)
   return { static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) };
 }
 
-/** Marks a set of voxels without its border; the whole set if it consists of border voxels only. */
+/** Marks the voxels of a set, excluding its border unless it consists of border voxels only. */
 void
 MarkInside(const VoxelGrid &                grid,
            const std::vector<std::size_t> & voxels,
@@ -55,7 +55,8 @@ VoxelsOf(const std::vector<int> & part, int number)
   return voxels;
 }
 
-/** The part, 1, 2, ..., of each voxel of one class: the class itself, or its components. */
+/** The number (1, 2, ...) of the part that contains each voxel of one class; the parts are the class itself or its
+ * components. */
 std::vector<int>
 PartsOfClass(const VoxelGrid & grid, const unsigned short * classes, int value, bool byComponent, int & number)
 {

@@ -12,7 +12,7 @@
 
 namespace shapeton
 {
-/** Rows along y and slices along z of a tile of the sweep, and steps per visit. */
+/** Rows along y and slices along z per tile of the sweep, and steps per visit. */
 struct TimeTileShape
 {
   std::ptrdiff_t y;

@@ -13,7 +13,7 @@ namespace shapeton
  * \brief All connected regions {value >= t} of a volume (max-tree), or {value <= t} (min-tree), for all t.
  *
  * Two regions are disjoint, or one contains the other, so they form a tree (Salembier, Oliveras, Garrido 1998). Voxels
- * are neighbors across faces. The region of a voxel is that with its own value as t. It is a contiguous range of
+ * are neighbors across faces. The region of a voxel is the one with the voxel's value as t. It is a contiguous range of
  * GetVoxels(), so it is found and listed without a search.
  *
  * Regions that contain the same extrema form an arc, as in the merge tree of topological analysis. Arcs are found
@@ -27,7 +27,7 @@ class ShapetonHeatObjects_EXPORT ComponentTree
 public:
   using Index = std::uint32_t;
 
-  /** Regions with the same extrema; the ranges are in GetVoxels(). */
+  /** Regions with the same extrema, as ranges of GetVoxels(). */
   struct Arc
   {
     Index first;  ///< begin of the smallest region that contains all regions below the arc

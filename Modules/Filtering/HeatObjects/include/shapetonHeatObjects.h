@@ -29,15 +29,15 @@ struct HeatObject
   std::vector<double> heatCurve;
   /** Logarithmic change of the volume when the threshold changes by 5 %; 0: none. */
   double growth{ 0.0 };
-  /** Range of thresholds over which the volume stays within 20 %, as a natural logarithm. */
+  /** Range of thresholds (natural logarithm of their ratio) over which the volume stays within 20 %. */
   double range{ 0.0 };
-  /** Median over the faces of its border of the absolute log ratio of the heat on both sides. */
+  /** Absolute log ratio of the heat on the two sides of a border face, median over all faces. */
   double contrast{ 0.0 };
   /** 36 pi volume^2 / surface^3: 1 for a ball; the surface is two thirds of the area of the voxel faces. */
   double compactness{ 0.0 };
-  /** Share of its border at the border of the volume. */
+  /** Fraction of its border that lies on the border of the volume. */
   double cut{ 0.0 };
-  /** Calibrated probability that the object is a whole one, not a part of one and not several. */
+  /** Calibrated probability that this is one whole object, neither part of an object nor several objects. */
   double probability{ 0.0 };
 };
 
@@ -55,14 +55,14 @@ struct HeatObjectList
   using LabelImage = itk::Image<unsigned short, 3>;
 
   std::vector<HeatObject> objects; ///< by descending volume, so each follows those that contain it
-  /** The number, from 1, of the smallest object at each voxel; 0 for none. */
+  /** The number (starting at 1) of the smallest object at each voxel; 0 for none. */
   LabelImage::Pointer labels;
-  /** The voxels of each object, with those of the objects in it; ascending. */
+  /** The voxels of each object, including those of the objects inside it; ascending. */
   std::vector<std::vector<VoxelRange>> ranges;
 };
 
-/** Finds the stable nodes of the component trees (max-tree and min-tree) of one or several heat volumes of one grid: at
- * several times, or with several windows.
+/** Finds the stable nodes of the component trees (max-tree and min-tree) of one or several heat volumes on one grid,
+ * for example at several times or with several windows.
  *
  * Along each path of a tree, from an extremum to the whole volume, a node is stable where the volume hardly changes
  * with the threshold (maximally stable regions; Matas et al. 2002). Nodes found in both trees or at several times count
@@ -75,13 +75,13 @@ FindHeatObjects(const std::vector<const itk::Image<float, 3> *> & heats,
                 const Progress &                                  progress = {});
 
 /** Terms of the logistic model of the probability: ln range (at most 6), ln (growth + 0.002), ln compactness (at most
- * 0.02), ln voxels (at most 2,000). Beyond these limits they no longer tell: noise has regions of 64 voxels or with a
- * surface like a sponge. \ingroup ShapetonHeatObjects */
+ * 0.02), ln voxels (at most 2,000). Above these limits, larger values no longer distinguish objects from noise, which
+ * has regions of 64 voxels or with a sponge-like surface. \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT std::array<double, 4>
                            ProbabilityTerms(const HeatObject & object);
 
-/** The voxels of one object of the list, from 1, with those of the objects in it: 1 inside, 0 outside. Needs no search.
- * Throws ParameterError. \ingroup ShapetonHeatObjects */
+/** Mask of one object of the list (numbered from 1), including the objects inside it: 1 inside, 0 outside. Needs no
+ * search. Throws ParameterError. \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT itk::Image<unsigned char, 3>::Pointer
                            MaskOfObject(const HeatObjectList & list, int object);
 } // namespace shapeton

@@ -11,7 +11,7 @@
 namespace shapeton
 {
 /** \class HeatObjectsImageFilter
- * \brief FindHeatObjects() as a filter: the inputs are heat volumes of one grid, the output is the number of the
+ * \brief FindHeatObjects() as a filter: the inputs are heat volumes on one grid, and the output is the number of the
  * smallest object at each voxel.
  *
  * Update() throws InputError or ParameterError, both derived from itk::ExceptionObject.
@@ -39,7 +39,7 @@ public:
     return m_List.objects;
   }
 
-  /** MaskOfObject() of one of them, from 1; valid after Update(). Throws ParameterError. */
+  /** MaskOfObject() for one of them, numbered from 1; valid after Update(). Throws ParameterError. */
   itk::Image<unsigned char, 3>::Pointer
   GetMask(int object) const;
 

@@ -5,15 +5,15 @@
 
 namespace shapeton
 {
-/** Objects of heat volumes of several windows of intensity, such as those of ChooseObjectWindows(), as one list.
+/** Objects found in the heat volumes of several intensity windows, such as those of ChooseObjectWindows(), as one list.
  *
- * Each window separates what differs from its surroundings across one threshold: a foot from air, bones from muscle,
- * compact from spongy bone. The objects of the first window are all listed. One of a later window is added unless it
+ * Each window separates structures from their surroundings at one threshold: a foot from air, bones from muscle,
+ * compact from spongy bone. All objects of the first window are listed. An object of a later window is added unless it
  *   - shows an object that is listed already: one nearly contains the other, and it has at most twice its voxels;
- *   - is the core of a listed object: it is the only part of at least a tenth of it, so it does not divide it;
+ *   - is the core of a listed object, that is, the only part with at least a tenth of that object's voxels;
  *   - crosses the border of a listed object.
- * HeatObject::time is the window, from 0; heatCurve has the mean heat of this window only. `heats` has one volume per
- * window. Throws as FindHeatObjects().
+ * HeatObject::time is the number of the window, from 0; heatCurve contains the mean heat of this window only. `heats`
+ * contains one volume per window. Throws as FindHeatObjects().
  * \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT HeatObjectList
 FindWindowObjects(const std::vector<const itk::Image<float, 3> *> & heats,

@@ -40,7 +40,7 @@ SlabsOf(const VoxelGrid & grid)
   return slabs;
 }
 
-/** Unsigned integers in the order of the numbers, with equal zeros. */
+/** Unsigned integers that sort like the numbers; both zeros are equal. */
 std::uint32_t
 OrderedBits(float value)
 {
@@ -140,7 +140,7 @@ private:
   static constexpr std::size_t directions = 6; ///< -x, +x, -y, +y, -z, +z
   using Neighbors = unsigned int;              ///< a bit per direction
 
-  /** The face neighbors inside of the volume that join before the voxel. */
+  /** The face neighbors inside the volume that join before the voxel. */
   Neighbors
   HigherNeighbors(std::size_t voxel, Neighbors inside) const
   {
@@ -155,8 +155,8 @@ private:
     return higher;
   }
 
-  /** One of the directions of each group of higher neighbors that are not connected above the voxel by the voxels of
-   * its 3 x 3 x 3 neighborhood that share an edge with it. */
+  /** One direction for each group of higher neighbors; a group is connected above the voxel through voxels of the 3 x 3
+   * x 3 neighborhood that share an edge with the voxel. */
   Neighbors
   GroupsAbove(std::size_t voxel, Neighbors higher) const
   {
@@ -191,7 +191,7 @@ private:
     return (neighbors & (neighbors - 1)) == 0;
   }
 
-  /** Calls `body(voxel, neighbors inside of the volume)` for the voxels of a slab. */
+  /** Calls `body(voxel, neighbors inside the volume)` for the voxels of a slab. */
   template <typename TBody>
   void
   ForEachVoxel(const Slab & slab, const TBody & body) const
@@ -266,7 +266,7 @@ private:
     });
   }
 
-  /** Lets all voxels of a climb point to its peak, or to the first voxel at which `ends`. */
+  /** Makes all voxels of a climb point to its peak, or to the first voxel for which `ends` returns true. */
   template <typename TEnds>
   void
   Follow(std::size_t voxel, const TEnds & ends)
@@ -284,7 +284,7 @@ private:
     }
   }
 
-  /** Creates an arc for each peak, and lets m_ArcOfVoxel contain that of the peak above each voxel. */
+  /** Creates an arc for each peak, and sets m_ArcOfVoxel to the arc of the peak above each voxel. */
   void
   NumberPeaks()
   {
@@ -313,7 +313,7 @@ private:
     return arc;
   }
 
-  /** Visits the collected voxels from the highest and joins the regions above each by a new arc. */
+  /** Visits the collected voxels from the highest to the lowest and joins the regions above each with a new arc. */
   void
   JoinRegions()
   {
@@ -372,8 +372,8 @@ private:
     return inside;
   }
 
-  /** Sets for each arc an ancestor that may be far away, such that any ancestor is found in logarithmic time (Myers
-   * 1983). */
+  /** Sets a jump from each arc to an ancestor that may be far away, so that any ancestor is found in logarithmic time
+   * (Myers 1983). */
   void
   FindJumps()
   {
@@ -394,7 +394,7 @@ private:
     }
   }
 
-  /** Lets m_ArcOfVoxel contain the last arc of the climb that starts above the voxel. */
+  /** Sets m_ArcOfVoxel to the last arc on the path from its peak to the root that starts at or above the voxel. */
   void
   AssignArcs()
   {
@@ -409,7 +409,7 @@ private:
     });
   }
 
-  /** Numbers the arcs such that each region is contiguous, and lists the voxels in this order. */
+  /** Numbers the arcs so that each region is contiguous, and lists the voxels in this order. */
   ComponentTree
   OrderRegions()
   {

@@ -38,7 +38,7 @@ ProbabilityOf(const HeatObject & object)
   return 1.0 / (1.0 + std::exp(-std::inner_product(terms.begin(), terms.end(), weights.begin(), constant)));
 }
 
-/** The volumes in which objects are searched, on one grid. */
+/** The volumes in which to search for objects, on one grid. */
 struct Volumes
 {
   const HeatImage *          image{ nullptr }; ///< the first one, for its geometry
@@ -238,7 +238,7 @@ public:
     m_Labels->Allocate(true);
   }
 
-  /** The object with nearly all voxels of a candidate, or 0. */
+  /** The object that contains nearly all voxels of a candidate, or 0. */
   int
   Around(const Candidate & candidate) const
   {
@@ -274,7 +274,7 @@ private:
   std::size_t                         m_Last{ 0 }; ///< greatest number drawn
 };
 
-/** Keeps the more probable one of two candidates with nearly the same voxels; the result is by descending size. */
+/** Keeps the more probable of two candidates with nearly the same voxels; the result is sorted by descending size. */
 std::vector<Candidate>
 WithoutTwins(std::vector<Candidate> candidates, const HeatImage & image)
 {

@@ -16,24 +16,24 @@ namespace shapeton
 {
 namespace
 {
-/** Half width of the window in units of the contrast: wider ones (5 %) leave half of the bones of the foot connected.
+/** Half width of the window in units of the contrast: a wider window (5 %) leaves half of the foot's bones connected.
  */
 constexpr double HalfWindow = 0.0125;
-/** Any p above 2 insulates edges of half the window. */
+/** Any p above 2 insulates edges that span half of the window. */
 constexpr double Steepness = 10.0;
-/** Standard deviation in units of the smallest spacing: on the foot, 0.6 gave a mean Dice of 0.68, and
- * 0.8 one of 0.74, with equal other parameters. */
+/** Standard deviation in units of the smallest spacing: on the foot, the mean Dice was 0.68 with 0.6 and 0.74 with 0.8,
+ * all other parameters being equal. */
 constexpr double SmoothingPerSpacing = 0.8;
 /** Separates all bones of the foot; 30,000 steps separate 11 of 12. */
 constexpr std::uint64_t EvenSteps = 100'000;
-/** Times that are tried, a factor of 3 or so apart. Small objects in contact become even among themselves later. */
+/** Times to try, about a factor of 3 apart. Later, small objects in contact reach the same heat. */
 constexpr std::array<std::uint64_t, 5> Times = { { 3000, 10'000, 30'000, 100'000, 300'000 } };
 
-/** A later time, or a threshold with weaker edges, must show this many times the objects. */
+/** A later time, or a threshold with weaker edges, must show this many times as many objects. */
 constexpr double ClearlyMore = 1.05;
 
-/** Edges of objects have at least this share of the contrast between neighbors: blur over eight voxels still has it,
- * noise of a thirtieth of the contrast has not. */
+/** Smallest mean difference between neighbors across the edge of an object, as a fraction of the contrast: an edge
+ * blurred over eight voxels still reaches it, noise of a thirtieth of the contrast does not. */
 constexpr double LeastStep = 0.05;
 
 /** Another window is worth its time if it adds an object that is more probable than not. */
@@ -61,7 +61,7 @@ CopyOf(const VolumeView & volume)
   return volume.NumberOfVoxels() <= small ? ReducedVolume{ volume, 1.0 } : ReduceVolume(volume);
 }
 
-/** Mean difference of the neighbors on both sides of a threshold; 0 if there are none. */
+/** Mean difference between neighbors on opposite sides of a threshold; 0 if there are none. */
 double
 MeanStepAcross(const VolumeView & copy, double threshold)
 {
@@ -85,11 +85,11 @@ MeanStepAcross(const VolumeView & copy, double threshold)
   return pairs > 0.0 ? sum / pairs : 0.0;
 }
 
-/** The thresholds to try, those with the strongest edges first: the two between three intensity classes; the middle of
- * the dark and the bright class, for volumes of two intensities; and the upper one between three classes of what is
- * brighter than the dark one, in CT between soft tissue and bone; and the lower one of what is brighter than that one,
- * in CT between spongy and compact bone. Without those in the texture of a class or beside the
- * dark one, if there are others. */
+/** The thresholds to try, those with the strongest edges first: the two between three intensity classes; the midpoint
+ * of the dark and the bright class, for volumes with two intensities; the upper one between three classes of the voxels
+ * brighter than the dark class (in CT, between soft tissue and bone); and the lower one between three classes of the
+ * voxels brighter than that (in CT, between spongy and compact bone). Thresholds within the texture of a class or next
+ * to the dark class are omitted if there are others. */
 std::vector<double>
 ThresholdsOf(const VolumeView & copy, const std::vector<float> & sample, const std::array<double, 4> & classes)
 {
@@ -143,7 +143,7 @@ FindObjectsOf(const std::vector<float> & heat, const VolumeView & copy)
   return FindHeatObjects({ image.GetPointer() }, options);
 }
 
-/** The times to try, by the step on the copy. */
+/** The times to try, keyed by the step on the copy. */
 std::map<std::uint64_t, std::uint64_t>
 TimesOnCopy(const ReducedVolume & copy, const std::optional<std::uint64_t> & given)
 {
@@ -202,8 +202,8 @@ TryTimes(const ReducedVolume &                  copy,
   return best;
 }
 
-/** One trial for each threshold, that with most objects first, and among nearly equal ones that with the strongest
- * edges. */
+/** One trial for each threshold. The one with the most objects comes first; among nearly equal ones, the one with the
+ * strongest edges. */
 std::vector<Trial>
 TryThresholds(const ReducedVolume &                  copy,
               const std::vector<double> &            thresholds,

@@ -12,13 +12,13 @@ namespace
 {
 using Index = ComponentTree::Index;
 
-/** Width of a level of log heat; growth is measured over two of them, a change of the threshold by 5 %. */
+/** Width of a level of log heat; growth is measured over two levels, that is, a 5 % change in the threshold. */
 constexpr double LevelWidth = 0.025;
-/** Volumes of a stable region stay within this factor. */
+/** The volume of a stable region stays within this factor. */
 constexpr double SameVolume = 1.2;
-/** Volumes of two regions of one path differ by this factor, more than SameVolume. */
+/** The volumes of two regions of one path differ by at least this factor, which exceeds SameVolume. */
 constexpr double OtherVolume = 1.3;
-/** Range over which a region must be stable at least; noise of a few percent is less persistent. */
+/** Smallest range over which a region must be stable; noise of a few percent is less persistent. */
 constexpr double LeastRange = 0.1;
 
 /** The region of a path that contains all its voxels up to a level, counted from the greatest heat. */
@@ -34,14 +34,14 @@ struct Step
   }
 };
 
-/** The regions from an extremum on, until they join a larger one: main child by main child. */
+/** The regions from an extremum until they join a larger one, each the main child of the next. */
 struct Path
 {
   std::vector<Step> steps;          ///< ascending levels
   int               lastLevel{ 0 }; ///< the level at which the path joins another one
   double            joined{ 0.0 };  ///< voxels of the region after it has joined
 
-  /** Voxels at any level. */
+  /** Number of voxels at any level. */
   double
   Voxels(int level) const
   {
@@ -53,7 +53,7 @@ struct Path
     return step == nullptr ? 1.0 : step->Voxels();
   }
 
-  /** The region with all voxels up to a level of the path; null before its first voxel. */
+  /** The region with all voxels of the path up to a level; null before its first voxel. */
   const Step *
   StepAt(int level) const
   {
@@ -170,7 +170,7 @@ private:
   std::vector<Index>                      m_MainChild;
 };
 
-/** The levels around one at which the volume stays within a factor, [first, last]. */
+/** The levels [first, last] around a level over which the volume stays within SameVolume. */
 std::array<int, 2>
 StableLevels(const Path & path, int level)
 {

@@ -5,8 +5,8 @@
 
 namespace shapeton
 {
-/** Adds the objects of a later window to a list, as FindWindowObjects(); returns the sum of their probabilities. Both
- * lists have labels of one grid. */
+/** Adds objects of a later window to a list as FindWindowObjects() does; returns the sum of the probabilities of the
+ * added ones. The labels of both lists have the same grid. */
 double
 AddWindowObjects(const HeatObjectList & found, HeatObjectList & list);
 

@@ -16,14 +16,14 @@ namespace
 {
 constexpr double NearlyAll = 0.9; // borders of one object differ between windows
 constexpr double Few = 0.1;       // so its voxels outside of an object that contains it are few
-/** Objects that contain each other show the same one if they differ less than this in voxels. */
+/** Nested objects count as the same one if the smaller has at least this fraction of the larger one's voxels. */
 constexpr double SameObject = 0.5;
-/** Smaller objects inside of another one are not its core, but things of their own. */
+/** Objects inside another one with a smaller fraction of its voxels are separate objects, not its core. */
 constexpr double LeastPart = 0.1;
 
 using Objects = std::vector<HeatObject>;
 
-/** Calls f(object) for an object, from 1, and those that contain it. */
+/** Calls f(object) for an object, numbered from 1, and those that contain it. */
 template <typename TFunction>
 void
 ForEachAround(const Objects & objects, int object, const TFunction & f)
@@ -34,7 +34,7 @@ ForEachAround(const Objects & objects, int object, const TFunction & f)
   }
 }
 
-/** For each object of one list, the voxels it shares with objects of another one; index 0 stands for none. */
+/** For each object of one list, the number of voxels shared with objects of the other list; index 0 stands for none. */
 using Shared = std::vector<std::map<int, double>>;
 
 Shared
@@ -64,7 +64,7 @@ SharedVoxels(const HeatObjectList & a, const HeatObjectList & b)
   return shared;
 }
 
-/** An object of a later window beside those that are listed. */
+/** How an object of a later window relates to the listed objects. */
 struct Relation
 {
   int  around{ 0 };         ///< the smallest listed object that contains it, from 1; 0: none
@@ -89,7 +89,7 @@ Relate(const HeatObject & object, const std::map<int, double> & shared, const Ob
   return relation;
 }
 
-/** Which objects are cores: of the large parts of a listed object they are the only one, or contain all others. */
+/** Which objects are cores. A core is a large part of a listed object that is its only one or contains all others. */
 std::vector<bool>
 FindCores(const Objects & found, const std::vector<Relation> & relations, const Objects & listed)
 {
@@ -126,7 +126,7 @@ FindCores(const Objects & found, const std::vector<Relation> & relations, const 
   return areCores;
 }
 
-/** One list of two: those of the first one, and some of the second one, with their new numbers. */
+/** Two lists merged into one: all objects of the first, and some of the second, with their new numbers. */
 struct Merged
 {
   Objects                              objects;
@@ -134,7 +134,7 @@ struct Merged
   std::vector<int> ofFirst, ofSecond; ///< new number of each old one; that of the next larger one if it is left out
 };
 
-/** Numbers of the objects by descending size, those of the first list before equal ones. */
+/** Numbers the objects by descending size; for ties, objects of the first list come first. */
 Merged
 Number(const HeatObjectList & list, const HeatObjectList & found, const std::vector<bool> & isNew)
 {
@@ -182,7 +182,8 @@ Number(const HeatObjectList & list, const HeatObjectList & found, const std::vec
   return merged;
 }
 
-/** Sets the parents: the larger ones have smaller numbers, so the parent is the greatest number around. */
+/** Sets the parents: larger objects have smaller numbers, so the parent is the enclosing object with the greatest
+ * number. */
 void
 SetParents(const HeatObjectList &        first,
            const HeatObjectList &        second,

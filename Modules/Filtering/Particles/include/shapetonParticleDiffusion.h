@@ -54,7 +54,7 @@ struct ParticleMeasures
 };
 
 /** \class ParticleDiffusion
- * \brief Random walk of particles through a volume according to its edge weights, counting the visits of each voxel
+ * \brief Random walk of particles through a volume according to its edge weights, counting the visits to each voxel
  * (dissertation chapter 3).
  *
  * In each step a shapeton draws a direction from the six weights of its voxel (3.2.1), moves by a fixed distance, and
@@ -75,10 +75,10 @@ public:
    * may throw to abort. `visits` and GetPlaces() are up to date. */
   using Observer = std::function<void(const ParticleMeasures &)>;
 
-  /** Places the shapetons. `mask` (null: no mask; 0 is outside) has a value per voxel and is, as the volume, not needed
-   * afterwards. `visits` has the same size, is set to 0 and must outlive the object. Of the options, those for the end
-   * of the run are not used. `poll` is called occasionally, also during long steps of Run(), and may throw to abort;
-   * the object must not be used afterwards. Throws ParameterError or std::invalid_argument for options out of range,
+  /** Places the shapetons. `mask` (null: no mask; 0 is outside) has one value per voxel; like the volume, it is not
+   * needed afterwards. `visits` has the same size, is set to 0 and must outlive the object. The options for the end of
+   * the run are ignored. `poll` is called occasionally, also during long steps of Run(), and may throw to abort; the
+   * object must not be used afterwards. Throws ParameterError or std::invalid_argument for options out of range,
    * std::domain_error if no shapeton can be placed (an empty mask; no initial heat), std::length_error for 2^31 voxels
    * or more, or 2^24 along an axis, DeviceError if the device cannot be used. */
   ParticleDiffusion(const VolumeView &               volume,
@@ -111,8 +111,8 @@ public:
   ParticleState
   GetState() const;
 
-  /** Continues from a state. Throws std::invalid_argument, with the difference, if the state belongs to another volume
-   * or other settings. */
+  /** Continues from a state. Throws std::invalid_argument if the state belongs to another volume or to other settings;
+   * the message states the difference. */
   void
   SetState(const ParticleState & state);
 

@@ -41,9 +41,8 @@ public:
  * and GetMeasures() the progress of the run, for example to display the density. ProgressEvent is invoked during longer
  * steps. SetAbortGenerateData takes effect within a tenth of a second.
  *
- * \par Continuing
- * GetState() returns the state needed to continue. A filter with the same input and settings that starts from it
- * (SetInitialState()) gives the same result, bit by bit, as an uninterrupted run.
+ * \par Continuing GetState() returns the state needed to continue. A filter with the same input and settings that
+ * starts from it (SetInitialState()) yields the same result, bit for bit, as an uninterrupted run.
  *
  * \par Errors
  * ShapetonInputError for an empty mask, for placement by initial heat in a volume without initial heat, and for an
@@ -53,7 +52,8 @@ public:
  * voxel in addition to the input, 24 unless its pixels are float.
  *
  * Source: Gurijala, Shape-based analysis, chapter 3 and appendix 8. Differences: directions follow the solid angle
- * (DirectionSampling), long steps may be stopped by walls (PathRule), the steady rule (3.10) uses normalized densities.
+ * (DirectionSampling), long steps may be stopped by walls (PathRule), and the steady rule (3.10) uses normalized
+ * densities.
  *
  * \ingroup ShapetonParticles */
 template <typename TInputImage>

@@ -12,8 +12,8 @@
 
 namespace shapeton
 {
-/** The values of the preset that do not depend on intensities, for a volume of `size` voxels of `spacing` mm; p and so
- * on keep the defaults of the options. \ingroup ShapetonParticles */
+/** The values of the preset that do not depend on intensities, for a volume of `size` voxels of `spacing` mm; p and
+ * other options keep their defaults. \ingroup ShapetonParticles */
 ShapetonParticles_EXPORT ParticleDiffusionOptions
 OptionsOfPreset(ShapetonPreset preset, const std::array<std::size_t, 3> & size, const std::array<double, 3> & spacing);
 
@@ -25,13 +25,14 @@ struct ShapetonParameterChoice
   AutomaticShapetons       feature; ///< reasons for what was derived from the feature size
 };
 
-/** The options, those whose names are not in `given` by the preset. The duration of Objects is twice
- * EquivalentHeatTimeSteps() of the chosen time of heat, because visits accumulate from the first step, but at most as
- * long as 20,000 to 200,000 shapetons, by the size of the volume, can walk. The number of shapetons gives each voxel
- * 200 visits on average, in total at most 1e8. With a feature size, ChooseShapetons() replaces the distance, and the
- * number of shapetons unless it is given.
+/** The options; those whose names are not in `given` are set by the preset. The duration of Objects is twice
+ * EquivalentHeatTimeSteps() of the chosen heat diffusion time, because visits accumulate from the first step. It is
+ * limited so that the total number of visits allows 20,000 to 200,000 shapetons, depending on the size of the volume.
+ * The number of shapetons is chosen for 200 visits per voxel on average, but at most 1e8 visits in total. With a
+ * feature size, ChooseShapetons() replaces the distance, and the number of shapetons unless it is given.
  *
- * `modality` as for ChooseHeatParameters(). Throws ParameterError for options out of range, and as ChooseShapetons().
+ * `modality` as for ChooseHeatParameters(). Throws ParameterError for options out of range, and the exceptions of
+ * ChooseShapetons().
  * \ingroup ShapetonParticles */
 ShapetonParticles_EXPORT ShapetonParameterChoice
 ChooseShapetonParameters(const VolumeView &               volume,

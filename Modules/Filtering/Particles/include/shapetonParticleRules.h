@@ -14,9 +14,9 @@ enum class PathRule
   /** As published (3.2.1): only the end point of the step is used, so a long step may skip walls. */
   Endpoint,
   /** The step is traced through the voxels: each face transmits the shapeton with a probability equal to its edge
-   * weight and reflects it otherwise. The position within the voxel is drawn anew before each step, so that the
-   * shapetons are a Markov chain on the voxels. With DirectionSampling::Uniform its transition matrix is symmetric, and
-   * for steps shorter than a voxel the expected density obeys the operator of cumulative heat diffusion: see
+   * weight and reflects it otherwise. The position within the voxel is redrawn before each step, so that the walk is a
+   * Markov chain on the voxels. With DirectionSampling::Uniform its transition matrix is symmetric, and for steps
+   * shorter than a voxel the expected density obeys the operator of cumulative heat diffusion: see
    * EquivalentHeatTimeSteps(). */
   Traversal
 };
@@ -32,7 +32,7 @@ enum class ParticlePlacement
   InitialHeat
 };
 
-/** Values of the options of shapeton diffusion for a purpose.
+/** Values of the shapeton diffusion options for a particular purpose.
  * \ingroup ShapetonParticles */
 enum class ShapetonPreset
 {
@@ -42,8 +42,9 @@ enum class ShapetonPreset
   /** As printed in chapter 3: sectorArea, endpoint, started anywhere, 65,000 shapetons, distance 0.01, 2,500 steps,
    * p = 7, the whole range. */
   Published,
-  /** Distinguishes thin from compact parts: 100 steps of one voxel of the walk of Objects, a spread of 7 voxels along
-   * each axis, so that visits show the surface area per volume of the neighborhood. Window, p, smoothing are chosen. */
+  /** Distinguishes thin from compact parts: the walk of Objects with 100 steps of one voxel, which spreads by 7 voxels
+   * along each axis, so that visits show the surface area per volume of the neighborhood. Window, p, smoothing are
+   * chosen. */
   Surface
 };
 

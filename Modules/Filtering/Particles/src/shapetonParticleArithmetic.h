@@ -160,7 +160,7 @@ struct ParticleArithmetic
   }
 
   /** s = 2 phi / pi by partial volume: the zero of a quartic by three Newton steps. The start value is exact if the
-   * weight of the first axis is a mere offset. Error of the distribution function 1e-6.
+   * weight of the first axis is merely an offset. Error of the distribution function 1e-6.
    *
    * \equation{8.1}
    *

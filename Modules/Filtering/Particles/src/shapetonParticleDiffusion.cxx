@@ -148,8 +148,8 @@ struct ParticleDiffusion::Impl : ParticleWalk
     Measure(tally, sum.visits, squaresBefore, maximumBefore);
   }
 
-  /** The change in the step of this tally. With S the counts before, c those of the step, and n shapetons: sumOfOld =
-   * sum S c + (sum c^2 - n) / 2, and `sumAfter` = sum (S + c) c.
+  /** Computes the change during the step covered by the tally. With S the counts before, c those of the step, and n
+   * shapetons: sumOfOld = sum S c + (sum c^2 - n) / 2, and `sumAfter` = sum (S + c) c.
    *
    * \equation{3.10} for densities with a maximum of 1; as printed, with raw counts, it is never below n. */
   void
@@ -211,7 +211,7 @@ struct ParticleDiffusion::Impl : ParticleWalk
              { "volume or mask (checksum of the edge weights)", std::to_string(records.GetChecksum()) } };
   }
 
-  /** Sums over all voxels at the time a state was taken. */
+  /** Sums over all voxels at the time a state was saved. */
   void
   MeasureAgain()
   {

@@ -54,7 +54,7 @@ struct Path
   float         way[3];   ///< displacement of the whole step, in voxels
 };
 
-/** The axis of the next face, and the share of the step needed to reach it; 3 if none is reached within the
+/** The axis of the next face, and the fraction of the step needed to reach it; 3 if none is reached within the
  * remaining step. */
 SHAPETON_HOST_DEVICE unsigned int
 NextFace(const Path & path, float & share)
@@ -79,7 +79,7 @@ SHAPETON_HOST_DEVICE const std::uint16_t *
   return surroundings.records + static_cast<std::size_t>(path.voxel) * RecordLength;
 }
 
-/** Advances to the next face, then through it or back; false if the step ends before the face. */
+/** Advances to the next face, then passes through it or turns back; false if the step ends before the face. */
 SHAPETON_HOST_DEVICE bool
 GoOn(const Surroundings & surroundings, Path & path)
 {

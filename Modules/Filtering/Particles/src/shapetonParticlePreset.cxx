@@ -13,7 +13,7 @@ namespace
 {
 constexpr double wantedVisits = 200.0; // per voxel; fewer merge similar objects in the histogram
 constexpr double mostVisits = 1e8;     // of all voxels; about 25 seconds of one core
-/** Fewer shapetons do not sample the initial heat of small objects; those of large volumes need steps, too. */
+/** Fewer shapetons do not sample the initial heat of small objects; more would leave too few steps in large volumes. */
 constexpr double leastShapetons = 2e4;
 constexpr double usualShapetons = 2e5;
 constexpr double mostShapetons = 1e7;

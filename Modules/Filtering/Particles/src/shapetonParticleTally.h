@@ -24,7 +24,7 @@ struct ParticleTally
     objectsReached += other.objectsReached;
   }
 
-  /** Adds a visit; `isObject`: whether the voxel counts for the coverage. */
+  /** Adds a visit; `isObject`: whether the voxel counts toward the coverage. */
   SHAPETON_HOST_DEVICE void
   Count(std::uint32_t old, bool isObject)
   {

@@ -242,7 +242,7 @@ ShareOfOctants(const std::uint16_t * record, unsigned int octants)
   return part / whole;
 }
 
-/** Deviation of theta from the quantile of its random number, as a share of the distribution; by term and its
+/** Deviation of theta from the quantile of its random number, as a fraction of the distribution; by term and its
  * quantile, or by sector area. A number at the border of two terms may select either. */
 double
 ErrorOfTheta(const Angles & angles, DirectionSampling sampling, const std::array<double, 4> & numbers)

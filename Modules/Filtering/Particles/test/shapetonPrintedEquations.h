@@ -3,8 +3,8 @@
 
 #include "shapetonParticleTestTools.h"
 
-/** The shape distribution of an octant with the edge weights w1, w2, w3, after the appendix of the dissertation. The
- * printed equations lose digits to cancellation: up to 8e-16 of the cube of the largest weight. */
+/** The shape distribution of an octant with the edge weights w1, w2, w3, according to the appendix of the dissertation.
+ * The printed equations lose digits to cancellation: up to 8e-16 of the cube of the largest weight. */
 namespace shapeton
 {
 namespace test

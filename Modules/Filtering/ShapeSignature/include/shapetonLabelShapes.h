@@ -11,7 +11,7 @@ namespace shapeton
 /** A label map as read from volume files: integers, 0 for the background. \ingroup ShapetonShapeSignature */
 using LabelMap = itk::Image<float, 3>;
 
-/** The labels of a label map, ascending, without 0. Throws InputError for values that are not integers from 0 to
+/** The labels of a label map, ascending, excluding 0. Throws InputError for values that are not integers from 0 to
  * 65535, and if there is no label. \ingroup ShapetonShapeSignature */
 ShapetonShapeSignature_EXPORT std::vector<int>
                               LabelsOf(const LabelMap * labels);
@@ -20,7 +20,7 @@ ShapetonShapeSignature_EXPORT std::vector<int>
 ShapetonShapeSignature_EXPORT VoxelRuns
 VoxelsOfLabel(const LabelMap * labels, int label);
 
-/** The face-connected components of a shape with at least this number of voxels, the largest first.
+/** The face-connected components of a shape that have at least this number of voxels, largest first.
  * \ingroup ShapetonShapeSignature */
 ShapetonShapeSignature_EXPORT std::vector<VoxelRuns>
                               ComponentsOf(const VoxelRuns & shape, std::size_t leastVoxels = 1);

@@ -14,7 +14,7 @@ namespace shapeton
  * \brief Shape descriptor of a binary object, nearly invariant to position, rotation and sampling.
  *
  * Volume and surface are in mm^3 and mm^2; all other measures are dimensionless and scale-invariant. Times are t / r^2,
- * r the radius of the ball of the same volume; see Times().
+ * where r is the radius of the ball with the same volume; see Times().
  *
  * Two curves of heat over logarithmic time:
  * - `remainingHeat`: the object starts at heat 1 and its surroundings stay at 0; the curve is the remaining fraction of
@@ -35,7 +35,7 @@ struct ShapetonShapeSignature_EXPORT ShapeSignature
 {
   static constexpr std::size_t NumberOfTimes = 25;       // of each curve
   static constexpr std::size_t NumberOfEigenvalues = 20; // of the spectrum
-  /** Radius of the ball of the same volume, in voxels of the grid that signatures are computed on. */
+  /** Radius of the ball with the same volume, in voxels of the grid on which signatures are computed. */
   static constexpr double RadiusInVoxels = 16.0;
   /** Smallest number of voxels for which a signature is computed. */
   static constexpr std::size_t LeastVoxels = 64;
@@ -61,10 +61,10 @@ struct ShapetonShapeSignature_EXPORT ShapeSignature
  *
  * The set is resampled as the filled fraction of each voxel of an isotropic grid along its principal axes, with voxels
  * r / RadiusInVoxels wide. Image voxels are spread by quadratic B-splines, which smooths stair steps and preserves the
- * volume. For the displacement, a face conducts the smaller fraction of its two voxels; for the remaining heat, the
- * boundary is where the fraction crosses 0.5 (symmetric second order scheme; Gibou, Fedkiw, Cheng and Kang, 2002).
- * One Lanczos process yields the sums over the object for all times (Golub and Meurant, 1994), without time steps.
- * HeatDiffusionSolver is not suitable because its edges insulate and it computes the heat of each voxel.
+ * volume. For the displacement, the conductance of a face is the smaller fraction of its two voxels; for the remaining
+ * heat, the boundary is where the fraction crosses 0.5 (symmetric second order scheme; Gibou, Fedkiw, Cheng and Kang,
+ * 2002). One Lanczos process yields the sums over the object for all times (Golub and Meurant, 1994), without time
+ * steps. HeatDiffusionSolver is not suitable because its edges insulate and it computes the heat of each voxel.
  *
  * The run time is about half a second, more for millions of voxels. Results are bitwise identical for any number of
  * threads. Throws InputError if the set has fewer than LeastVoxels, is thinner than a grid voxel nearly everywhere, or

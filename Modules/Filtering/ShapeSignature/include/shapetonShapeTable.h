@@ -37,8 +37,8 @@ struct ShapeTable
 };
 
 /** Describes each label, or each connected component of each label. Shapes too small or too thin for a signature are
- * skipped with a remark. `intensities` has the grid of `labels`. Throws InputError if no shape remains, and as
- * LabelsOf() does. Throws std::invalid_argument if the sizes differ. \ingroup ShapetonShapeSignature */
+ * skipped with a remark. `intensities` has the grid of `labels`. Throws InputError if no shape remains, and the
+ * exceptions of LabelsOf(). Throws std::invalid_argument if the sizes differ. \ingroup ShapetonShapeSignature */
 ShapetonShapeSignature_EXPORT ShapeTable
 DescribeShapes(const itk::Image<float, 3> * intensities,
                const LabelMap *             labels,

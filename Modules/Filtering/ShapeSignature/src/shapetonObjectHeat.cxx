@@ -19,7 +19,7 @@ constexpr double LeastHeat = 1e-9;
 /** Voxels with a smaller fraction are empty. */
 constexpr float LeastShare = 1e-3F;
 
-/** The active voxels: their grid indices, and the number for each index, -1 if inactive. */
+/** The active voxels: their grid indices, and for each grid index the number of the voxel, or -1 if inactive. */
 struct Participants
 {
   std::vector<std::size_t> places;

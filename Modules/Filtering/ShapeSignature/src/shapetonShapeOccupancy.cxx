@@ -49,7 +49,7 @@ ForEachVoxel(const VoxelRuns & shape, const TBody & body)
   });
 }
 
-/** Quadratic B-spline around 0: the share of a voxel at a given distance in voxels. */
+/** Quadratic B-spline around 0: the weight at a given distance in voxels. */
 double
 QuadraticSpline(double x)
 {
@@ -84,7 +84,7 @@ PointsOfVoxel(double voxelsOfGrid)
   return points;
 }
 
-/** Shares of the voxels around a point, by trilinear weights. */
+/** Distributes a mass to the voxels around a point, with trilinear weights. */
 void
 AddMass(const Eigen::Vector3d & place, double mass, ShapeOccupancy & occupancy)
 {

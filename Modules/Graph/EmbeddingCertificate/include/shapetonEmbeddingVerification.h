@@ -16,7 +16,7 @@ struct EmbeddingVerdict
   /** Empty if the certificate is valid; otherwise the first error, with its node, edge or face and the measured values.
    */
   std::string refusal;
-  /** Measured values up to that point, by name: genus, nodes, edges, dummyNodes, faces, tangency, orthogonality,
+  /** Values measured before the first error, by name: genus, nodes, edges, dummyNodes, faces, tangency, orthogonality,
    * angleSum, smallestRadius, ... Lengths are in the geometry of the certificate, angles in radians. */
   std::vector<std::pair<std::string, double>> measures;
 };

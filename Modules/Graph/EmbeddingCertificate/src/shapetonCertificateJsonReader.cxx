@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** Checked access to the entries of a file by key path, such as "graph.edges". Unknown entries are not looked at. */
+/** Checked access to the entries of a file by key path, such as "graph.edges". Unknown entries are ignored. */
 class EntryReader
 {
 public:
@@ -39,7 +39,7 @@ public:
     return value->get<int>();
   }
 
-  /** Empty without the entry, as are all lists. */
+  /** Empty if the entry is missing, as for all lists. */
   std::vector<double>
   Numbers(const std::string & key) const
   {
@@ -98,7 +98,7 @@ public:
     return this->ListOf<std::string>(key, &Json::is_string, "a string");
   }
 
-  /** Names and values of an object, in the order of the file. */
+  /** Names and values of an object, in file order. */
   template <typename TValue, typename TTest>
   std::vector<std::pair<std::string, TValue>>
   Facts(const std::string & key, const TTest & isValue) const

@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-/** A file written in blocks; each failure throws OutputError. */
+/** A file written in blocks; any failure throws OutputError. */
 class BlockFile
 {
 public:

@@ -12,10 +12,10 @@ using Measures = std::vector<std::pair<std::string, double>>;
 
 /** \name Each check throws Refusal if its part of the certificate is invalid, and appends its measurements. */
 ///@{
-/** The packed map contains the graph: edges, paths and rotation, with dummies only inside its faces. */
+/** Checks that the packed map contains the graph: edges, paths and rotation, with dummies only inside its faces. */
 void
 CheckMap(const EmbeddingCertificate & certificate, const TracedMap & packed, Measures & measures);
-/** Sphere: the packed map is 3-connected, which the existence of a circle pattern requires. */
+/** Checks, for the sphere, that the packed map is 3-connected, which is necessary for a circle pattern. */
 void
 CheckPackingExists(const TracedMap & packed);
 void
@@ -24,7 +24,8 @@ void
 CheckPlane(const EmbeddingCertificate & certificate, const TracedMap & packed, Measures & measures);
 void
 CheckDisk(const EmbeddingCertificate & certificate, const TracedMap & packed, Measures & measures);
-/** Genus 1 or higher: tree and generators cut the surface into a disk bounded by the word; checks canonical words. */
+/** Checks, for genus 1 or higher, that the tree and the generators cut the surface into a disk bounded by the word;
+ * also checks the canonical words. */
 void
 CheckCutGraph(const EmbeddingCertificate & certificate, const TracedMap & packed);
 ///@}
@@ -33,7 +34,7 @@ CheckCutGraph(const EmbeddingCertificate & certificate, const TracedMap & packed
 std::string
 Figure(double value);
 
-/** The first radius outside (least, most). */
+/** Throws Refusal for the first radius outside (least, most). */
 void
 RequireRadii(const std::vector<double> & radii, double least, double most, const std::string & what);
 
@@ -65,8 +66,8 @@ SumKiteAngles(const EmbeddingCertificate & certificate,
   }
 }
 
-/** Plane and disk: the kites around each circle close up, with tolerances relative to the radii. Appends the deviation
- * and the smallest node radius of the graph. */
+/** Checks, in the plane and the disk, that the kites around each circle close up. Appends the deviation and the
+ * smallest node radius of the graph. */
 template <typename HalfAngle>
 void
 CheckKiteAngles(const EmbeddingCertificate & certificate,
@@ -85,7 +86,7 @@ CheckKiteAngles(const EmbeddingCertificate & certificate,
   measures.emplace_back("smallestRadius", *std::min_element(certificate.nodeRadii.begin(), end));
 }
 
-/** Plane and disk: direction of each half-edge in the chart at its node, by adding kite angles. */
+/** Direction of each half-edge in the chart at its node, in the plane or the disk, obtained by adding kite angles. */
 template <typename HalfAngle>
 std::vector<double>
 DirectionsOfHalfEdges(const EmbeddingCertificate & certificate, const TracedMap & packed, const HalfAngle & halfAngle)

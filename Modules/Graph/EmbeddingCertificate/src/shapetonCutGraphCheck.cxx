@@ -9,7 +9,7 @@ namespace
 /** Role of each edge in the cut graph: 0 none, 1 tree, 2 generator. */
 using CutEdges = std::vector<char>;
 
-/** The tree reaches each node from its parent. */
+/** Edges of the tree; checks that it reaches each node from its parent. */
 CutEdges
 EdgesOfTree(const EmbeddingCertificate & certificate, const TracedMap & packed)
 {
@@ -52,7 +52,7 @@ AddGenerators(const EmbeddingCertificate & certificate, CutEdges & cut)
   }
 }
 
-/** The surface remains connected after the cut. By Euler's formula it is then a disk. */
+/** Checks that the surface remains connected after the cut. By Euler's formula it is then a disk. */
 void
 RequireDisk(const TracedMap & packed, const CutEdges & cut)
 {
@@ -133,7 +133,7 @@ AppendPower(std::vector<int> & word, const std::vector<int> & factor, bool isInv
   }
 }
 
-/** The words A1, B1, ... are valid: their product of commutators reduces to the word by cancellation. */
+/** Checks the words A1, B1, ...: the product of their commutators reduces to the word of the cut graph. */
 void
 CheckCanonicalWords(const EmbeddingCertificate & certificate)
 {

@@ -14,7 +14,7 @@ using Real = long double;
 using LongComplex = std::complex<Real>;
 
 constexpr double MostPlaceError = 1e-9; // a hyperbolic length
-/** Bounds of the smallest radius, absolute and relative to the largest one; see shapetonPlaneCheck.cxx. */
+/** Bounds on the smallest radius, absolute and relative to the largest one; see shapetonPlaneCheck.cxx. */
 constexpr double LeastRadius = 1e-11;
 
 /** z -> (a z + b) / (conj(b) z + conj(a)). */
@@ -70,14 +70,15 @@ public:
 private:
   void
   CheckRadii(Measures & measures) const;
-  /** Angle of the right triangle with these legs, at the end of the first. */
+  /** Angle at the end of the first leg in the right triangle with these legs. */
   static double
   HalfAngle(double r, double s)
   {
     return std::atan2(std::tanh(s), std::sinh(r));
   }
 
-  /** Hypotenuse for these legs: cosh l = cosh r cosh s, without cancellation for small circles. */
+  /** Hypotenuse of the right triangle with these legs: cosh l = cosh r cosh s, without cancellation for small circles.
+   */
   static double
   Diagonal(double r, double s)
   {
@@ -111,7 +112,7 @@ private:
     return this->Reached(h) * this->Frame(m_Packed.node[h ^ 1], m_Direction[h ^ 1]).Inverse();
   }
 
-  /** Near the rim, rounding of a place is a large hyperbolic distance. */
+  /** Near the rim, rounding moves a place by a large hyperbolic distance. */
   static double
   Tolerance(LongComplex z)
   {
@@ -230,7 +231,7 @@ DiskCheck::CheckTree(Measures & measures) const
   measures.emplace_back("tangency", largest);
 }
 
-/** The circle of each face is placed by the kite of its lowest half-edge. */
+/** Checks each face circle against the position given by the kite of its lowest half-edge. */
 void
 DiskCheck::CheckFaces(Measures & measures) const
 {
@@ -257,8 +258,8 @@ DiskCheck::CheckFaces(Measures & measures) const
   measures.emplace_back("orthogonality", largest);
 }
 
-/** Error relative to the entries of the transformation F L G^-1 of the end frames F and G. Rounding of a place changes
- * its frame by about |F|^2 times the spacing of doubles, amplified by F and G^-1. */
+/** Tolerated error, relative to the entries of the transformation F L G^-1 between the end frames F and G. Rounding a
+ * place changes its frame by about |F|^2 times the spacing of doubles, amplified by F and G^-1. */
 double
 DiskCheck::GeneratorTolerance(int halfEdge, const Isometry & transformation) const
 {
@@ -278,8 +279,8 @@ DiskCheck::CheckGenerators(Measures & measures) const
     const Isometry stated = IsometryOf(generator);
     const Isometry measured = this->Transformation(generator.halfEdge);
     const Real     size = std::abs(measured.a);
-    // A common real factor has no effect; for transformations of distant places it cannot be distinguished from 1 in
-    // doubles.
+    // A common real factor has no effect; for transformations between distant places, doubles cannot distinguish it
+    // from 1.
     const Real   factor = std::real(stated.a * std::conj(measured.a)) / (size * size);
     const Real   drift = std::abs(std::abs(factor) - 1.0L);
     const double error = static_cast<double>(
@@ -299,9 +300,9 @@ DiskCheck::CheckGenerators(Measures & measures) const
   measures.emplace_back("generatorError", largest);
 }
 
-/** Product along the word. The other checks imply the identity, so deviations must be within the rounding errors of the
- * generators: one error factor between two partial products, where the second is nearly the inverse of the remaining
- * product. */
+/** Product along the word. The other checks imply that it is the identity, so any deviation must be explained by the
+ * rounding errors of the generators: one error factor between two partial products, where the second is nearly the
+ * inverse of the remaining product. */
 void
 DiskCheck::CheckWord(Measures & measures) const
 {

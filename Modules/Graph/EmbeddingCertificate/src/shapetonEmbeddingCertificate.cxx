@@ -8,7 +8,7 @@ namespace shapeton
 {
 namespace
 {
-/** For each packed half-edge the graph half-edge that starts with it; -1 for dummies and inner parts of paths. */
+/** For each packed half-edge, the graph half-edge that starts with it; -1 for dummies and inner parts of paths. */
 std::vector<int>
 GraphHalfEdges(const EmbeddingCertificate & certificate)
 {

@@ -124,7 +124,7 @@ AreBesideAnEdge(const TracedMap & map, int from, int to, const std::array<int, 2
 
 /* On the sphere two nodes share exactly two faces if and only if an edge joins them, and these are the faces of the
  * edge; the same holds for two faces. All 4-cycles of the incidence graph are found as pairs of paths of length two
- * from their first point, in the order of decreasing degree with earlier points removed (Chiba and Nishizeki 1985):
+ * from their first point, taken in order of decreasing degree, with earlier points removed (Chiba and Nishizeki 1985):
  * linear on a planar map. */
 void
 CheckPackingExists(const TracedMap & packed)

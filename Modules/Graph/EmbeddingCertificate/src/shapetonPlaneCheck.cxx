@@ -12,7 +12,7 @@ namespace
 using Complex = std::complex<double>;
 
 constexpr double MostErrorOfPeriod = 1e-9; // relative to the shorter period of the lattice
-/** Smallest to largest radius; below this ratio a degenerating solution cannot be excluded. */
+/** Ratio of the smallest to the largest radius; below it, a degenerate solution cannot be ruled out. */
 constexpr double LeastRatio = 1e-11;
 
 class PlaneCheck
@@ -54,7 +54,8 @@ private:
     CheckKiteAngles(m_Certificate, m_Packed, HalfAngle, measures);
   }
 
-  /** The periods are a reduced basis, and their parallelogram has the area of all kites: it covers the torus once. */
+  /** Checks that the periods are a reduced basis, and that their parallelogram has the area of all kites, so that it
+   * covers the torus once. */
   void
   CheckLattice(Measures & measures) const
   {
@@ -102,7 +103,7 @@ private:
     return std::abs(vector - first * m_First - second * m_Second);
   }
 
-  /** Each edge crosses a lattice translation without rotation; tree edges cross none. */
+  /** Checks that crossing an edge is a lattice translation without rotation, and the identity for tree edges. */
   void
   CheckEdges(Measures & measures) const
   {

@@ -121,7 +121,7 @@ private:
     return { p[0], p[1], p[2] };
   }
 
-  /** The two end circles of each edge touch, and so do its two face circles. */
+  /** Checks that the two end circles of each edge touch, and also its two face circles. */
   void
   CheckTangency(Measures & measures)
   {
@@ -177,7 +177,8 @@ private:
     measures.emplace_back("orthogonality", largest);
   }
 
-  /** Both triangles of each kite, (node, touching point, face) and its mirror image, have the orientation of the map.
+  /** Checks that both triangles of each kite, (node, touching point, face) and its mirror image, have the orientation
+   * of the map.
    */
   void
   CheckKites() const
@@ -201,7 +202,7 @@ private:
     }
   }
 
-  /** The kites wind around each node and each face once. */
+  /** Checks that the kites wind once around each node and each face. */
   void
   CheckWinding() const
   {

@@ -10,7 +10,7 @@ namespace shapeton
 {
 /** \brief A canonical renumbering of a graph: equal for two graphs if and only if they are isomorphic.
  *
- * Labeled by Traces (McKay and Piperno 2014). Loops and multiple edges count with their multiplicity.
+ * Computed by Traces (McKay and Piperno 2014). Loops and multiple edges count with their multiplicity.
  * \ingroup ShapetonGraphComparison */
 struct ShapetonGraphComparison_EXPORT CanonicalForm
 {
@@ -23,7 +23,7 @@ struct ShapetonGraphComparison_EXPORT CanonicalForm
   Graph graph;
 };
 
-/** For each node of `a` its image in `b`; empty if the graphs are not isomorphic. \ingroup ShapetonGraphComparison */
+/** For each node of `a`, its image in `b`; empty if the graphs are not isomorphic. \ingroup ShapetonGraphComparison */
 ShapetonGraphComparison_EXPORT std::vector<int>
                                Isomorphism(const CanonicalForm & a, const CanonicalForm & b);
 } // namespace shapeton

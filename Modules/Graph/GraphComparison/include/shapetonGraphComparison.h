@@ -21,7 +21,7 @@ struct GraphFigures
   int components{ 0 };
   int blocks{ 0 };
   int triangles{ 0 };
-  /** Number of nodes of each degree, from 0. */
+  /** Number of nodes of each degree, starting at 0. */
   std::vector<int> nodesOfDegree;
 };
 
@@ -39,7 +39,7 @@ struct NodeCorrespondence
   /** "isomorphism", "names", "neighborhoods" (nodes with a neighborhood of up to four edges that is unique in both
    * graphs), or "none". */
   std::string by;
-  /** For each node of the first graph the corresponding node of the second one, or -1. */
+  /** For each node of the first graph, the corresponding node of the second, or -1. */
   std::vector<int> image;
 };
 
@@ -76,16 +76,16 @@ CompareGraphs(const Graph &                  a,
               const GraphEmbeddingSettings & embedding = {},
               const Progress &               progress = {});
 
-/** "#rrggbb" for each node of both graphs. Corresponding nodes share a color; colors of neighbors in canonical order
- * differ strongly; unmatched nodes are gray. \ingroup ShapetonGraphComparison */
+/** "#rrggbb" for each node of both graphs. Corresponding nodes share a color; nodes that are adjacent in canonical
+ * order have very different colors; unmatched nodes are gray. \ingroup ShapetonGraphComparison */
 ShapetonGraphComparison_EXPORT std::array<std::vector<std::string>, 2>
                                ColorsOfNodes(const GraphComparison & comparison);
 
-/** Comparison as JSON without the embeddings, by node names. \ingroup ShapetonGraphComparison */
+/** Comparison as JSON with node names, excluding the embeddings. \ingroup ShapetonGraphComparison */
 ShapetonGraphComparison_EXPORT Json
 ComparisonToJson(const GraphComparison & comparison);
 
-/** Changes as JSON, by node names. \ingroup ShapetonGraphComparison */
+/** Changes as JSON with node names. \ingroup ShapetonGraphComparison */
 ShapetonGraphComparison_EXPORT Json
 ChangesToJson(const GraphChanges & changes, const Graph & a, const Graph & b);
 } // namespace shapeton

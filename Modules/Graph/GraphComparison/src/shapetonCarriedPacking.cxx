@@ -10,7 +10,8 @@ namespace shapeton
 {
 namespace
 {
-/** Rings of dummies halve in size, so in a face of 2^8 half-edges this reaches every dummy from a change. */
+/** Each ring has half as many dummies as the one around it, so in a face of 2^8 half-edges every dummy is within this
+ * reach of a change. */
 constexpr int farthestReach = 8;
 
 /** The new graph and the reused dummies, as a map. */

@@ -54,7 +54,7 @@ EdgesOfSameEnds(const Graph & a, const Graph & b, const std::vector<int> & image
 
 namespace
 {
-/** Inserts edges into the map of the kept ones. */
+/** Inserts edges into the map of the kept edges. */
 class EdgeInsertion
 {
 public:
@@ -179,7 +179,7 @@ EdgeInsertion::KeptMap(const Graph & before, const CombinatorialMap & map)
   }
   const auto imageOf = [&](int h) {
     const int e = edgeImage[h / 2];
-    // Match half-edges that leave the same node; for a loop, half-edges with the same number.
+    // Matches half-edges that start at the same node; for a loop, half-edges with the same number.
     const bool turned = e >= 0 && edges[m_IndexOfEdge[e]][h % 2] != image[map.Node(h)];
     return e < 0 ? -1 : 2 * m_IndexOfEdge[e] + (turned ? 1 - h % 2 : h % 2);
   };
@@ -211,7 +211,7 @@ EdgeInsertion::CornerOfLongestFace(int node) const
   return longest;
 }
 
-/** Inserts an edge into a face that has both ends, or between two components, without adding a handle. */
+/** Inserts an edge into a face that contains both ends, or between two components, without adding a handle. */
 bool
 EdgeInsertion::InsertIfFree(int edge)
 {

@@ -8,11 +8,11 @@
 
 namespace shapeton
 {
-/** For each node of `a` the node of `b` with the same name, or -1. \ingroup ShapetonGraphComparison */
+/** For each node of `a`, the node of `b` with the same name, or -1. \ingroup ShapetonGraphComparison */
 ShapetonGraphComparison_EXPORT std::vector<int>
                                NodesOfSameName(const Graph & a, const Graph & b);
 
-/** For each edge of `a` an edge of `b` between the images of its ends, or -1; parallel edges are matched in order.
+/** For each edge of `a`, an edge of `b` between the images of its ends, or -1; parallel edges are matched in order.
  * `image` is -1 for nodes missing in `b`. \ingroup ShapetonGraphComparison */
 ShapetonGraphComparison_EXPORT std::vector<int>
                                EdgesOfSameEnds(const Graph & a, const Graph & b, const std::vector<int> & image);
@@ -31,7 +31,7 @@ struct CarriedRotation
  * Deleted edges are removed; the order of the other edges is kept. A new edge is inserted into a face with both of its
  * ends if possible, a new node into the face with most of its neighbors. A handle is added only if no edge can be
  * inserted otherwise. If the genus rises, a new embedding with arranged blocks is computed and used if its genus is
- * smaller; an embedding with handles is replaced if the graph is planar. \pre `map` is one of `before`.
+ * smaller; an embedding with handles is replaced if the graph is planar. \pre `map` is a map of `before`.
  * \ingroup ShapetonGraphComparison */
 ShapetonGraphComparison_EXPORT CarriedRotation
 CarryRotation(const Graph &            before,

@@ -6,8 +6,8 @@ namespace shapeton
 {
 namespace
 {
-/** Calls `visit` for half-edges around a node from `first`, at most once around, until one is `known`. Returns the
- * half-edge that ends the stretch, or -1 if not found. */
+/** Calls `visit` for the half-edges around a node, starting at `first`, until one is `known` or all are visited.
+ * Returns the half-edge that ends the stretch, or `first` if none is known. */
 template <typename TVisit>
 int
 WalkStretch(const CombinatorialMap & map, int first, const std::vector<int> & known, const TVisit & visit)
@@ -29,7 +29,7 @@ WalkStretch(const CombinatorialMap & map, int first, const std::vector<int> & kn
   return h;
 }
 
-/** Corners shared by both steps: after half-edges of the new map that exist in both. */
+/** Corners shared by both steps, each given by the half-edge before it, which exists in both. */
 class SameCorners
 {
 public:
@@ -62,7 +62,7 @@ private:
   {
     return m_Next[halfEdge] >= 0 && m_Next[m_Next[halfEdge]] == halfEdge;
   }
-  /** Follows the face to the first corner that is not in a chain; returns the start if not found. */
+  /** Follows the face to the first corner that is not in a chain; returns the start if there is none. */
   template <typename TVisit>
   int
   Walk(int halfEdge, bool isForward, const TVisit & visit) const

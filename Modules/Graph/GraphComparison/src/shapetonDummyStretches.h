@@ -26,7 +26,7 @@ public:
                  FaceDummies &            dummies,
                  int                      reach);
 
-  /** The stretch after a half-edge of both steps, or around a new one; null if empty. */
+  /** The stretch after a half-edge that exists in both steps, or around a new half-edge; null if empty. */
   DummyStretch *
   Of(int halfEdge)
   {

@@ -15,7 +15,7 @@ namespace
 {
 /** Imperceptible mean displacement (radians). */
 constexpr double steadyEnough = 1e-3;
-/** Minimum gain to accept another arrangement. */
+/** Minimum gain required to accept another arrangement. */
 constexpr double worthwhileGain = 10.0;
 
 bool

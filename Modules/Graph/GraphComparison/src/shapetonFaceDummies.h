@@ -41,7 +41,7 @@ public:
   {
     m_IsGone[dummy] = 1;
   }
-  /** Reserves it for the path of an edge. */
+  /** Reserves the dummy for the path of an edge. */
   void
   Take(int dummy)
   {

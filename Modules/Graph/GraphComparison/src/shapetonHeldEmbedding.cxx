@@ -24,8 +24,8 @@ public:
   {
     return m_IsInside[node] != 0;
   }
-  /** Grows by the nodes within the given number of steps along the incident faces. Returns false if no node was added.
-   * */
+  /** Grows by the nodes within the given number of steps along the incident faces. Returns false if no node remains
+   * outside. */
   bool
   Grow(int steps)
   {
@@ -42,7 +42,7 @@ public:
   }
 
 private:
-  /** Further walks start from interior nodes. */
+  /** Stops at nodes that were already inside, because other walks start there. */
   template <typename TNext>
   void
   Walk(int halfEdge, int steps, const std::vector<char> & before, const TNext & next)
@@ -70,7 +70,7 @@ GraphOf(const IncrementalMap & map)
 }
 
 /** Inserts wheels into the face of a half-edge: one for each row of corners outside the region. The rim of a wheel has
- * a node for each corner, which fixes their order. */
+ * a node for each corner, which fixes the order of the corners. */
 void
 AddWheels(const IncrementalMap & map, const OpenRegion & region, int halfEdge, Graph & graph)
 {
@@ -126,7 +126,7 @@ WithWheels(const IncrementalMap & map, const OpenRegion & region)
   return graph;
 }
 
-/** The submap for a graph that has the first nodes and edges of a map. */
+/** Restricts a map to a graph that consists of its first nodes and edges. */
 CombinatorialMap
 PartOf(const CombinatorialMap & map, const Graph & graph)
 {

@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** The mirror image of `fresh` (or itself) that agrees with `carried` in more places. */
+/** `fresh` or its mirror image, whichever agrees with `carried` in more places. */
 CombinatorialMap
 TurnedTo(const IncrementalMap & carried, const CombinatorialMap & fresh);
 

@@ -53,7 +53,7 @@ CapOf(const double * center, double radius)
   return cap;
 }
 
-/** Motion with boost b and rotation w: exp of the generator, by its series; the step is short. */
+/** Motion with boost b and rotation w: exp of the generator, computed by its series, because the step is short. */
 Matrix4
 MotionOf(const Vector6 & step)
 {

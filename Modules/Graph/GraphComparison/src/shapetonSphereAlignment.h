@@ -25,7 +25,8 @@ using SphereMotion = std::array<double, 16>;
 ShapetonGraphComparison_EXPORT SphereMotion
 BestMotion(const EmbeddingCertificate & a, const EmbeddingCertificate & b, const std::vector<int> & image);
 
-/** Transforms all circles of an embedding on the sphere; a circle packing remains one. \pre The geometry is spherical.
+/** Transforms all circles of an embedding on the sphere; a circle packing remains a circle packing. \pre The geometry
+ * is spherical.
  * \ingroup ShapetonGraphComparison */
 ShapetonGraphComparison_EXPORT void
 MoveEmbedding(EmbeddingCertificate & certificate, const SphereMotion & motion);

@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** Edges from the nearest of these nodes. */
+/** Distances of all nodes from the nearest of these nodes, in edges. */
 std::vector<int>
 DistancesFrom(const CombinatorialMap & map, std::vector<int> queue)
 {
@@ -182,7 +182,7 @@ private:
   std::vector<int>                m_Next;
 };
 
-/** Marks the faces around the root, and those connected with them across edges without entering the outer face. */
+/** Marks the faces around the root, and those connected to them across edges without entering the outer face. */
 std::vector<char>
 FacesAroundRoot(const RootedMap & rooted)
 {
@@ -210,7 +210,7 @@ FacesAroundRoot(const RootedMap & rooted)
   return isFound;
 }
 
-/** Marks all faces but those connected with the outer face across edges, without entering marked faces. */
+/** Marks all faces except those connected to the outer face across edges, without entering marked faces. */
 void
 FillHoles(const CombinatorialMap & map, int outerFace, std::vector<char> & isInside)
 {

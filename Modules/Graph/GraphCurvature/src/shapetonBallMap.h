@@ -36,7 +36,7 @@ public:
   {
     return m_Distances;
   }
-  /** Smallest distance of a node of the outer face. */
+  /** Smallest distance from the root to a node of the outer face. */
   int
   DistanceOfOuterFace() const;
 
@@ -47,7 +47,7 @@ private:
   std::vector<int> m_Distances;
 };
 
-/** A disk of a planar map, and an apex in the place of everything outside, joined with each corner of its boundary. */
+/** A disk of a planar map, and an apex that replaces everything outside, joined to each corner of the boundary. */
 struct BallMap
 {
   CombinatorialMap map;
@@ -62,7 +62,7 @@ struct BallMap
 BallMap
 BallAround(const RootedMap & rooted, int radius);
 
-/** All faces connected with the root across edges without entering the outer face, and those that they enclose. */
+/** All faces connected to the root across edges without entering the outer face, and those that they enclose. */
 BallMap
 WholeDisk(const RootedMap & rooted);
 } // namespace shapeton

@@ -18,8 +18,8 @@ namespace
 {
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN(); // no result
 
-/** Hyperbolic radius of the circle of the root if the circle of the apex is the ideal boundary. The dual map is packed,
- * because horocycles are circles of faces there: the nodes adjacent to the apex. */
+/** Hyperbolic radius of the root circle if the apex circle is the ideal boundary. The dual map is packed, because the
+ * horocycles, the circles of the nodes adjacent to the apex, are face circles there. */
 double
 RadiusOfRoot(const PackedMap & packed, int root, int apex)
 {
@@ -39,7 +39,7 @@ RadiusOfRoot(const PackedMap & packed, int root, int apex)
   return packing.faceRadii[faceOf(root)];
 }
 
-/** Effective resistance between the root and the nodes joined with the apex. */
+/** Effective resistance between the root and the nodes joined to the apex. */
 double
 ResistanceOf(const BallMap & ball)
 {
@@ -95,7 +95,7 @@ Measured(const BallMap & ball)
   return measured;
 }
 
-/** 1, 2, ..., 8, then each larger by a quarter. */
+/** 1, 2, ..., 8, and then each larger than the previous one by up to a quarter. */
 std::vector<int>
 RadiiUpTo(int most)
 {
@@ -109,7 +109,7 @@ RadiiUpTo(int most)
   return radii;
 }
 
-/** What follows if the last two increments are those of a - c ratio^n. */
+/** Remaining growth extrapolated from the last two increments, assumed to be those of a - c ratio^n. */
 double
 GeometricRest(const std::vector<double> & radii, const std::vector<double> & quantities)
 {

@@ -48,7 +48,8 @@ ShortTransport::DistanceFromMark(int mark, int node) const
   return m_Marks[node] == mark ? 1 : std::any_of(m_Lists.Begin(node), m_Lists.End(node), isNear) ? 2 : LongestDistance;
 }
 
-/** There is no choice if all mass comes from, or goes to, one node: leaves, also of hubs with many of them. */
+/** Cost of the only possible transport if all mass comes from, or goes to, one node. This covers leaves, including
+ * those of large hubs. */
 std::int64_t
 ShortTransport::CostFrom(const NodeMass & single, const std::vector<NodeMass> & others)
 {
@@ -91,7 +92,7 @@ ShortTransport::Build(const MassTransfer & transfer)
   }
 }
 
-/** Lengths of shortest residual paths from the source (Bellman and Ford); returns that of the sink. */
+/** Lengths of shortest residual paths from the source (Bellman and Ford); returns the length to the sink. */
 int
 ShortTransport::FindDistances()
 {

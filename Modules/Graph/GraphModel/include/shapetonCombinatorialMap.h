@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** For each node its outgoing half-edges, counter-clockwise. \ingroup ShapetonGraphModel */
+/** For each node, its outgoing half-edges, counter-clockwise. \ingroup ShapetonGraphModel */
 using Rotation = std::vector<std::vector<int>>;
 
 /** \class RotationSystem
@@ -96,8 +96,8 @@ public:
   /** Throws InputError if `rotation` is not a rotation system of `graph`: each half-edge once, at its own node. */
   CombinatorialMap(const Graph & graph, const Rotation & rotation);
 
-  /** From the permutation of half-edges counter-clockwise around their nodes, without a list for each node. Throws
-   * InputError unless each cycle of `nextAround` consists of the half-edges of one node. */
+  /** Creates the map from the counter-clockwise permutation of half-edges around their nodes, without a list for each
+   * node. Throws InputError unless each cycle of `nextAround` consists of the half-edges of one node. */
   CombinatorialMap(int nodes, const std::vector<std::array<int, 2>> & edges, std::vector<int> nextAround);
 
   int

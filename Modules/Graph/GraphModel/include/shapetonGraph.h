@@ -26,7 +26,7 @@ struct Graph
 ShapetonGraphModel_EXPORT void
 RequireSound(const Graph & graph, const std::string & what);
 
-/** Number of bytes of a node name that a message repeats. \ingroup ShapetonGraphModel */
+/** Maximum number of bytes of a node name quoted in a message. \ingroup ShapetonGraphModel */
 constexpr std::size_t LongestName = 60;
 
 /** Name of a node, or its index as text if the graph has no names. \ingroup ShapetonGraphModel */

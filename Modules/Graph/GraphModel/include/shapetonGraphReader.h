@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** A graph with metadata of its file. \ingroup ShapetonGraphModel */
+/** A graph with metadata from its file. \ingroup ShapetonGraphModel */
 struct GraphFile
 {
   Graph graph;
@@ -35,7 +35,7 @@ struct GraphFile
 ShapetonGraphModel_EXPORT GraphFile
 ReadGraph(const std::string & path);
 
-/** Files of a folder with one graph per step, sorted by name; hidden files and .json are skipped. Throws InputError if
+/** Files in a folder with one graph per step, sorted by name; hidden files and .json are skipped. Throws InputError if
  * the folder cannot be read or does not contain graph files. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT std::vector<std::string>
                           GraphFilesOf(const std::string & folder);

@@ -46,7 +46,7 @@ ShapetonGraphModel_EXPORT std::vector<std::vector<int>>
 ShapetonGraphModel_EXPORT Subgraph
 SubgraphOfEdges(const Graph & graph, const std::vector<int> & edges);
 
-/** For each edge the first edge with the same ends, in any order; -1 for a loop. \ingroup ShapetonGraphModel */
+/** For each edge, the first edge with the same ends, in any order; -1 for a loop. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT std::vector<int>
                           FirstParallels(const Graph & graph);
 

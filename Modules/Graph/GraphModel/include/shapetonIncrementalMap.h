@@ -12,11 +12,11 @@ namespace shapeton
 /** \class IncrementalMap
  * \brief A rotation system with edge insertion and removal and incrementally updated faces.
  *
- * A corner is named by the half-edge before it, counter-clockwise: an edge inserted "after a" has its half-edge between
- * a and NextAround(a), within the face Face(a), a label in [0, FaceLabels()). Inserting an edge between two corners of
- * one face splits the face. Inserting it between two faces merges them, which adds a handle if both are in one
- * component. The shorter part is relabeled, so a change costs the length of the shorter face. Existing loops are kept,
- * but loops cannot be inserted or removed.
+ * A corner is identified by the half-edge before it, counter-clockwise: an edge inserted "after a" has its half-edge
+ * between a and NextAround(a), within the face Face(a), a label in [0, FaceLabels()). Inserting an edge between two
+ * corners of one face splits the face. Inserting it between two faces merges them, which adds a handle if both are in
+ * one component. The shorter part is relabeled, so a change costs the length of the shorter face. Existing loops are
+ * kept, but loops cannot be inserted or removed.
  *
  * \ingroup ShapetonGraphModel
  */
@@ -34,7 +34,7 @@ public:
   {
     return static_cast<int>(m_Any.size());
   }
-  /** Number of faces of the inserted edges. */
+  /** Number of faces of the map formed by the inserted edges. */
   int
   Faces() const
   {

@@ -25,9 +25,9 @@ struct SensorDevice
 /** \class SensorNetwork
  * \brief A network of moving devices with batteries that may leave the area and return (section 6.7).
  *
- * Each device moves nearly straight, with small random turns. It may leave the area by up to a tenth of the side before
- * turning around; outside, it is not in the network. Sending consumes charge. A device below a tenth of its charge
- * leaves the network until it is half charged. Two devices are linked if both are in range of each other.
+ * Each device moves nearly in a straight line, with small random turns. It may leave the area by up to a tenth of the
+ * side before turning around; outside, it is not in the network. Sending consumes charge. A device below a tenth of its
+ * charge leaves the network until it is half charged. Two devices are linked if both are in range of each other.
  *
  * The simulation is deterministic for given options. \ingroup ShapetonGraphModel */
 class ShapetonGraphModel_EXPORT SensorNetwork
@@ -66,8 +66,8 @@ private:
   std::vector<bool>         m_IsCharging;
 };
 
-/** Links between points within each other's range, as ascending pairs. With `gabriel`, only links with no other point
- * in their diametral disk. \ingroup ShapetonGraphModel */
+/** Links between points within each other's range, as ascending pairs. With `gabriel`, a link is kept only if its
+ * diametral disk contains no other point. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT std::vector<std::array<int, 2>>
 LinksBetween(const std::vector<std::array<double, 2>> & points, const std::vector<double> & reach, bool gabriel);
 } // namespace shapeton

@@ -9,7 +9,7 @@
 namespace shapeton
 {
 /** \class BlockKernel
- * \brief Reduces a 2-connected graph by its nodes of degree two and multiple edges, and restores them.
+ * \brief Removes nodes of degree two and multiple edges from a 2-connected graph, and restores them.
  *
  * Nodes of degree two are contracted into edges, and one of several parallel edges is kept, until nothing changes. The
  * result is a simple graph of minimum degree three, or one edge. Embeddings of it and of the whole block have the same

@@ -283,7 +283,7 @@ GenusAnnealing::CollectCorners(int edge)
   forCorners(node1, [](int, int & first) { first = -1; });
 }
 
-/** Edges between two corners of a face along its shorter side, up to longestWalk. */
+/** Number of edges between two corners of a face along the shorter way around it, at most longestWalk. */
 int
 GenusAnnealing::ShorterPart(int a, int b) const
 {

@@ -14,10 +14,10 @@ namespace shapeton
  * \brief Searches for a rotation system of small genus of a connected graph without loops.
  *
  * Edges are inserted one by one. Then a random edge is removed and reinserted between two corners of one face, so the
- * genus never rises. It falls if the edge had one face on both sides and now splits a face. The pair of corners is
- * drawn by heat bath: the weight of a map is the product of length^-c over its faces. This favors many short faces and
- * a few long ones, which then lose edges. The exponent c increases during the search. Moves are not rejected and do not
- * add handles, because both would cost time without reducing the genus.
+ * genus never rises. It decreases if the edge had the same face on both sides and now splits a face. The pair of
+ * corners is drawn by heat bath: the weight of a map is the product of length^-c over its faces. This favors many short
+ * faces and a few long ones, which then lose edges. The exponent c increases during the search. Moves are not rejected
+ * and do not add handles, because both would cost time without reducing the genus.
  *
  * \ingroup ShapetonGraphModel */
 class GenusAnnealing

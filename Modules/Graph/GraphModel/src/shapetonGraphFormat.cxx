@@ -64,7 +64,7 @@ StartsWith(std::string_view text, std::string_view start)
   return text.substr(0, start.size()) == start;
 }
 
-/** The format that is unambiguous by its first words. */
+/** The format if the first words identify it unambiguously. */
 const GraphFormat *
 FormatOfContent(std::string_view bytes)
 {

@@ -19,11 +19,12 @@ constexpr std::uint32_t annealingPurpose = 0x6E05A1; // of the random numbers
 // Exponents of successive searches. Sparse graphs of large genus need low exponents, complete graphs high ones: K15
 // reaches its genus of 11 only with 16. With 0 (all corners equal) a quarter more handles remain.
 constexpr int lastExponents[] = { 8, 16, 12, 6 };
-// Moves of one search at effort 1. On the Rome graphs and K15, longer searches are not better than more searches.
+// Moves of one search at effort 1. On the Rome graphs and K15, longer searches do not find better embeddings than more
+// searches.
 constexpr double movesOfAnEdge = 4000.0;
 constexpr double mostMoves = 3.0e6;
 constexpr double mostCorners = 4.0e8;
-// Otherwise a node with many neighbors would be visited once for each of them.
+// This limit is needed because a node with many neighbors would otherwise be visited once for each of them.
 constexpr double mostCornersOfBreadth = 2000.0;
 
 /** An independently searched part of the graph. */
@@ -98,7 +99,7 @@ SearchAll(std::vector<SearchPart> & parts, int restarts, const TSearch & search,
   }
 }
 
-/** Mean number of corners examined by a move, that is at both ends of an edge. */
+/** Mean number of corners examined by a move, that is, at both ends of an edge. */
 double
 CornersOfAMove(const Graph & graph)
 {

@@ -169,7 +169,7 @@ IncrementalMap::Remove(int edge)
 {
   const int one = 2 * edge;
   const int other = one + 1;
-  // Corners that remain at the ends of the edge: after these half-edges.
+  // Corners that remain at the ends of the edge, each given by the half-edge before it.
   const int  a = m_Previous[one] == one ? -1 : m_Previous[one];
   const int  b = m_Previous[other] == other ? -1 : m_Previous[other];
   const bool divides = a >= 0 && b >= 0 && m_Face[one] == m_Face[other];

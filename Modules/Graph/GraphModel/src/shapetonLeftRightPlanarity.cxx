@@ -466,7 +466,7 @@ LeftRightPlanarity::LinkLeaving(EdgeOrders & orders) const
 }
 
 /** The tree edge to a node precedes its leaving edges. A back edge to it is placed next to the tree edge of the subtree
- * that it returns from, outside of earlier ones. */
+ * that it returns from, outside earlier ones. */
 void
 LeftRightPlanarity::EmbedFrom(int root, EdgeOrders & orders)
 {

@@ -4,8 +4,8 @@ namespace shapeton
 {
 namespace
 {
-/** Adds the edges from `first` to `last` - 1 that stay planar with the kept ones. Planarity is inherited by subgraphs,
- * so a range that is planar as a whole can be kept as a whole. */
+/** Adds those edges from `first` to `last` - 1 that form a planar graph with the kept edges. Planarity is inherited by
+ * subgraphs, so a range that is planar as a whole can be kept as a whole. */
 void
 KeepPlanar(const Graph & graph, int first, int last, std::vector<int> & kept)
 {

@@ -25,7 +25,7 @@ EmbedSimple(const Graph & graph, const std::vector<int> & first, std::vector<int
   return planarity.IsPlanar();
 }
 
-/** Inserts each further parallel edge next to the first one; both bound a face of two edges. */
+/** Inserts each additional parallel edge next to the first one; both bound a face of two edges. */
 void
 AddParallels(const Graph & graph, const std::vector<int> & first, std::vector<int> & next)
 {

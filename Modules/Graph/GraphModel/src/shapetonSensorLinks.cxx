@@ -40,7 +40,7 @@ public:
     }
   }
 
-  /** Whether `test` holds for a point in the cells that a disk meets. */
+  /** Whether `test` holds for any point in the cells that a disk intersects. */
   template <typename TTest>
   bool
   Any(const Point & center, double radius, const TTest & test) const

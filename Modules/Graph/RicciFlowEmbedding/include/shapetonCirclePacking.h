@@ -45,7 +45,7 @@ struct CirclePacking
 };
 
 /** Precision of the last steps and of the layout. Along a chain of n circles around another one, errors grow as n^2:
- * some maps with thousands of nodes require extended precision, which is a few times slower.
+ * some maps with thousands of nodes require extended precision, which is several times slower.
  * \ingroup ShapetonRicciFlowEmbedding */
 enum class PackingPrecision
 {
@@ -76,8 +76,8 @@ PackCircles(const CombinatorialMap &  map,
             PackingPrecision          precision = PackingPrecision::Double,
             const Progress &          progress = {});
 
-/** Half the kite angle of two circles at the center of the first, which is finite. If the second radius is infinite, it
- * is a straight line, or with `isHorocycle` a horocycle. \ingroup ShapetonRicciFlowEmbedding */
+/** Half the kite angle of two circles at the center of the first, which is finite. If the second radius is infinite,
+ * the second circle is a straight line, or a horocycle if `isHorocycle` is set. \ingroup ShapetonRicciFlowEmbedding */
 template <typename TReal>
 TReal
 HalfKiteAngle(FlowGeometry geometry, TReal radius, TReal otherRadius, bool isHorocycle = false)

@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** Options of EmbedGraph(), what it may change, and the receiver of its progress.
+/** Options of EmbedGraph(), its permitted changes, and its progress callback.
  * \ingroup ShapetonRicciFlowEmbedding */
 struct GraphEmbeddingSettings : GraphEmbeddingOptions
 {
@@ -27,19 +27,19 @@ struct GraphEmbeddingSettings : GraphEmbeddingOptions
  * radians, hyperbolic radius, or fraction of the shorter lattice period. \ingroup ShapetonRicciFlowEmbedding */
 constexpr double smallestLegibleRadius = 1e-9;
 
-/** \brief Embeds a graph with its map by the circle packing of that map: on the unit sphere for genus 0, a flat torus
- * for genus 1, a hyperbolic surface for genus 2 or higher.
+/** \brief Embeds a graph by the circle packing of its map: on the unit sphere for genus 0, a flat torus for genus 1, a
+ * hyperbolic surface for genus 2 or higher.
  *
  * On the sphere the packing is unique up to Moebius transformations. It is normalized so that the conformal barycenter
  * of the touch points of the graph's edges is at the center, and by a rotation determined by the map, not the numbering
  * (see TurnToCanonicalPosition). A graph with several components is embedded on the connected sum of their surfaces.
  *
  * The certificate is complete except for the provenance. Throws InputError if no packing exists or none is found.
- * \pre `map` is one of `graph`. \ingroup ShapetonRicciFlowEmbedding */
+ * \pre `map` is a map of `graph`. \ingroup ShapetonRicciFlowEmbedding */
 ShapetonRicciFlowEmbedding_EXPORT EmbeddingCertificate
 EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingSettings & options = {});
 
-/** Embeds a graph with a given packed map. \pre `packed` is one of `map`, which is one of `graph`.
+/** Embeds a graph with a given packed map. \pre `packed` is a packed map of `map`, which is a map of `graph`.
  * \ingroup ShapetonRicciFlowEmbedding
  */
 ShapetonRicciFlowEmbedding_EXPORT EmbeddingCertificate

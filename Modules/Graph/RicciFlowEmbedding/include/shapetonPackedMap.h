@@ -34,24 +34,24 @@ struct PackedMap
 /** \brief The faces that prevent a circle packing: those that meet a node twice, and those that share two nodes with
  * another face, unless these nodes are the ends of one common edge.
  *
- * A map has a circle packing for its nodes and faces if it is 3-connected (Koebe, Andreev, Thurston), or, on a
- * surface of genus 1 or higher, if its universal cover is (Bobenko and Springborn, Trans. AMS 356, 2004). A map with at
- * least 4 nodes and without loops, parallel edges and such faces is 3-connected. Otherwise a vanishing residual is not
- * a proof: on K4 without an edge and on K2,3 Newton's method converges to a degenerate limit. For genus 1 or higher the
- * condition is sufficient, not necessary: some maps that use all of their handles fail it although they have a packing.
+ * A map has a circle packing for its nodes and faces if it is 3-connected (Koebe, Andreev, Thurston), or, on a surface
+ * of genus 1 or higher, if its universal cover is (Bobenko and Springborn, Trans. AMS 356, 2004). A map with at least 4
+ * nodes and without loops, parallel edges and such faces is 3-connected. Otherwise a vanishing residual is not a proof:
+ * on K4 minus an edge and on K2,3, Newton's method converges to a degenerate limit. For genus 1 or higher the condition
+ * is sufficient, not necessary: some maps that use all of their handles fail it although they have a packing.
  *
- * All such pairs are found as 4-cycles of the graph of nodes and faces, from each node of highest degree (Chiba and
+ * All such pairs are found as 4-cycles of the graph of nodes and faces, each from its node of highest degree (Chiba and
  * Nishizeki 1985), in linear time for bounded genus. \pre Triangles have no parallel edges.
  * \ingroup ShapetonRicciFlowEmbedding
  */
 struct ShapetonRicciFlowEmbedding_EXPORT FaceConflicts
 {
-  /** \param names node names for the reason; empty for their numbers. */
+  /** \param names node names to use in `reason`; empty to use node numbers. */
   explicit FaceConflicts(const CombinatorialMap & map, const std::vector<std::string> & names = {});
 
   std::vector<char> meetsANodeTwice; ///< one flag for each face
   std::vector<char> sharesTwoNodes;
-  /** Empty, or a description of which face meets which. */
+  /** Description of the first conflict; empty if there is none. */
   std::string reason;
 };
 
@@ -73,8 +73,8 @@ struct AugmentationOptions
  *
  * With Augmentation::Ring, components are joined by a dummy node in the longest face of each; loops and parallel edges
  * are subdivided by dummy nodes. A face in conflict (see FaceConflicts) is filled with rings. If it meets a node twice,
- * the first ring has one dummy for every two half-edges, or for one half-edge where two would meet a node twice.
- * Further rings have half the number of nodes each, while more than six are left; a single dummy fills the center.
+ * the first ring has one dummy for every two half-edges, or for one half-edge where two would meet a node twice. Each
+ * further ring has half as many nodes as the previous one; once at most six are left, a single dummy fills the center.
  * Radii therefore decrease by a constant factor from ring to ring, not from node to node. Triangles and faces without
  * conflict are unchanged, and therefore so is a 3-connected map. Maps of any genus are supported.
  *

@@ -13,8 +13,8 @@ namespace shapeton
 /** \brief An oriented circle on the unit sphere as a point of de Sitter space: (n, t) with |n|^2 - t^2 = 1.
  *
  * n points to the center of the cap, and t is the cotangent of its angle: the cap contains the points p with n p > t. A
- * Moebius transformation of the sphere is a linear map of these vectors. The product of two is -1 for tangent caps that
- * do not overlap and 0 for orthogonal circles. \ingroup ShapetonRicciFlowEmbedding */
+ * Moebius transformation of the sphere is a linear map of these vectors. The inner product of two of these vectors is
+ * -1 for tangent caps that do not overlap and 0 for orthogonal circles. \ingroup ShapetonRicciFlowEmbedding */
 using SphereCircle = std::array<double, 4>;
 
 /** Center of the cap, a unit vector. \ingroup ShapetonRicciFlowEmbedding */
@@ -36,7 +36,7 @@ struct SphericalPacking
 {
   std::vector<SphereCircle> nodes;
   std::vector<SphereCircle> faces;
-  /** Rounding residuals of the circles, for further transformations; empty if only doubles were used. */
+  /** Rounding residuals of the circles, for subsequent transformations; empty if only doubles were used. */
   std::vector<SphereCircle> nodeRests;
   std::vector<SphereCircle> faceRests;
   /** Touch point of the end circles of each edge, a unit vector. */
@@ -52,12 +52,13 @@ constexpr double smallestCapOfBarycenter = 1e-5;
 
 /** \brief Packs a 3-connected map of genus 0 on the unit sphere.
  *
- * A Moebius transformation moves the center of mass of the touch points of `edges` to the center of the sphere
- * (conformal barycenter; all edges are used if there are fewer than three). If a cap of a node marked in `isVisible`
- * would be smaller than smallestCapOfBarycenter, the sum of the fourth roots of cot(angle / 2) over these nodes is
- * minimized instead. This enlarges the smallest caps; larger exponents would let a single one of them displace all
- * others. The remaining freedom is a rotation. The packing is laid out again from the circle that became largest on the
- * sphere, because the transformation may enlarge a small part of the plane. Throws InputError as PackCircles() does.
+ * A Moebius transformation moves the center of mass of the tangency points of `edges` to the center of the sphere
+ * (conformal barycenter). If `edges` has fewer than three elements, all edges of the map are used. If a cap of a node
+ * marked in `isVisible` would be smaller than smallestCapOfBarycenter, the sum of the fourth roots of cot(angle / 2)
+ * over these nodes is minimized instead. This enlarges the smallest caps; larger exponents would let a single one of
+ * them displace all others. The remaining freedom is a rotation. The packing is laid out again from the circle that
+ * became largest on the sphere, because the transformation may enlarge a small part of the plane. Throws InputError as
+ * PackCircles() does.
  * \ingroup ShapetonRicciFlowEmbedding */
 ShapetonRicciFlowEmbedding_EXPORT SphericalPacking
 PackOnSphere(const CombinatorialMap &  map,

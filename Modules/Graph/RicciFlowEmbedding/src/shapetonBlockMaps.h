@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** The blocks of a map as separate maps, in one permutation. */
+/** The blocks of a map as separate maps, stored in one permutation. */
 struct BlockMaps
 {
   explicit BlockMaps(const CombinatorialMap & map);

@@ -21,7 +21,7 @@ Mix(std::uint64_t x)
   return x ^ (x >> 31);
 }
 
-/** A half-edge and a sense of rotation. */
+/** A half-edge and a direction of rotation. */
 struct Start
 {
   int  halfEdge;

@@ -36,9 +36,10 @@ constexpr double mostUncertainty = 1e-13;
 constexpr int    mostRefinements = 6;
 /** Largest change of log r in one step. */
 constexpr double longestStep = 8.0;
-/** A step covers at most this share of the way to the border of the domain. */
+/** A step covers at most this fraction of the distance to the border of the domain. */
 constexpr double insideDomain = 0.95;
-/** Ratio of residuals of a step that is not in vain, and the residual at the rounding limit. */
+/** Largest ratio of successive residuals that counts as progress, and the residual below which rounding limits
+ * progress. */
 constexpr double clearlyBetter = 0.9;
 constexpr double nearSolution = 1e-8;
 
@@ -139,7 +140,7 @@ NewtonFlow::SolveForDirection(std::vector<double> gradient)
   m_Solver.SolveInPlace(AsVector(m_Direction));
 }
 
-/** Part of the Newton step inside the domain and at most longestStep long. */
+/** The part of the Newton step that is inside the domain and at most longestStep long. */
 double
 NewtonFlow::LongestStep() const
 {

@@ -11,8 +11,8 @@
 
 namespace shapeton
 {
-/** A circle by sinh and cosh of its radius, or in Euclidean geometry by the radius and 1. The formulas of both
- * geometries are then the same. */
+/** A circle, given by sinh and cosh of its radius, or in Euclidean geometry by the radius and 1. The same formulas then
+ * hold in both geometries. */
 template <typename TReal>
 struct CircleSize
 {

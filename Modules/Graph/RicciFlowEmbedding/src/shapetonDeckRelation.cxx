@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** So many digits, because canonical words move the origin far out and back. */
+/** Many digits are needed because canonical words move the origin far out and back. */
 constexpr unsigned int digits = 320;
 using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<digits>, boost::multiprecision::et_off>;
 /** A relation with a larger residual is meaningless and is not refined. */
@@ -104,7 +104,7 @@ Product(const ExactMotions & generators, const std::vector<int> & word)
   return product;
 }
 
-/** Largest difference to plus or minus the identity. */
+/** Largest difference from plus or minus the identity. */
 double
 Deviation(const ExactMotion & motion)
 {
@@ -127,7 +127,7 @@ Conjugated(const ExactMotion & s, const Algebra & x)
   return { product.a.im, product.b.re, product.b.im };
 }
 
-/** Element 1 + x of the group near the identity, up to second order; a factor -1 is removed. */
+/** The x of a group element 1 + x near the identity, up to second order; a factor -1 is removed. */
 Algebra
 Logarithm(const ExactMotion & motion)
 {
@@ -182,7 +182,7 @@ Derivative(const ExactMotions & generators, const std::vector<int> & word)
   return columns;
 }
 
-/** One Newton step with the smallest change. */
+/** Performs the Newton step with the smallest change. */
 void
 Refine(ExactMotions & generators, const std::vector<int> & word)
 {

@@ -24,9 +24,9 @@ NodesOfLongFaces(const CombinatorialMap & map)
   return isOne;
 }
 
-/** Graph of nodes and faces, without multiple edges of a face that meets a node twice: node v is v, face f is Nodes() +
- * f. Contains only nodes that two faces in conflict may share. One of these faces is not a triangle, because two
- * triangles that share two nodes share the edge between them if there are no parallel edges. */
+/** Graph of nodes and faces, with a single edge even if a face meets a node twice: node v is v, face f is Nodes() + f.
+ * Contains only nodes that two faces in conflict may share. One of these faces is not a triangle, because two triangles
+ * that share two nodes share the edge between them if there are no parallel edges. */
 struct RadialGraph
 {
   explicit RadialGraph(const CombinatorialMap & map) : neighbors(map.Nodes() + map.Faces())
@@ -94,7 +94,7 @@ public:
     {
       m_Rank[order[i]] = static_cast<int>(i);
     }
-    // Neighbors of higher degree were processed earlier; they are last and are cut off.
+    // Neighbors of higher degree were processed earlier; they are at the end of the list and are cut off.
     for (std::vector<int> & list : m_Neighbors)
     {
       std::sort(list.begin(), list.end(), [this](int a, int b) { return m_Rank[a] > m_Rank[b]; });

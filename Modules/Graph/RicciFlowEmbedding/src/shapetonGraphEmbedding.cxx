@@ -125,7 +125,7 @@ public:
       }
     }
   }
-  /** Radius of the smallest circle; 0 without circles. */
+  /** Radius of the smallest circle; 0 if there are no circles. */
   double
   Smallest() const
   {

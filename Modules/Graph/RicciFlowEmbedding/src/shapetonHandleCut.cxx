@@ -111,7 +111,7 @@ ShortestHandleCurve(const CombinatorialMap & map)
   {
     tryRoot(static_cast<int>(face));
   }
-  // A component with handles may have been skipped.
+  // The stride may have skipped a component with handles.
   for (int face = 0; best.empty() && face < map.Faces(); ++face)
   {
     const int component = map.ComponentOfNode()[map.Node(map.FirstOfFace(face))];

@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-/** Tolerance of a verifier, relative to the largest matrix. */
+/** Tolerance of the verifier, relative to the largest matrix. */
 constexpr double worstWordResidual = 1e-6;
 
 /** Packed edges that form the edges of the graph. */
@@ -143,7 +143,7 @@ AddTorus(const CombinatorialMap & map, const Progress & progress, EmbeddingCerti
   certificate.statistics.emplace_back("wordResidual", WordResidual(generators, layout.Word()) / std::abs(lattice[0]));
 }
 
-/** With many handles the outer part of a fundamental domain is on the circle at infinity, to double precision. */
+/** With many handles, the outer part of a fundamental domain lies on the circle at infinity, to double precision. */
 void
 RequireFinite(const std::vector<PlaneMotion> & generators, int genus)
 {

@@ -104,7 +104,7 @@ DivideBadEdges(const CombinatorialMap & map, std::vector<std::vector<int>> & sub
   return builder.Build();
 }
 
-/** Start of each dummy of a ring: the indices of its first half-edges, ascending. */
+/** Parts of a boundary, one for each dummy of a ring: the index of the first half-edge of each part, ascending. */
 using RingParts = std::vector<int>;
 
 RingParts
@@ -132,7 +132,8 @@ BeginAtLeaf(std::vector<int> & boundary)
   }
 }
 
-/** Parts of at most `covered` half-edges, none of which meets a node twice. Few dummies keep the node circles large. */
+/** Parts of at most `covered` half-edges, none of which meets a node twice. Using few dummies keeps the node circles
+ * large. */
 RingParts
 SimpleParts(const MapBuilder & builder, const std::vector<int> & boundary, int covered)
 {

@@ -15,7 +15,7 @@ class RicciEnergy
 public:
   explicit RicciEnergy(const RicciUnknowns & unknowns);
 
-  /** Moves the Hessian pattern out; valid once, for a single consumer. */
+  /** Moves the Hessian pattern out; may be called only once. */
   std::vector<std::array<int, 2>>
   TakePattern()
   {

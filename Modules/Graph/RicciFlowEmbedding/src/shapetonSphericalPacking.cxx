@@ -23,7 +23,7 @@ constexpr double mostRapidity = 9.0;
 constexpr double smallRapidity = 2.0;
 constexpr int    mostLayouts = 40;
 
-/** Largest accepted layout error, and the largest error in double precision without recomputation (radians). */
+/** Largest accepted layout error, and the largest error accepted in double precision before recomputation (radians). */
 constexpr double worstTangency = 1e-9;
 constexpr double goodTangency = 5e-11;
 

@@ -18,8 +18,8 @@ struct DicomMeasurement
   std::optional<DicomCode> derivation;
   /** Whether the observer measured it; otherwise the program is named as its algorithm. */
   bool isByObserver{ false };
-  /** Whether it is shown as a line of this length (mm) in the slice of the group's center, along the rows: viewers such
-   * as OHIF take such numbers as their own measurements. */
+  /** Whether it is shown as a line of this length (mm) along the rows of the slice that contains the group's center:
+   * viewers such as OHIF treat such numbers as their own measurements. */
   bool isLine{ false };
 };
 
@@ -31,7 +31,7 @@ struct DicomEvaluation
   std::string              text;
 };
 
-/** Measurements of one object: a segment, or a place without a segment. \ingroup ShapetonDicomResults */
+/** Measurements of one object: a segment, or a position without a segment. \ingroup ShapetonDicomResults */
 struct DicomMeasurementGroup
 {
   std::string trackingID;
@@ -66,12 +66,12 @@ struct DicomMeasurementReport
 };
 
 /** Writes a Comprehensive 3D SR of the template TID 1500: the observer, an image library of all slices, and a
- * measurement group (TID 1411; TID 1501 without a segment) per measured object.
+ * measurement group per measured object (TID 1411, or TID 1501 for an object without a segment).
  *
  * The center of a group is written twice: first as a pixel position in the nearest slice, because viewers such as OHIF
  * need one, then as a point in space; a point outside the series has no pixel. The algorithm is named once per group,
- * or in a comment if the observer measured other numbers of the group, because some viewers skip numbers with an
- * algorithm of their own.
+ * or in comments if some numbers of the group are the observer's, because some viewers skip a number that names its own
+ * algorithm.
  *
  * Output is deterministic. Throws OutputError.
  * \ingroup ShapetonDicomResults */

@@ -27,11 +27,11 @@ struct DicomReportPoints
 };
 
 /** Reads the points of a Structured Report of any template: spatial points (SCOORD3D) and pixel positions in slices of
- * the source (SCOORD). A pixel position beside a spatial point of the same concept, in the same container, is the same
- * point and is skipped, as are the places of texts (OHIF). Circles, ellipses and ellipsoids are represented by their
- * centers, lines and polygons by their vertices.
+ * the source (SCOORD). A pixel position is skipped if the same container holds a spatial point with the same concept,
+ * because both are the same point. Positions of text labels (OHIF) are also skipped. Circles, ellipses and ellipsoids
+ * are represented by their centers, lines and polygons by their vertices.
  *
- * Throws InputError for a file that is not a report or contains no point, for points in another frame of reference,
+ * Throws InputError for a file that is not a report or contains no points, for points in another frame of reference,
  * and for points in images other than the slices of the source. \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT std::vector<DicomReportPoints>
                             ReadDicomReportPoints(const std::string & path, const DicomSource & source);

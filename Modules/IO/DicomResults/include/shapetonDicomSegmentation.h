@@ -39,18 +39,18 @@ struct DicomSegment
 struct DicomSegmentation
 {
   DicomInstance instance;
-  /** The number of each segment in the file, from 1; 0 for a segment without voxels, which is skipped. */
+  /** The number of each segment in the file, starting at 1; 0 for a segment without voxels, which is skipped. */
   std::vector<int> numbers;
   /** Number of voxels of each segment. */
   std::vector<std::size_t> voxels;
-  /** The center of a voxel of each segment, the nearest to its centroid, LPS, mm; undefined without voxels. */
+  /** For each segment, the center of the voxel nearest to its centroid (LPS, mm); undefined if it has no voxels. */
   std::vector<std::array<double, 3>> centers;
 };
 
 /** Formats of a segmentation. \ingroup ShapetonDicomResults */
 enum class DicomSegmentationFormat
 {
-  /** Segmentation Storage, a bit per voxel; uncompressed. */
+  /** Segmentation Storage, one bit per voxel; uncompressed. */
   Binary,
   /** The same in Deflated Explicit VR Little Endian. */
   DeflatedBinary,
@@ -60,9 +60,10 @@ enum class DicomSegmentationFormat
   DeflatedLabelMap
 };
 
-/** Writes a DICOM Segmentation. A binary one has a frame per segment and nonempty slice, and its segments may overlap.
- * A label map has a frame for each slice, of 8 bits if there are at most 255 segments, otherwise of 16. Its background,
- * 0, is the Pixel Padding Value and not a segment, because some viewers shift the colors of the segments otherwise.
+/** Writes a DICOM Segmentation. A binary file has one frame per segment and nonempty slice, and its segments may
+ * overlap. A label map has a frame for each slice, with 8 bits per pixel if there are at most 255 segments, otherwise
+ * 16. Its background, 0, is the Pixel Padding Value and not a segment, because some viewers would otherwise shift the
+ * colors of the segments.
  *
  * Frames are in the planes of the slices that they reference. Output is deterministic.
  *

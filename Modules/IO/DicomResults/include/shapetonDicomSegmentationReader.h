@@ -46,8 +46,8 @@ struct DicomSegmentationFile
   /** Excludes segments that a label map declares as background. */
   std::vector<DicomSegmentInFile> segments;
   std::vector<DicomSegmentFrame>  frames;
-  /** Pixel values that a label map has outside all segments: 0 unless declared, the Pixel Padding Value, and the
-   * numbers of segments of the type Background (125040, DCM). */
+  /** Pixel values of a label map outside all segments: 0 unless declared, the Pixel Padding Value, and the numbers of
+   * segments of the type Background (125040, DCM). */
   std::vector<int> background;
   /** Remarks for the user, one line each. */
   std::vector<std::string> notes;

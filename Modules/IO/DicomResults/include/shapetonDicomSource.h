@@ -24,8 +24,8 @@ struct DicomSource
 };
 
 /** Reads the headers of a series, which must be regular because results cannot reference the slices of a repaired
- * volume. With DicomSourceOptions::deshear, a tilted series is accepted, for reading only; the grid is then that of the
- * repair `deshear`. Throws InputError as ReadVolume() does, and if slices have no SOP Instance UID.
+ * volume. With DicomSourceOptions::deshear, a tilted series is also accepted, but only for reading results; the grid is
+ * then that of the repair `deshear`. Throws InputError as ReadVolume() does, and if slices have no SOP Instance UID.
  * \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomSource
 ReadDicomSource(const std::string & path, const DicomSourceOptions & options = {});
@@ -38,9 +38,9 @@ ShapetonDicomResults_EXPORT std::string
 /** The creation dates of a result. \ingroup ShapetonDicomResults */
 enum class DicomResultDates
 {
-  /** The dates of the source, so that equal input gives equal bytes. */
+  /** The dates of the source, so that identical input yields identical bytes. */
   Source,
-  /** The current time, in the time zone of the source if it states one, otherwise local time. */
+  /** The current time, in the time zone of the source if specified, otherwise in local time. */
   Now
 };
 

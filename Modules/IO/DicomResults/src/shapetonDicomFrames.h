@@ -20,7 +20,7 @@ struct FrameDimension
 void
 PutDimensions(DicomItem root, const DicomSeries & series, const std::optional<FrameDimension> & first);
 
-/** Dimension index of a frame: slice number `place`, from 0; `first` as in PutDimensions(). */
+/** Dimension index of a frame: slice number `place`, counted from 0; `first` as in PutDimensions(). */
 void
 PutFramePlace(DicomItem frame, const DicomSlice & slice, std::size_t place, std::vector<Uint32> first);
 } // namespace shapeton

@@ -26,7 +26,7 @@ public:
   /** 16 or 32 bits, depending on the attribute. */
   DicomItem &
   Integers(const DcmTagKey & tag, const std::vector<Uint32> & values);
-  /** For attributes of 16 bits whose sign depends on others. */
+  /** For 16-bit attributes whose signedness depends on other attributes. */
   DicomItem &
   Word(const DcmTagKey & tag, Uint16 value);
   DicomItem &

@@ -34,7 +34,7 @@ ContentOf(const DicomMeasurement & measurement, const DicomMeasurementGroup & gr
   return number;
 }
 
-/** The algorithm of the numbers, TID 4019; a comment for each number if others are the observer's. */
+/** The algorithm of the numbers, TID 4019; or, if some numbers are the observer's, a comment for each of the others. */
 std::vector<DicomContent>
 AlgorithmOf(const std::vector<DicomMeasurement> & measurements, const DicomResultHeader & header)
 {
@@ -64,7 +64,7 @@ ContentOf(const DicomEvaluation & evaluation)
                          : TextContent("CONTAINS", evaluation.name, evaluation.text);
 }
 
-/** TID 1411; TID 1501 without a segment. */
+/** TID 1411, or TID 1501 for a group without a segment. */
 DicomContent
 ContentOf(const DicomMeasurementGroup & group, const DicomSource & source, const DicomResultHeader & header)
 {

@@ -27,7 +27,7 @@ NumbersOf(DcmItem & item, const DcmTagKey & tag, std::size_t count);
 int
 WordOf(DcmItem & item, const DcmTagKey & tag);
 
-/** Item number `number` of a sequence, from 0; null if it does not exist. */
+/** Item `number` of a sequence, counted from 0; null if it does not exist. */
 DcmItem *
 ItemOf(DcmItem & item, const DcmTagKey & sequence, signed long number = 0);
 
@@ -39,8 +39,8 @@ ItemsOf(DcmItem & item, const DcmTagKey & sequence);
 DicomCode
 CodeOf(DcmItem & item, const DcmTagKey & sequence);
 
-/** Loads a file of one of these classes, leaving long values on disk; throws std::runtime_error, also for a transfer
- * syntax unknown to DCMTK. */
+/** Loads a file of one of these classes, leaving long values on disk; throws std::runtime_error, for example for a
+ * transfer syntax unknown to DCMTK. */
 void
 LoadDicomObject(DcmFileFormat & file, const std::string & path, const std::vector<std::string> & sopClassUIDs);
 
@@ -60,8 +60,8 @@ ContainedService
 MakeDicomSourceService();
 ///@}
 
-/** Calls a service that may write `sharedBytes` on a file; then calls `take` with its response and these bytes. A
- * failure becomes an InputError with the file name. */
+/** Calls a service for a file; the service may write up to `sharedBytes` bytes; then calls `take` with its response and
+ * these bytes. A failure becomes an InputError with the file name. */
 void
 ReadContained(const std::string &                                                          path,
               const char *                                                                 service,

@@ -16,7 +16,7 @@ namespace
 {
 constexpr int DeepestTree = 64; // levels; chosen, bounds the recursion for malformed reports
 
-/** A content item with coordinates, as stored in the file, and what its measurement group states. */
+/** A content item with coordinates, as stored in the file, and the statements of its measurement group. */
 struct Graphic
 {
   std::string            name;
@@ -65,7 +65,7 @@ public:
   }
 
 private:
-  /** `context` has the statements of the containing items. */
+  /** `context` contains the statements of the enclosing items. */
   void
   Visit(DcmItem & item, Graphic context, int depth)
   {
@@ -134,7 +134,7 @@ private:
     return CodeOf(item, DCM_ConceptNameCodeSequence) == DicomCode{ "TextPosition", "99CS3D", {} };
   }
 
-  /** Whether an item is in pixels and one of its siblings in space has its concept. */
+  /** Whether an item has pixel coordinates and a sibling with space coordinates has the same concept. */
   static bool
   RepeatsSpacePoint(DcmItem & item, const std::vector<DcmItem *> & siblings)
   {

@@ -37,8 +37,8 @@ StoredTextOf(DcmItem & item, const DcmTagKey & tag)
   return text.c_str();
 }
 
-/** Date and time of a source. Content Date and Time must not be empty; without a date in the source they are set to
- * 1900, the earliest year that some readers accept. */
+/** Date and time of a source. Content Date and Time must not be empty; if the source has no date, they are set to 1900,
+ * the earliest year that some readers accept. */
 std::pair<std::string, std::string>
 TimeOf(DcmDataset & dataset)
 {
@@ -54,7 +54,7 @@ TimeOf(DcmDataset & dataset)
   return { "19000101", midnight };
 }
 
-/** Date and time now, at an offset from UTC such as "+0130"; local time for any other text. */
+/** The current date and time, at an offset from UTC such as "+0130"; local time for any other text. */
 std::pair<std::string, std::string>
 CurrentTime(const std::string & offset)
 {
@@ -291,7 +291,7 @@ DicomInstance
 DicomResultObject::Save(const std::string & path, E_TransferSyntax syntax)
 {
   this->PutCodingSchemes();
-  // UIDs are derived from the bytes of the object without UIDs, and from its encoding.
+  // UIDs are derived from the bytes of the object before UIDs are added, and from its encoding.
   const std::string none = "2.25.0";
   this->Root().Text(DCM_SeriesInstanceUID, none).Text(DCM_SOPInstanceUID, none);
   SaveFile(m_File, path, EXS_LittleEndianExplicit);

@@ -33,7 +33,7 @@ public:
   /** Frame of reference of the source; for images and surfaces. */
   void
   PutFrameOfReference();
-  /** Whether pixels were compressed lossily, in this object or in the source; for images. */
+  /** Whether pixels were lossily compressed, in this object or in the source; for images. */
   void
   PutLossiness();
   /** Sets RESEARCH; for images. Reports use other flags. */

@@ -239,7 +239,7 @@ PutSegment(DicomItem item, const DicomSegment & segment, int number, const Dicom
   }
 }
 
-/** Whether segments may overlap, that is if there are several label images. */
+/** Whether segments may overlap, that is, whether there are several label images. */
 bool
 DoOverlap(const std::vector<DicomSegment> & segments)
 {

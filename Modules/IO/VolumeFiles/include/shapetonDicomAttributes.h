@@ -20,9 +20,9 @@ namespace shapeton
  * \ingroup ShapetonVolumeFiles */
 ///@{
 
-/** Configures DCMTK for a contained process: no log, and attributes of the data dictionary stored with VR UN are
- * decoded, in data sets and in sequences. Their values are implicit VR little endian in every transfer syntax
- * (PS3.5 6.2.2). Throws std::runtime_error if the data dictionary is missing. */
+/** Configures DCMTK for a contained process: no log, and known attributes stored with VR UN are decoded, in data sets
+ * and in sequences. The values of such attributes are implicit VR little endian in every transfer syntax (PS3.5 6.2.2).
+ * Throws std::runtime_error if the data dictionary is missing. */
 ShapetonVolumeFiles_EXPORT void
 PrepareDicomParsing();
 
@@ -72,14 +72,14 @@ DicomEncodingOf(DcmFileFormat & file);
 
 /** Loads a file; values of more than `maximumEagerValue` bytes stay on disk until they are accessed. Also parses
  * Deflated Image Frame Compression, which DCMTK 3.6.7 does not know; the data set then states RLE as its transfer
- * syntax, and DicomEncodingOf() states the true one. Returns the fault; empty if there is none. */
+ * syntax, and DicomEncodingOf() states the true one. Returns a description of the fault; empty if there is none. */
 ShapetonVolumeFiles_EXPORT std::string
 LoadDicomFile(DcmFileFormat & file, const std::string & path, unsigned int maximumEagerValue);
 
-/** Decodes a frame, from 0, of a loaded file into exactly `bytes` bytes. Frames of single bits must be deflated or in
- * JPEG 2000; they are packed, the first pixel in the lowest bit. Returns the bits of a decoded pixel, or 0 if they are
- * defined by the header: JPEG 2000 streams encode numbers, sometimes with more bits than Bits Stored; other encodings
- * store words. Throws std::runtime_error. */
+/** Decodes a frame (counted from 0) of a loaded file into exactly `bytes` bytes. Frames of single bits must be deflated
+ * or in JPEG 2000; they are packed, the first pixel in the lowest bit. Returns the bits of a decoded pixel, or 0 if
+ * they are defined by the header: JPEG 2000 streams encode numbers, sometimes with more bits than Bits Stored; other
+ * encodings store words. Throws std::runtime_error. */
 ShapetonVolumeFiles_EXPORT std::uint16_t
                            DecodeDicomFrame(DcmFileFormat & file, unsigned int frame, std::size_t bytes, char * pixels);
 

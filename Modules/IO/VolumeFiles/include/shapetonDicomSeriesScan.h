@@ -15,7 +15,7 @@
 
 namespace shapeton
 {
-/** \brief Defects of the files of a DICOM folder. The names are stable; programs may rely on them.
+/** \brief Defects of the files of a DICOM folder. The names are stable, so programs may rely on them.
  * \ingroup ShapetonVolumeFiles */
 enum class DicomDefectKind
 {
@@ -39,9 +39,10 @@ enum class DicomDefectKind
   unsupportedTransferSyntax,
   /** A file without a slice image: text, report, structure set, DICOMDIR, ... */
   notAnImage,
-  /** The slices of one volume have several frames of reference, an error of some de-identification tools; a remark. */
+  /** The slices of one volume have several frames of reference, an error made by some de-identification tools; a
+   * remark. */
   mixedFrameOfReference,
-  /** The slices of one volume have several patients (Patient ID), another error of such tools; a remark. */
+  /** The slices of one volume have several patients (Patient ID), another error made by such tools; a remark. */
   mixedPatient,
   /** A number of the geometry or the intensities cannot be parsed, for example because of a decimal comma. */
   malformedValue,
@@ -60,11 +61,11 @@ struct DicomDefect
 {
   DicomDefectKind kind;
   std::string     message;
-  /** Files concerned, ordered by position, then by name. */
+  /** Affected files, ordered by position, then by name. */
   std::vector<std::string> files;
-  /** Slices concerned, numbered from 1 along the normal; empty for defects of files. */
+  /** Affected slices, numbered from 1 along the normal; empty for defects of files. */
   std::vector<unsigned int> slices;
-  /** False for gaps and shear that ReadVolume() does not repair because the grid would have several times the number of
+  /** False for gaps and shear that ReadVolume() does not repair because the grid would have several times as many
    * slices. */
   bool isRepairable{ true };
 };
@@ -105,7 +106,7 @@ struct DicomPixelFormat
 struct DicomSlice
 {
   std::string file;
-  /** Frame of the file, from 0. */
+  /** Frame of the file, counted from 0. */
   unsigned int frame{ 0 };
   /** The file is multi-frame, possibly with a single frame: references to the slice include the frame number. */
   bool isMultiFrame{ false };
@@ -200,16 +201,16 @@ struct DicomScan
  *
  * Grouping: by Series Instance UID, Patient ID, Patient Position, frame of reference, orientation, size and pixel
  * spacing. Groups of one study that differ only in patient or frame of reference form one volume if they have three or
- * more slices in total and these are equidistant. The volume gets the remark mixedPatient or mixedFrameOfReference.
- * Groups are then split by an attribute of acquisition or reconstruction (acquisition number, temporal position, echo,
+ * more slices in total and these are equidistant. The volume gets the remark mixedPatient or mixedFrameOfReference. A
+ * group is then split by an attribute of acquisition or reconstruction (acquisition number, temporal position, echo,
  * b-value, stack, image type, kernel, filter, diameter, thickness, kVp, series description and others), if several of
- * these groups, each a regular grid, cover the same positions or interleave, so that each is coarser than their union.
- * Slices are ordered by Image Position (Patient) along the normal of Image Orientation (Patient); Slice Thickness,
- * Spacing Between Slices, Slice Location and Instance Number are not used.
+ * the resulting groups are regular grids that cover the same positions or interleave, that is, each is coarser than
+ * their union. Slices are ordered by Image Position (Patient) along the normal of Image Orientation (Patient); Slice
+ * Thickness, Spacing Between Slices, Slice Location and Instance Number are not used.
  *
- * Tolerances: Direction cosines: 1e-4. Pixel spacing: relative 1e-4. Positions along the normal and within the plane:
- * 1 % of the slice distance (of the pixel spacing), at least 0.01 mm if that is at most 10 % of the distance; real
- * series jitter by micrometers. Distances below 0.001 mm count as 0.
+ * Tolerances: Direction cosines: 1e-4. Pixel spacing: relative 1e-4. Positions along the normal and within the plane: 1
+ * % of the slice distance or of the pixel spacing, respectively, but at least 0.01 mm if that is at most 10 % of the
+ * distance; real series jitter by micrometers. Distances below 0.001 mm count as 0.
  *
  * Throws InputError if the path does not exist, cannot be read, or is an empty folder.
  * \ingroup ShapetonVolumeFiles */

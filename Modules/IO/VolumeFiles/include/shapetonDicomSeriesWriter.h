@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** Header values of a CT series. Strings are UTF-8, at most 64 characters (comments: 10240), without backslashes and
+/** Header values of a CT series. Strings are UTF-8, at most 64 characters (comments: 10240), without backslashes or
  * control characters.
  * \ingroup ShapetonVolumeFiles */
 struct DicomSeriesDescription
@@ -39,7 +39,7 @@ struct DicomSeriesDescription
  * seed; UIDs of the series and its images from the description, the pixels and the geometry. Dates are fixed. Output is
  * deterministic, and different images have different UIDs.
  *
- * Positions, directions and spacings are written with the 16 characters of a Decimal String, that is, at least 9
+ * Positions, directions and spacings are written as Decimal Strings of up to 16 characters, that is, with at least 9
  * significant digits.
  *
  * Throws InputError for an image or a description that a CT series cannot represent, OutputError if a file cannot
@@ -53,10 +53,10 @@ WriteDicomSeries(const itk::Image<short, 3> *   image,
  *
  * The slices are written to a hidden folder next to `folder`, and the hidden folder is then renamed in one step.
  * `folder` may be missing or empty, or it may contain only a series written by WriteDicomSeries, which is replaced and
- * then removed. A failed or interrupted run leaves the old series unchanged; the next run removes the remains of a
- * killed run.
+ * then removed. A failed or interrupted run leaves the old series unchanged; the next run removes what a killed run has
+ * left behind.
  *
- * Throws like WriteDicomSeries, and OutputError if `folder` contains anything else.
+ * Throws the exceptions of WriteDicomSeries, and OutputError if `folder` contains anything else.
  * \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT void
 WriteDicomSeriesFolder(const itk::Image<short, 3> *   image,

@@ -20,7 +20,7 @@ ShapetonVolumeFiles_EXPORT std::string
 ShapetonVolumeFiles_EXPORT std::string
                            JoinDicomValues(const std::vector<std::string> & values);
 
-/** The values of "a\b\c" without surrounding blanks; an empty list for an empty string. */
+/** The values in "a\b\c", without surrounding blanks; an empty list for an empty string. */
 ShapetonVolumeFiles_EXPORT std::vector<std::string>
                            SplitDicomValues(const std::string & text);
 
@@ -28,8 +28,8 @@ ShapetonVolumeFiles_EXPORT std::vector<std::string>
 ShapetonVolumeFiles_EXPORT std::string
                            ConcatenateTexts(const std::vector<std::string> & texts);
 
-/** "2.25." and a UUID in decimal digits (DICOM PS3.5 B.2). The UUID is a custom one (RFC 9562, version 8) from the
- * SHA-256 of the text: a function of the text. */
+/** "2.25." and a UUID in decimal digits (DICOM PS3.5 B.2). The custom UUID (RFC 9562, version 8) is computed from the
+ * SHA-256 of the text, so equal texts yield equal UIDs. */
 ShapetonVolumeFiles_EXPORT std::string
                            MakeDicomUID(const std::string & text);
 ///@}

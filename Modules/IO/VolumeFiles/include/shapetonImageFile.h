@@ -13,8 +13,8 @@ ShapetonVolumeFiles_EXPORT bool
 IsImageFile(const std::string & path);
 
 /** Reads a NRRD, NIfTI (1 or 2) or MetaImage file and sets image, identity and notes of the result. Supports
- * three-dimensional scalar images with positive finite spacing, orthogonal axes and finite voxels; a fourth dimension
- * must have size 1. Throws InputError with the file name and the defect. \ingroup ShapetonVolumeFiles */
+ * three-dimensional scalar images with positive finite spacing, orthogonal axes and finite voxel values; a fourth
+ * dimension must have size 1. Throws InputError with the file name and the defect. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT Volume
 ReadImageFile(const std::string & path);
 } // namespace shapeton

@@ -22,7 +22,7 @@ struct Volume
   std::string modality;
   /** DICOM Patient Position, for example "HFS"; empty if unknown. */
   std::string patientPosition;
-  /** DICOM Slice Thickness, mm; 0 if unknown. It may differ from the spacing of the slices. */
+  /** DICOM Slice Thickness, mm; 0 if unknown. It may differ from the slice spacing. */
   double      sliceThickness{ 0.0 };
   std::string seriesUID;
   /** "seriesInstanceUID:..." or "sha256:..." of the file. */
@@ -33,8 +33,8 @@ struct Volume
   Remarks notes;
 };
 
-/** Volume::identity of a DICOM series. For `selector`, see DicomSeries: the UID, with "#part" for a part of a mixed
- * series. \ingroup ShapetonVolumeFiles */
+/** Volume::identity of a DICOM series. `selector` is the UID, with "#part" for a part of a mixed series; see
+ * DicomSeries. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT std::string
                            IdentityOfSeries(const std::string & selector);
 

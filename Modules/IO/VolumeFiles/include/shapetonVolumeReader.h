@@ -35,8 +35,8 @@ RequireDicomImages(const DicomScan & scan, const std::string & wanted = "use the
  * its folder. Pixel Padding Value becomes the lowest other intensity of the volume.
  *
  * NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz) and MetaImage (.mha, .mhd): three-dimensional scalar images with positive
- * finite spacing, perpendicular axes and finite voxels. A fourth dimension must have size 1. Left-handed axes, as in
- * most NIfTI files, are kept.
+ * finite spacing, perpendicular axes and finite voxel values. A fourth dimension must have size 1. Left-handed axes, as
+ * in most NIfTI files, are kept.
  *
  * `progress` receives each file and each slice of a DICOM series; it may throw to abort.
  *

@@ -17,7 +17,7 @@ namespace shapeton
 using VolumeMetadata = std::vector<std::pair<std::string, std::string>>;
 
 /** Returns `path` if it is empty (no output requested) or WriteVolume can write it; throws ParameterError otherwise.
- * Use it before a long computation. \ingroup ShapetonVolumeFiles */
+ * For use before a long computation. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT const std::string &
                                  RequireVolumeName(const std::string & path);
 

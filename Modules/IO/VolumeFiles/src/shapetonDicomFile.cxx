@@ -27,7 +27,7 @@ constexpr Uint32 MaximumEagerValue = 4096;
 // Maximum decoded frame size in bytes for input of any size ...
 constexpr std::uint64_t HarmlessFrameBytes = 64u << 20;
 // ... and as a multiple of the input size. JPEG and RLE have lower ratios; only constant images in JPEG-LS or JPEG 2000
-// exceed this one.
+// exceed this limit.
 constexpr std::uint64_t MaximumCompression = 2000;
 
 // Cosines have about six digits; a larger error indicates an invalid rotation.
@@ -71,7 +71,7 @@ GetItem(DcmItem * item, const DcmTagKey & sequence, signed long number = 0)
   return item && item->findAndGetSequenceItem(sequence, found, number).good() ? found : nullptr;
 }
 
-/** Checks the signature of DICOM, because parsers guess the type of other files. */
+/** Checks for the DICOM signature, because parsers guess the type of other files. */
 enum class Signature
 {
   none,
@@ -197,8 +197,8 @@ ReadRescale(const FrameAttributes & attributes, DicomPixelFormat & pixels, std::
   }
 }
 
-/** An attribute that distinguishes acquisitions and reconstructions, in a plain image and in a functional group of an
- * enhanced image; `noAttribute` if not available there. */
+/** An attribute that distinguishes acquisitions and reconstructions: its tag in a plain image and in a functional group
+ * of an enhanced image, or `noAttribute` where it does not exist. */
 struct AcquisitionKey
 {
   DcmTagKey plain;

@@ -68,7 +68,7 @@ struct DicomFile
   std::uint16_t rows{ 0 };
   std::uint16_t columns{ 0 };
   bool          isLossy{ false };
-  /** Computed from other images, by Image Type. */
+  /** Computed from other images, according to Image Type. */
   bool isDerived{ false };
   bool isInverted{ false };
   /** The image has functional groups, so its frames are slices. */
@@ -77,11 +77,11 @@ struct DicomFile
   bool isUnsupportedTransferSyntax{ false };
   /** Description of missing data; empty for a complete file. */
   std::string truncation;
-  /** Attribute and value of an unreadable number of its geometry or intensities. The file then has no frames. */
+  /** Attribute and value of an unreadable number in its geometry or intensities. The file then has no frames. */
   std::string malformedValue;
   /** Reason why its pixels are not a slice of a volume: color, 2-D, ... */
   std::string refusal;
-  /** The refusal is due to another kind of image, not a damaged slice of a volume. */
+  /** The file was rejected because it is another kind of image, not because a slice of a volume is damaged. */
   bool isOtherObject{ false };
 
   std::vector<DicomFrame> frames;

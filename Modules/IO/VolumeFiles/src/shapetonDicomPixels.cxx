@@ -229,7 +229,7 @@ DecodeFragments(DcmDataset & dataset, const std::vector<Fragment> & fragments, s
   {
     throw std::runtime_error("its compressed pixels cannot be decoded");
   }
-  // The codec corrects the format if the bits of the compressed stream and the header differ.
+  // The codec corrects the format if the number of bits differs between the compressed stream and the header.
   if (image.GetBufferLength() != bytes)
   {
     throw std::runtime_error("its compressed pixels differ in size from the header");
@@ -238,8 +238,8 @@ DecodeFragments(DcmDataset & dataset, const std::vector<Fragment> & fragments, s
   return image.GetPixelFormat().GetBitsStored();
 }
 
-/** Requires a JPEG 2000 stream with one component of single bits and this size, which GDCM does not check. The first
- * segment of the stream (ISO/IEC 15444-1, A.5.1) has big-endian numbers. */
+/** Checks that a JPEG 2000 stream has this size and one component of single bits, because GDCM does not check it. The
+ * first segment of the stream (ISO/IEC 15444-1, A.5.1) has big-endian numbers. */
 void
 RequireStreamOfBits(const Fragment & start, std::size_t columns, std::size_t rows)
 {
@@ -285,7 +285,8 @@ DecodeFragmentsOfBits(DcmDataset & dataset, const std::vector<Fragment> & fragme
   }
 }
 
-/** Inflates a frame (RFC 1951) into exactly this number of bytes, so a false header cannot allocate more. */
+/** Inflates a frame (RFC 1951) into exactly this number of bytes, so a wrong header cannot cause a larger allocation.
+ */
 void
 InflateFragments(const std::vector<Fragment> & fragments, std::size_t bytes, char * pixels)
 {

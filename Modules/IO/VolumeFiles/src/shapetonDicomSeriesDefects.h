@@ -14,7 +14,7 @@ namespace shapeton
 std::string
 Count(std::size_t count, const std::string & noun);
 
-/** "slice 3 (im0003.dcm)" for an `index` from 0. */
+/** "slice 3 (im0003.dcm)" for an `index` counted from 0. */
 std::string
 NameOfSlice(const DicomSeries & series, unsigned int index);
 
@@ -35,8 +35,8 @@ AddDefect(DicomSeries &                     series,
           const std::string &               message,
           const std::vector<unsigned int> & indices);
 
-/** The number of consecutive series from `first` that are single slices of one Series Instance UID, for a common line
- * in the list; 1 for other series. */
+/** The number of consecutive series, starting with `first`, that are single slices with one Series Instance UID and
+ * share a line in the list; 1 for other series. */
 std::size_t
 LengthOfSingles(const std::vector<const DicomSeries *> & list, std::size_t first);
 

@@ -15,7 +15,7 @@ constexpr double AbsoluteTolerance = 0.01; // mm
 constexpr double LargestTolerance = 0.1;   // of the spacing
 constexpr double SmallestDistance = 0.001; // mm
 
-/** This many consecutive wide distances, if equal, indicate a change of the spacing rather than missing slices. */
+/** This many consecutive wide distances, if equal, indicate a change in spacing rather than missing slices. */
 constexpr unsigned int RunOfChangedSpacing = 3;
 
 double

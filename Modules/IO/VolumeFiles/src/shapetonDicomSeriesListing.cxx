@@ -16,7 +16,7 @@ namespace
 namespace fs = std::filesystem;
 using Row = std::vector<std::string>;
 
-// Tolerance of 5 degrees to name an axis after a body axis.
+// Tolerance of 5 degrees for naming an axis after a body axis.
 constexpr double AxisCosine = 0.9962;
 
 constexpr std::size_t LongestFileList = 20; // names listed; chosen

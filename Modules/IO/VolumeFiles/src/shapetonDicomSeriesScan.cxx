@@ -98,7 +98,7 @@ AreOfOnePosition(const DicomFile & a, const DicomFile & b)
   return a.patientPosition == b.patientPosition || a.patientPosition.empty() || b.patientPosition.empty();
 }
 
-/** True for images of one kind, regardless of patient and frame of reference. */
+/** True for images of the same kind, regardless of patient and frame of reference. */
 bool
 AreOfOneKind(const Item & a, const Item & b)
 {
@@ -243,7 +243,7 @@ HaveTwoVolumes(std::vector<Items> groups)
 }
 
 /** Groups items of one kind by patient and frame of reference; a single group if the differences are a flaw within one
- * volume. Two slices are not sufficient because they are always equidistant. */
+ * volume. Two slices are not sufficient because any two are equidistant. */
 std::vector<Items>
 SplitByIdentity(Items items)
 {
@@ -287,8 +287,8 @@ struct Part
   std::string distinction;
 };
 
-/** Groups interleave if their slice distance exceeds that of all slices together by more than this factor. Two
- * groups have twice the distance; the jitter of positions is a few percent. */
+/** Groups interleave if their slice distance is more than this many times that of all slices together. With two groups,
+ * it is twice as large; positions jitter by a few percent. */
 constexpr double CoarserGrid = 1.5;
 
 /** The value of an attribute; an index past the last one returns all values together. */
@@ -325,8 +325,8 @@ DistinctionOf(const Items & group, const Part & whole)
   return text;
 }
 
-/** Groups by one attribute; empty if it only numbers the steps of one scan. Separate volumes are regular grids that
- * cover the same positions or interleave. */
+/** Groups by one attribute; empty if the attribute only numbers the steps of one scan. Separate volumes are regular
+ * grids that cover the same positions or interleave. */
 std::vector<Part>
 SplitByKey(const Part & whole, const SlicesGeometry & geometry, unsigned int key)
 {
@@ -394,7 +394,7 @@ IndicesOf(const Items & items, const std::function<bool(const DicomFile &)> & is
   return indices;
 }
 
-/** Defects stated by the headers of single files. */
+/** Defects found in the headers of individual files. */
 void
 AddFileDefects(DicomSeries & series, const Items & items)
 {

@@ -12,7 +12,7 @@ namespace shapeton
 /** Deflated Image Frame Compression (Supplement 244), missing in DCMTK 3.6.7. */
 constexpr const char * DeflatedFramesUID = "1.2.840.10008.1.2.8.1";
 
-/** True for encodings with readable pixels: native ones by DCMTK, compressed ones by GDCM. */
+/** True for encodings whose pixels can be read: native ones by DCMTK, compressed ones by GDCM. */
 inline bool
 IsSupported(E_TransferSyntax syntax)
 {

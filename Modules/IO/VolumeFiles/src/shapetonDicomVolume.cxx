@@ -117,7 +117,7 @@ ReadStack(const DicomSeries & series, const Slices & slices, const Progress & pr
   return image;
 }
 
-/** Replaces NaN, which marks padding, by the lowest measured intensity. */
+/** Replaces NaN, which marks padding, with the lowest measured intensity. */
 void
 FillPadding(const DicomSeries & series, ImageType * image, Volume & volume)
 {
@@ -314,7 +314,7 @@ ResampleGaps(const DicomSeries & series,
   return image;
 }
 
-/** The UID, or a digest of the files in slice order if it was removed. */
+/** The UID or, if it was removed, a digest of the files in slice order. */
 std::string
 IdentityOf(const DicomSeries & series)
 {

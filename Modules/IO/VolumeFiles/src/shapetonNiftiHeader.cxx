@@ -27,7 +27,7 @@ using ComponentEnum = itk::ImageIOBase::IOComponentEnum;
 constexpr int Nifti1Bytes = 348;
 constexpr int Nifti2Bytes = 540;
 
-// Tolerance of half a voxel in 500; smaller deviations are rounding errors.
+// Tolerance: half a voxel in 500; smaller deviations are rounding errors.
 constexpr double RelativeSpacingTolerance = 1e-3;
 
 /** Offsets of the fields that are read. */
@@ -451,7 +451,7 @@ RequireOrthogonal(const Fields & fields, const Frame & frame)
 }
 
 /** Adds a note if qform and sform place a corner of the volume more than half a voxel apart, because programs differ in
- * their choice. */
+ * which one they use. */
 void
 NoteOtherQform(const Fields & fields, const Frame & sform, double scale, NiftiHeader & header)
 {
@@ -511,7 +511,7 @@ void
 SetGeometry(const Fields & fields, NiftiHeader & header)
 {
   const double scale = MillimetersPerUnit(fields, header);
-  // Neither is defined; uses the axes of ITK's space.
+  // If neither is defined, the axes are those of ITK's space.
   Frame frame{ { Vector(0.0), Vector(0.0), Vector(0.0) }, Vector(0.0) };
   if (fields.SformCode() > 0)
   {

@@ -65,10 +65,10 @@ CanHold(const StoredVoxels & voxels, double bytes, double values);
 void
 VerifyVoxels(const StoredVoxels & voxels, std::uint64_t bytes);
 
-/** Receives a piece of the stored bytes and its offset. */
+/** Receives a chunk of the stored bytes and its offset. */
 using TakeBytes = std::function<void(std::uint64_t place, const char * piece, std::size_t size)>;
 
-/** Passes on the first `bytes` bytes of voxels, in stored order and format, and verifies them like VerifyVoxels().
+/** Passes on the first `bytes` bytes of voxels, in stored order and format, and verifies them as VerifyVoxels() does.
  * Throws std::runtime_error. */
 void
 TakeVoxels(const StoredVoxels & voxels, std::uint64_t bytes, const TakeBytes & take);

@@ -455,7 +455,7 @@ CompressDicom(const std::string & path, const std::string & syntax)
   {
     throw std::runtime_error("cannot compress " + path);
   }
-  // gdcm::ImageWriter would replace the rescale of each frame by a common one.
+  // gdcm::ImageWriter would replace the rescale parameters of each frame with common ones.
   gdcm::File & file = reader.GetFile();
   file.GetDataSet().Replace(change.GetOutput().GetDataElement());
   file.GetHeader().SetDataSetTransferSyntax(gdcm::TransferSyntax::GetTSType(syntax.c_str()));

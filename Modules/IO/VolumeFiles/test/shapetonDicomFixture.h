@@ -128,7 +128,7 @@ CsaHeader(const std::string & count);
 void
 AddPrivate(DcmItem & item, Uint16 group, const std::string & creator, Uint16 element, const std::string & bytes);
 
-/** Replaces the transfer syntax in a file, of 19 characters: explicit little endian, or RLE. */
+/** Replaces the transfer syntax in a file, which must have 19 characters: explicit little endian, or RLE. */
 void
 StateTransferSyntax(const std::string & path, const std::string & uid);
 
@@ -147,11 +147,11 @@ SaveDicom(const DicomFixture::Files & files,
 void
 CompressDicom(const std::string & path, const std::string & syntax);
 
-/** The same for a segmentation, which GDCM does not take for an image. */
+/** The same for a segmentation, which GDCM does not consider an image. */
 void
 CompressSegmentation(const std::string & path, const std::string & syntax);
 
-/** Replaces the pixels of a file by these compressed frames, encoded as the transfer syntax states. */
+/** Replaces the pixels of a file with these compressed frames, which are encoded in this transfer syntax. */
 void
 ReplaceFrames(const std::string & path, std::vector<std::string> frames, const std::string & syntax);
 

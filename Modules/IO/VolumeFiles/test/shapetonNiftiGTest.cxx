@@ -41,7 +41,7 @@ Contains(const std::string & text, const std::string & part)
   return text.find(part) != std::string::npos;
 }
 
-/** Whether there is exactly one note, with this text. */
+/** Whether there is exactly one note, and it has this text. */
 testing::AssertionResult
 HasOnlyNote(const Volume & volume, const std::string & part)
 {

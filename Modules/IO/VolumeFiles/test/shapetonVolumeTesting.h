@@ -16,7 +16,7 @@
 
 namespace shapeton
 {
-/** A new folder of the running test. */
+/** A new folder for the running test. */
 inline std::string
 TestFolder()
 {
@@ -33,7 +33,7 @@ ScanOf(const DicomFixture::Files & files, const std::string & folder = TestFolde
   return ScanDicom(folder);
 }
 
-/** The message of the InputError of a call; fails if there is none. */
+/** The message of the InputError thrown by a call; fails if none is thrown. */
 inline std::string
 InputErrorOf(const std::function<void()> & call)
 {

@@ -11,7 +11,7 @@
 
 namespace shapeton
 {
-/** Options of MapConformally(), the metric and the receiver of progress. \ingroup ShapetonConformalFlattening */
+/** Options of MapConformally(), the metric and a progress callback. \ingroup ShapetonConformalFlattening */
 struct ConformalMapSettings : ConformalMapOptions
 {
   /** Edge lengths in another metric; empty for straight lengths. */
@@ -27,8 +27,8 @@ struct ConformalMap
    * - Rectangle, one boundary: starts at (0, 0); height over width is the geometric mean of the two moduli, and the
    * area equals the surface area.
    * - Rectangle, several boundaries: u is 0 at the outer boundary, and one turn has length `circumference`, the mean
-   *   length of the level sets of the radius. At the inner boundary u is `length`, circumference over the geometric
-   *   mean of the moduli. The cut is straight in space, not in the plane.
+   *   length of the level sets of the radius. At the inner boundary u is `length`, the circumference divided by the
+   *   geometric mean of the moduli. The cut is straight in space, not in the plane.
    * - Annulus, slit: centered at (0, 0); the annulus has the area of the surface. No vertex is duplicated. For Slit,
    *   `slitMap1`, `slitMap2`, ... are the maps with boundary 1, 2, ... as the inner circle. */
   SurfaceMesh     flat;

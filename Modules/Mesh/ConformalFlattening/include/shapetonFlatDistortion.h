@@ -77,9 +77,9 @@ QuantilesOfDilatation(const FlatDistortion & distortion, const std::vector<char>
 /** Triangle shapes in a metric (5.2.1). */
 struct TriangleQuality
 {
-  /** Histogram of faces by 2r/R, twice the inscribed over the circumscribed radius, in equal bins of [0, 1]: 1 is
-   * equilateral, 0 a needle. The last bin includes 1. (The dissertation's R/2r is at least 1; its threshold of 0.6
-   * applies to the reciprocal.) */
+  /** Histogram of faces by 2r/R, twice the inscribed radius divided by the circumscribed radius, in equal bins of [0,
+   * 1]: 1 is equilateral, 0 a needle. The last bin includes 1. (The dissertation's R/2r is at least 1; its threshold of
+   * 0.6 applies to the reciprocal.) */
   std::vector<int> histogram;
   double           mean{ 0.0 };
   /** Fraction of faces below 0.6. */

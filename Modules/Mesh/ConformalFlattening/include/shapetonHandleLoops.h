@@ -15,20 +15,21 @@ struct HandleLoop
 };
 
 /** Finds short loops that can be cut together without disconnecting the surface, shortest first. They are disjoint and
- * avoid boundaries. There is at least one if the surface has handles, except if all loops touch a boundary, and at most
- * one for each handle.
+ * avoid boundaries. If the surface has handles, there is at least one loop, unless all loops touch a boundary, and at
+ * most one for each handle.
  *
  * Each handle has two kinds of loops, around it and through it (dissertation 5.3.2). The shorter ones are found first,
  * and loops that cross them are left out. A loop is essential, that is, it does not separate the surface, if it crosses
  * one of 2 genus dual loops an odd number of times. These come from a tree of edges and a tree of faces (Eppstein,
  * Dynamic generators of topologically embedded graphs, 2003), with a disc in each boundary. The shortest essential loop
  * through a vertex closes two branches of its tree of shortest paths (Erickson and Har-Peled, Optimally cutting a
- * surface into a disk, 2004). Loops from one tree of the whole surface are shortened by trees at their own vertices,
- * which reach 3/4 of their length. The result is a local minimum: none of these trees closes a shorter one.
+ * surface into a disk, 2004). Loops from one tree of the whole surface are shortened by trees rooted at their own
+ * vertices, with a radius of 3/4 of the loop length. The result is a local minimum: none of these trees closes a
+ * shorter one.
  *
  * On a tube with the point array `arcLength`, loops around the tube are left out: those that cross an odd number of
  * times the shortest path from end to end without jumps of arcLength. Otherwise, where a tube is narrower than a
- * contact of two of its parts, the shortest loop is around the tube.
+ * contact between two of its parts, the shortest loop would run around the tube.
  *
  * \pre One oriented manifold component; otherwise throws InputError. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::vector<HandleLoop>

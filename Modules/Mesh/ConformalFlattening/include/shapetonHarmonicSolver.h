@@ -26,8 +26,8 @@ public:
   /** Throws InputError if a fixed vertex does not exist or is repeated, a component of the surface has no fixed vertex
    * (the solution would not be unique), or the factorization fails. */
   HarmonicSolver(const SurfaceLaplacian & laplacian, std::vector<int> fixedVertices, const Progress & progress = {});
-  /** \param symbolic Analyze() of the surface. It takes two thirds of the work and can be reused for any fixed vertices
-   * and any metric. */
+  /** \param symbolic Analyze() of the surface. It accounts for two thirds of the work and can be reused for any fixed
+   * vertices and any metric. */
   HarmonicSolver(const SurfaceLaplacian &      laplacian,
                  std::vector<int>              fixedVertices,
                  const SymbolicFactorization & symbolic,

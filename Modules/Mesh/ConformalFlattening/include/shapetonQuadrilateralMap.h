@@ -33,9 +33,9 @@ struct QuadrilateralMap
  * \param boundary the only boundary of the surface.
  * \param corners four boundary vertices in boundary order, in either direction. If the boundary runs clockwise, the
  * first one is kept and the others are reversed.
- * \param weightLevels for each vertex 0, or 1 to 6: how close to 1 the weights of its edges are clamped to avoid
- * flipped faces. Empty means 0 everywhere. The moduli are those of the metric in any case. Throws InputError if a
- * corner is not on the boundary, repeated or out of order, and as MakeSurfaceLaplacian() does.
+ * \param weightLevels for each vertex, how close to 1 the weights of its edges are clamped to avoid flipped faces: 1 to
+ * 6, or 0 for no clamping. Empty means 0 everywhere. The moduli are those of the metric in any case. Throws InputError
+ * if a corner is not on the boundary, repeated or out of order, and as MakeSurfaceLaplacian() does.
  * \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT QuadrilateralMap
 MapQuadrilateral(const SurfaceConnectivity & connectivity,

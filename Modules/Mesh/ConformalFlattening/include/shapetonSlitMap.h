@@ -58,8 +58,8 @@ class ShapetonConformalFlattening_EXPORT SlitMapSolver
 public:
   /** \param edgeLengths in any metric, such as that of heat diffusion.
    * \param outer index of the loop that becomes the outer circle.
-   * \param weightLevels for each vertex 0, or 1 to 6: how close to 1 the weights of its edges are clamped to avoid
-   * flipped faces. Empty means 0 everywhere. Fluxes and moduli use these weights.
+   * \param weightLevels for each vertex, how close to 1 the weights of its edges are clamped to avoid flipped faces: 1
+   * to 6, or 0 for no clamping. Empty means 0 everywhere. Fluxes and moduli use these weights.
    * \pre One oriented manifold component; the loops come from BoundaryLoopsByLength(). Throws InputError if there are
    * fewer than two loops or the outer loop does not exist, and as MakeSurfaceLaplacian() does. */
   SlitMapSolver(const SurfaceMesh &         mesh,

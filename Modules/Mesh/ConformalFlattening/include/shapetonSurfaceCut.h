@@ -11,7 +11,7 @@ namespace shapeton
 struct CutSurface
 {
   /** The faces in their original order and corner order. Source vertices keep their indices; copies of split vertices
-   * are appended, one for each further fan of faces. Point, cell and field arrays and facts are kept; vertex indices
+   * are appended, one for each additional fan of faces. Point, cell and field arrays and facts are kept; vertex indices
    * in field arrays still name a vertex at the same position. */
   SurfaceMesh mesh;
   /** For each vertex of `mesh`, the source vertex at the same position. */

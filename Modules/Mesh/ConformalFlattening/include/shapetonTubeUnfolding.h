@@ -50,7 +50,7 @@ using TubeMetric =
  * - faces still flipped after 8 maps are cut off, with the surrounding pouch where the scale is below 1e-3;
  * - finally all weights are clamped, which yields an embedding up to rounding.
  *
- * Handles always fold: faces within 3 rings of them are ignored, and pouches with handles are kept. If other
+ * Handles always cause folds: faces within 3 rings of them are ignored, and pouches with handles are kept. If other
  * faces remain flipped, the map of the last surface with the fewest of them is returned.
  *
  * A map with the published conjugate may fold anywhere, so it is computed only once.

@@ -11,7 +11,7 @@ namespace shapeton
 namespace
 {
 
-/** Points of the annulus of the given area (mm). \equation{5.17} from the real and imaginary part of its logarithm. */
+/** Points of the annulus of the given area (mm). \equation{5.17} from the real and imaginary parts of its logarithm. */
 Eigen::MatrixX2d
 PlacesInAnnulus(const SlitMap & map, double area)
 {

@@ -265,7 +265,7 @@ MapOnce(const SurfaceMesh &          mesh,
   return map;
 }
 
-/** Recomputes a map with avoidable flips, with weights clamped at flipped faces and finally everywhere. */
+/** Recomputes a map that has avoidable flips, clamping the weights at flipped faces and finally everywhere. */
 ConformalMap
 MapSoundSurface(const SurfaceMesh &          mesh,
                 const SurfaceConnectivity &  connectivity,

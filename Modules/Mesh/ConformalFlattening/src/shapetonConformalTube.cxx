@@ -141,7 +141,7 @@ private:
     const bool isFinal = m_Options.conjugate == TubeConjugate::Published || !m_Options.cutCurve.empty();
     if (m_Map.saddles == 0 && !isFinal)
     {
-      // Without handles any path works; the cut is recomputed after v.
+      // Without handles any path works; the cut is recomputed once v is known.
       const std::vector<int> path = AscendingPath(m_Graph, m_Ends, m_Map.u);
       if (!path.empty())
       {

@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** For each vertex the number of its boundary loop from 1; 0 inside. */
+/** For each vertex, the number of its boundary loop, counted from 1; 0 inside. */
 std::vector<int>
 EndOfVertices(const SurfaceConnectivity & connectivity)
 {

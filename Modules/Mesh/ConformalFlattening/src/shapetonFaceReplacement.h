@@ -35,7 +35,7 @@ FillHoles(SurfaceMesh &                         mesh,
 int
 NumberOfFilledFaces(const std::vector<HoleFilling> & fillings);
 
-/** Deletes further faces until each interior vertex has a single fan. */
+/** Deletes additional faces until each interior vertex has a single fan. */
 void
 OpenPinches(const FaceMatrix & F, const SurfaceConnectivity & connectivity, std::vector<char> & isDeleted);
 

@@ -18,10 +18,11 @@ namespace
 {
 constexpr int mostShortenings = 50; // per loop
 constexpr int placesOnLoop = 4;     // vertices of a loop whose trees shorten it
-/** Radius of these trees, relative to the loop. Half reaches all shorter loops through the vertex; more also reaches
- * loops next to it. */
+/** Radius of these trees, relative to the loop. One half is enough to reach all shorter loops through the vertex; a
+ * larger radius also reaches loops next to it. */
 constexpr double reach = 0.75;
-/** Loops are shortened by at least this fraction of their length, so that rounding cannot continue it forever. */
+/** Loops are shortened by at least this fraction of their length, so that rounding errors cannot cause endless
+ * shortening. */
 constexpr double leastGain = 1e-9;
 
 /** Tree of shortest paths from a vertex, which avoids boundaries; reused for many vertices. */

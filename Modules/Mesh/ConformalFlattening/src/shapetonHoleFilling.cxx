@@ -87,7 +87,7 @@ TriangulateHole(const std::vector<int> &    loop,
                 const SurfaceConnectivity & connectivity,
                 int                         firstVertex)
 {
-  // Surface faces follow the loop direction, filling faces are opposite.
+  // Surface faces follow the loop direction; filling faces run in the opposite direction.
   const std::vector<int>       rim(loop.rbegin(), loop.rend());
   std::vector<Eigen::Vector3d> points;
   std::vector<double>          scales;

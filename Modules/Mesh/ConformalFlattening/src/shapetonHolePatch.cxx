@@ -164,7 +164,7 @@ HolePatch::HasEdge(int a, int b) const
   });
 }
 
-/** Flips the edge a b of the faces a b c and b a d to c d if the angles at c and d sum to more than 180 degrees. */
+/** Replaces the edge a b of the faces a b c and b a d by c d if the angles at c and d sum to more than 180 degrees. */
 bool
 HolePatch::FlipIfBetter(int face, int k)
 {

@@ -11,9 +11,9 @@ namespace shapeton
 /** \class LoopHomology
  * \brief Classes of closed paths of edges modulo 2, on a surface with a disc in each boundary.
  *
- * A basis of 2 genus dual loops comes from a tree of edges and a tree of faces (Eppstein 2003). The class of a closed
- * path has a bit for each of them: the parity of the crossings. A simple path separates the surface if its class is 0;
- * disjoint ones together do so if their classes are linearly dependent. */
+ * A basis of 2g dual loops (g is the genus) comes from a tree of edges and a tree of faces (Eppstein 2003). The class
+ * of a closed path has a bit for each of them: the parity of the crossings. A simple path separates the surface if its
+ * class is 0; disjoint ones together do so if their classes are linearly dependent. */
 class LoopHomology
 {
 public:

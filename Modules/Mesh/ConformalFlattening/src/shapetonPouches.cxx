@@ -66,7 +66,7 @@ ScalesOfStars(const SurfaceMesh & mesh, const SurfaceMesh & flat)
   return (flatAreas.array() / areas.array()) * (areas.sum() / flatAreas.sum());
 }
 
-/** For each face the representative of its part: faces of one kind joined by edges. */
+/** For each face, the representative of its part: faces of one kind joined by edges. */
 std::vector<int>
 PartsOfFaces(const SurfaceConnectivity & connectivity, const FaceMarks & kind)
 {
@@ -277,7 +277,7 @@ NumbersOfCapsLeft(const std::vector<int> & partOfCap)
   return numbers;
 }
 
-/** For each hole filling the part of the replaced faces. */
+/** For each hole filling, the part that contained the replaced faces. */
 std::vector<int>
 PartsOfFillings(const SurfaceConnectivity & connectivity,
                 const FaceReplacement &     replacement,

@@ -17,8 +17,8 @@ namespace
 {
 constexpr int mostCuts = 5;          // maximum number of removals
 constexpr int ringsAroundHandle = 3; // of faces; flips within them are attributed to the handle
-/** With handles, the number of maps without fewer flips before another remedy is tried. Flips come and go there, as the
- * folds of handles change with the weights. */
+/** On surfaces with handles, the number of maps that do not reduce the flips before another remedy is tried. Flips near
+ * handles come and go because their folds change with the weights. */
 constexpr int          mostInVain = 2;
 constexpr const char * wallPointName = "wallPointId";
 

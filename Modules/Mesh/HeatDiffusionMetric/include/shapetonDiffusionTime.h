@@ -13,7 +13,7 @@ namespace shapeton
 ShapetonHeatDiffusionMetric_EXPORT double
 MeanEdgeAt55000Faces(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & edgeLengths);
 
-/** \name Mesh and diffusion time for a tube, by its narrowest radius r in mm
+/** \name Mesh and diffusion time for a tube with the smallest radius r in mm
  * With mean edge length h, mesh noise requires t >= h^2 and shape preservation t <= 1.3 r^2 (measured on patient
  * walls). Throw InputError if the radius is not positive; infinity is allowed if there is no lumen.
  * \ingroup ShapetonHeatDiffusionMetric */

@@ -19,13 +19,12 @@ struct HeatDiffusionMetric
   double time{ 0.0 };
   /** Number of eigenpairs; 0 for all of them (without computing any). */
   int eigenpairs{ 0 };
-  /** Bound of |r(x) - exp(-x)| (1 + x)^2 over all x >= 0, where r is the rational function; 0 if none was used. */
+  /** Bound on |r(x) - exp(-x)| (1 + x)^2 over all x >= 0, where r is the rational function; 0 if none was used. */
   double rationalError{ 0.0 };
   /** Edges with a distance below 1e-6 of the heat at their ends, as at the tip of a needle. Rounding leaves no valid
-   * digits, so the edges are set to that
-   * length, an upper bound of the true one. Also counts edges lengthened by
-   * LengthenShortestSides() because they were too short for the adjacent triangles within the error. An edge may count
-   * twice. */
+   * digits, so these edges are set to that length, an upper bound on the true one. Also counts edges that
+   * LengthenShortestSides() lengthened because an error made them too short for the adjacent triangles. An edge may
+   * count twice. */
   int drownedEdges{ 0 };
 };
 
@@ -34,11 +33,11 @@ struct HeatDiffusionMetric
  *
  * The squared distance is H_pp + H_qq - 2 H_pq with H = exp(-2 t M^-1 L) M^-1 (5.5, all pairs). The exponential is
  * replaced by a rational function: a sum over a few complex poles, in conjugate pairs, of c / (z + 2 t M^-1 L). So H =
- * Re sum c (z M + 2 t L)^-1, and SelectedInversion computes its elements on edges and diagonal. Such sums are known
- * from quadrature on Talbot's contour and from Caratheodory-Fejer approximations (Trefethen, Weideman and Schmelzer,
- * 2006). Squared distances are orders of magnitude smaller than H at t = 0, which magnifies approximation errors at
- * large x. Therefore poles and residues are optimized with the weight (1 + x)^2: for a smooth spectrum the relative
- * error is independent of t and of the edge lengths, and 6 pairs are more accurate than 8 on Talbot's contour.
+ * Re sum c (z M + 2 t L)^-1, and SelectedInversion computes its elements on the edges and the diagonal. Such sums are
+ * known from quadrature on Talbot's contour and from Caratheodory-Fejer approximations (Trefethen, Weideman and
+ * Schmelzer, 2006). Squared distances are orders of magnitude smaller than H at t = 0, which magnifies approximation
+ * errors at large x. Therefore poles and residues are optimized with the weight (1 + x)^2: for a smooth spectrum the
+ * relative error is independent of t and of the edge lengths, and 6 pairs are more accurate than 8 on Talbot's contour.
  *
  * A solver can be reused; it stores the elimination order and the symbolic analysis.
  *
@@ -85,7 +84,7 @@ private:
 ShapetonHeatDiffusionMetric_EXPORT HeatDiffusionMetric
 ComputeHeatDiffusionMetric(const SurfaceMesh & mesh, double t, const Progress & progress = {});
 
-/** Metric of a surface with this Laplacian that satisfies the triangle inequality in all faces. Deep within pouches,
+/** Metric of a surface with this Laplacian; it satisfies the triangle inequality in all faces. Deep within pouches,
  * distances may be as small as the error of the default number of poles and violate it; then mostPoles is used, and
  * LengthenShortestSides() fixes the remaining faces. \ingroup ShapetonHeatDiffusionMetric */
 ShapetonHeatDiffusionMetric_EXPORT HeatDiffusionMetric

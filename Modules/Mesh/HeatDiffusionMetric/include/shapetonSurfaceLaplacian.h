@@ -31,11 +31,11 @@ struct SurfaceLaplacianOptions
 };
 
 /** \class SurfaceLaplacian
- * \brief Cotangent stiffness L and lumped mass M of a triangle surface: the operator -div grad is M^-1 L.
- * L is symmetric, positive semidefinite and has row sums 0 (natural, that is Neumann boundaries); u^T L u is the
- * integral of |grad u|^2 for the piecewise linear u (Pinkall and Polthier, 1993; dissertation 5.2.1 with the sign of
- * the forward heat equation). An edge weight is half the sum of the cotangents of the opposite angles. It is negative
- * if these sum to more than 180 degrees; L stays semidefinite; only the maximum principle is lost.
+ * \brief Cotangent stiffness L and lumped mass M of a triangle surface: the operator -div grad is M^-1 L. L is
+ * symmetric, positive semidefinite and has row sums 0 (natural, that is, Neumann boundaries); u^T L u is the integral
+ * of |grad u|^2 for the piecewise linear u (Pinkall and Polthier, 1993; dissertation 5.2.1 with the sign of the forward
+ * heat equation). An edge weight is half the sum of the cotangents of the opposite angles. It is negative if these
+ * angles sum to more than 180 degrees; L remains semidefinite, and only the maximum principle is lost.
  *
  * L depends only on edge lengths, so any metric on the surface has a Laplacian. Vertices and edges are numbered as in
  * SurfaceConnectivity. L is dimensionless; M is in mm^2.

@@ -9,16 +9,16 @@ namespace shapeton
 {
 namespace
 {
-/** Cap of the mean edge in the default time (mm). */
+/** Upper limit of the mean edge length used for the default time (mm). */
 constexpr double greatestEdge = 3.0;
-/** Bounds of the number of faces of a colon. */
+/** Bounds on the number of faces of a colon. */
 constexpr double usualFaces = 55000.0;
 constexpr double mostFaces = 500000.0;
 /** Diffusion time in squared mean edges: loops of about eight edges vanish. */
 constexpr double timeOfHandles = 8.0;
-/** Diffusion time in squared narrowest radii: the default, and the longest one. Beyond it the angular shape of a tube
- * of this radius vanishes. On a real colon, noise of the mesh needs at least one squared mean edge, and the shape at
- * most 1.3. */
+/** Default and maximum diffusion time, in squared smallest radii. Beyond the maximum, the angular shape of a tube of
+ * this radius vanishes. On a real colon, removing mesh noise requires at least one squared mean edge, and preserving
+ * the shape at most 1.3 squared radii. */
 constexpr double timeOfTube = 0.6;
 constexpr double longestTimeOfTube = 1.3;
 

@@ -15,7 +15,7 @@ struct ExponentialPoles
     std::complex<double> residue;
   };
   std::vector<Term> terms;
-  /** Bound of |r(x) - exp(-x)| (1 + x)^2. */
+  /** Bound on |r(x) - exp(-x)| (1 + x)^2. */
   double error;
 };
 

@@ -12,8 +12,8 @@ namespace
 {
 /** Below this fraction of H_pp + H_qq a difference has no valid digits. */
 constexpr double rounding = 1e-12;
-/** Allowed fraction of such edges. Sound surfaces have some at needle tips; a larger fraction means that the time is
- * too long. */
+/** Allowed fraction of such edges. Sound surfaces have some such edges at needle tips; a larger fraction means that the
+ * time is too long. */
 constexpr double mostOfDrowned = 1e-3;
 
 void

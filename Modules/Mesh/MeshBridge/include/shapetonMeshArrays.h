@@ -12,7 +12,7 @@
 
 namespace shapeton
 {
-/** ITK 5.4 and later requires this operator for all values of a MetaDataDictionary. \ingroup ShapetonMeshBridge */
+/** ITK 5.4 and later require this operator for all values of a MetaDataDictionary. \ingroup ShapetonMeshBridge */
 inline bool
 operator==(const SurfaceArray & left, const SurfaceArray & right)
 {

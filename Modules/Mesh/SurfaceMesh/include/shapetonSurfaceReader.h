@@ -32,7 +32,7 @@ struct SurfaceFile
 /** Reads VTP, STL (text and binary), OBJ, PLY (text and binary), OFF, glTF 2.0 and GLB. The format is chosen by the
  * file extension, case-insensitively.
  *
- * - Polygons are triangulated (ear cutting), and triangle strips and fans are split; points and lines are skipped with
+ * - Polygons are triangulated (ear clipping), and triangle strips and fans are split; points and lines are skipped with
  *   a note.
  * - STL stores corners only, and glTF repeats vertices along seams: vertices at equal positions are merged. Other
  *   formats keep their vertices.
@@ -63,10 +63,10 @@ struct Surface
 };
 
 /** Reads a file and selects one part and component. Components of equal size are numbered in the order of their first
- * faces, and counted as after RepairSurface(): pieces joined along a seam (two boundaries of coincident vertices) are
- * one, and surfaces are cut at edges with more than two faces. Throws InputError as ReadSurfaceFile() does. Also throws
- * InputError, listing the choices, if the part or component is unknown, or if several exist and none was chosen. Throws
- * ParameterError for a component below -1. \ingroup ShapetonSurfaceMesh */
+ * faces, and counted as in the result of RepairSurface(): pieces joined along a seam (two boundaries of coincident
+ * vertices) are one, and surfaces are cut at edges with more than two faces. Throws InputError as ReadSurfaceFile()
+ * does. Also throws InputError, listing the choices, if the part or component is unknown, or if several exist and none
+ * was chosen. Throws ParameterError for a component below -1. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT Surface
 ReadSurface(const std::string & path, const SurfaceReadOptions & options = {});
 

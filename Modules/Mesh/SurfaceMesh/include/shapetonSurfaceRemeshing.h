@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Options of RemeshSurface() and the receiver of its progress. \ingroup ShapetonSurfaceMesh */
+/** Options of RemeshSurface() and its progress callback. \ingroup ShapetonSurfaceMesh */
 struct SurfaceRemeshingSettings : SurfaceRemeshingOptions
 {
   /** Receives the completed fraction, from 0 to 1. */

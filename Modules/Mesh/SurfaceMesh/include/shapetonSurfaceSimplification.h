@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Options of SimplifySurface() and the receiver of its progress. \ingroup ShapetonSurfaceMesh */
+/** Options of SimplifySurface() and its progress callback. \ingroup ShapetonSurfaceMesh */
 struct SurfaceSimplificationSettings : SurfaceSimplificationOptions
 {
   /** Receives the completed fraction, from 0 to 1. */

@@ -52,7 +52,7 @@ UpdateOnOneThread(vtkFlyingEdges3D * contour)
   vtkSMPTools::LocalScope(vtkSMPTools::Config(std::string("Sequential")), [contour] { contour->Update(); });
 }
 
-/** For each vertex the lowest vertex of its component. */
+/** For each vertex, the lowest vertex of its component. */
 std::vector<int>
 ComponentOfVertices(const SurfaceMesh & mesh)
 {

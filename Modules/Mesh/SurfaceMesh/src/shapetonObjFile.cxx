@@ -56,7 +56,7 @@ public:
   }
 
 private:
-  // "7", "7/1", "7//3", "7/1/3"; from 1, or negative: relative to the last vertex.
+  // "7", "7/1", "7//3", "7/1/3"; counted from 1; negative indices are relative to the last vertex.
   void
   ReadFace()
   {

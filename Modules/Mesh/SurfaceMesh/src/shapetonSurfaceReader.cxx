@@ -185,8 +185,8 @@ FacesKept(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
   return kept;
 }
 
-/** Faces of each component, largest component first. Components as after RepairSurface(): faces are connected by edges
- * with two faces and by seams, but not by edges with more faces. */
+/** Faces of each component, largest component first. Components as returned by RepairSurface(): faces are connected
+ * across seams and edges of two faces, but not across edges of more faces. */
 std::vector<std::vector<int>>
 FacesOfComponents(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
 {

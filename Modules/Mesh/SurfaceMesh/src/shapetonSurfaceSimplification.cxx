@@ -356,7 +356,7 @@ Simplifier::ForEachFaceAt(int u, int v, const TVisit & visit) const
   }
 }
 
-/** Whether all remaining faces keep their orientation and angle limit. */
+/** Whether all remaining faces keep their orientation and satisfy the angle limit. */
 bool
 Simplifier::KeepsShape(int u, int v, const Eigen::Vector3d & place) const
 {

@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** Normal vector, with the length of twice the area. */
+/** Normal vector whose length is twice the area. */
 inline Eigen::Vector3d
 DoubleAreaNormal(const Eigen::Vector3d & a, const Eigen::Vector3d & b, const Eigen::Vector3d & c)
 {

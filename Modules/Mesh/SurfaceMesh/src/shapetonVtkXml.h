@@ -27,8 +27,8 @@ struct VtkXmlElement
 /** \class VtkXml
  * \brief Elements of a VTK XML file and values of its arrays: text, base64 and appended, raw and compressed.
  *
- * https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html. Unlike VTK's reader, validates all values
- * VTK's own reader (9.1) leaves values undefined where base64 data break off, ignores surplus values, and rejects array
+ * https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html. Validates all values, unlike VTK's own
+ * reader (9.1), which leaves values undefined where base64 data break off, ignores surplus values, and rejects array
  * names with "&", which VTK's writer does not escape. Throws InputError.
  */
 class VtkXml

@@ -22,8 +22,8 @@ public:
    * \pre The surface is manifold and consistently oriented, without degenerate faces. */
   IntrinsicTriangulation(const FaceMatrix & F, const SurfaceConnectivity & connectivity);
 
-  /** The double of a surface: a mirrored copy is glued to its boundaries. Side s of the surface has the mirrored side
-   * 3 (faces + s / 3) + 2 - s % 3. Further vertices and edges are numbered in the order of their originals. */
+  /** The double of a surface: a mirrored copy is glued to its boundaries. Side s of the surface has the mirrored side 3
+   * (faces + s / 3) + 2 - s % 3. The additional vertices and edges are numbered in the order of their originals. */
   static IntrinsicTriangulation
   Double(const FaceMatrix & F, const SurfaceConnectivity & connectivity);
 
@@ -95,8 +95,9 @@ public:
   FaceMatrix
   Faces() const;
 
-  /** Replaces the diagonal a b of the quadrilateral a d b c by d c: the face a b c of `side` becomes d c a, the face
-   * b a d of its twin c d b. Other sides move to other places of the two faces. Lengths are not known here.
+  /** Replaces the diagonal a b of the quadrilateral a d b c by d c: the face a b c of `side` becomes d c a, and the
+   * face b a d of its twin becomes c d b. Other sides move to other places in the two faces. Lengths are not stored
+   * here.
    * \pre The side has a twin in another face. */
   void
   Flip(int side);

@@ -9,10 +9,11 @@ namespace shapeton
 {
 namespace
 {
-/** Edges within this of the Delaunay condition are not flipped; above rounding errors, so that flips end. */
+/** Edges within this tolerance of the Delaunay condition are not flipped; it exceeds rounding errors, so that flipping
+ * ends. */
 constexpr double flipTolerance = 1e-12;
 
-/** Cosine of the angle opposite to side e of a triangle with the further sides a and b; also defined if the triangle
+/** Cosine of the angle opposite to side e of a triangle with the other sides a and b; also defined if the triangle
  * inequality fails. */
 double
 OppositeCosine(double e, double a, double b)

@@ -37,8 +37,8 @@ public:
   int
   MakeDelaunay();
 
-  /** Makes `u` current, one value per vertex. Returns false if an edge or a face violates its inequality; then only
-   * further calls are allowed. */
+  /** Applies `u`, one value per vertex. Returns false if an edge or a face violates its inequality; then only further
+   * calls of SetFactors() are allowed. */
   bool
   SetFactors(const Eigen::VectorXd & u);
 
@@ -111,14 +111,14 @@ private:
   int                                m_Changes{ 0 };
 };
 
-/** The other diagonal of the quadrilateral around the edge of a side by Ptolemy's relation, for chords or Penner
- * coordinates of the edges. */
+/** Length of the other diagonal of the quadrilateral around a side's edge by Ptolemy's relation, for edge lengths that
+ * are chords or Penner coordinates. */
 double
 PtolemyDiagonal(const IntrinsicTriangulation & triangulation, const Eigen::VectorXd & lengths, int side);
 
 /** Inversive distances of circles around the vertices, and log r or log tanh(r / 2). The radius of a vertex is the mean
- * over its faces of half the two adjacent sides minus half the opposite one (Chow and Luo 2003, as in Zeng and Gu
- * 2013). */
+ * over its faces of (a + b - c) / 2 with the adjacent sides a and b and the opposite side c (Chow and Luo 2003, as in
+ * Zeng and Gu 2013). */
 struct InversivePacking
 {
   Eigen::VectorXd distances;

@@ -14,8 +14,8 @@ namespace
 {
 constexpr int mostSteps = 200;   // 5 to 40 are usual
 constexpr int mostHalvings = 40; // of a step; chosen, 2^-40 of it has no effect
-/** Largest change of u in one step, that is, of the logarithm of a length. Longer steps start far from the region where
- * the quadratic model holds, and cause many flips. From 2 to 10 the number of steps hardly changes. */
+/** Largest change of u in one step, that is, of the logarithm of a length. Longer steps occur only far from the region
+ * where the quadratic model holds, and they cause many flips. From 2 to 10 the number of steps hardly changes. */
 constexpr double longestStep = 5.0;
 
 class Newton
@@ -124,8 +124,8 @@ private:
     return { std::min(a, b), std::max(a, b) };
   }
 
-  /** The larger unknown and the number of each edge between two different ones, in buckets by the smaller unknown; also
-   * resets the kinds of all edges. */
+  /** For each edge between two different unknowns, the larger unknown and the edge number, in buckets by the smaller
+   * unknown; also resets the kinds of all edges. */
   std::vector<std::array<int, 2>>
   EdgesByFirstUnknown(std::vector<int> & begin)
   {

@@ -21,7 +21,7 @@ struct RicciUnknowns
   int gauge{ -1 };
 };
 
-/** Largest errors of a curvature (radians): where the flow ends, and where it may end if rounding errors prevent
+/** Largest curvature errors (radians) at which the flow ends, and at which it may end if rounding errors prevent
  * further progress. */
 struct RicciTolerance
 {
@@ -38,9 +38,9 @@ struct RicciSolution
 };
 
 /** Minimizes the convex energy with the gradient curvature - target by Newton's method. A step is halved until the
- * slope of the energy at its end is negative, or at most half the initial descent in size with a smaller gradient. On
- * return, the factors of the solution are current in `metric`. Throws InputError if no step helps or the Hessian is not
- * positive definite. */
+ * slope of the energy at its end is negative, or the gradient is smaller and the slope at most half the initial
+ * descent. On return, `metric` has the factors of the solution. Throws InputError if no step helps or the Hessian is
+ * not positive definite. */
 RicciSolution
 SolveForCurvature(ConformalMetric &       metric,
                   const RicciUnknowns &   unknowns,

@@ -64,7 +64,7 @@ MakePathTree(const std::vector<std::vector<std::array<int, 2>>> & neighbors,
   return tree;
 }
 
-/** Interior edges that neither the tree of paths contains nor a tree of faces crosses. */
+/** Interior edges that are neither in the tree of paths nor crossed by a tree of faces. */
 std::vector<int>
 GeneratorsOf(const PathTree & tree, const SurfaceConnectivity & connectivity, const Eigen::VectorXd & lengths)
 {

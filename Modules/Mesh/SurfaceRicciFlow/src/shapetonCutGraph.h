@@ -8,7 +8,7 @@ namespace shapeton
 /** Edges that open a surface to a disk. */
 struct CutGraph
 {
-  /** For each edge, whether it is cut; no boundary edges. */
+  /** For each edge, whether it is cut; boundary edges are not. */
   std::vector<char> isCut;
   /** 2 genus edges; crossing them from the disk generates, with the boundaries, the fundamental group. */
   std::vector<int> generators;

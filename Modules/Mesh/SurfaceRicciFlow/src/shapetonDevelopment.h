@@ -14,7 +14,7 @@ using PlanePoint = std::complex<double>;
 double
 DistanceInPlane(RicciGeometry geometry, PlanePoint a, PlanePoint b);
 
-/** Whether a, b, c are counterclockwise, with an area of more than rounding errors. */
+/** Whether a, b, c are counterclockwise, with an area above rounding errors. */
 bool
 IsCounterclockwise(RicciGeometry geometry, PlanePoint a, PlanePoint b, PlanePoint c);
 
@@ -27,8 +27,8 @@ std::vector<PlanePoint>
 ChartsOfFaces(const IntrinsicTriangulation & triangulation, const Eigen::VectorXd & lengths, RicciGeometry geometry);
 
 /** Undoes flips in reverse order and moves the places along: each quadrilateral is developed in the chart of one of its
- * faces, where both diagonals are straight. A diagonal outside of a quadrilateral that is not convex gives a face of
- * the other orientation. */
+ * faces, where both diagonals are straight. In a nonconvex quadrilateral, a diagonal outside yields a face with the
+ * opposite orientation. */
 void
 UndoFlips(const std::vector<int> &  flips,
           RicciGeometry             geometry,

@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** Topology of a surface that matters to a flow. */
+/** Topological properties of a surface that matter to a flow. */
 struct RicciTopology
 {
   int  characteristic{ 0 };

@@ -34,7 +34,7 @@ SidesFrom(const IntrinsicTriangulation & triangulation, int vertex)
   return sides;
 }
 
-/** Number of edges to the nearest of the vertices. */
+/** Number of edges from each vertex to the nearest of the given vertices. */
 std::vector<int>
 StepsFrom(const IntrinsicTriangulation & triangulation, std::vector<int> vertices)
 {
@@ -106,7 +106,8 @@ FlowToCones(IntrinsicTriangulation & triangulation,
   return solution;
 }
 
-/** Vertices with distinct neighbors and not close to the cones, those whose faces have the best worst shape first. */
+/** Vertices with distinct neighbors and not close to the cones, sorted by the worst face shape at each vertex, best
+ * first. */
 std::vector<int>
 CandidatesForInfinity(const IntrinsicTriangulation & triangulation,
                       const Eigen::VectorXd &        lengths,
@@ -237,8 +238,8 @@ struct FlatSphere
   int                    infinity{ -1 };
 };
 
-/** Flattens the triangulation without the vertex at infinity until the neighbors of that are convex. Throws InputError
- * if this fails. Adds steps and flips. */
+/** Flattens the triangulation without the vertex at infinity until the neighbors of that vertex are convex. Throws
+ * InputError if this fails. Adds steps and flips. */
 void
 Unfold(FlatSphere & flat, const Progress & progress, SpherePolyhedron & count)
 {
@@ -284,7 +285,7 @@ UnfoldAround(const std::vector<int> & candidates,
   throw InputError("no spherical metric was found: " + reason);
 }
 
-/** Boosts the sphere until the weighted mean is 0; scales of chords go along. */
+/** Boosts the sphere until the weighted mean is 0, and updates the chord scales. */
 void
 CenterSphere(const Eigen::VectorXd & weights, VertexMatrix & places, Eigen::VectorXd & logScales)
 {

@@ -23,7 +23,7 @@ namespace
 constexpr double curvatureTolerance = RicciTolerance{}.accepted; // radians
 /** Approximate fraction of the run time completed after the flow. */
 constexpr double shareOfFlow = 0.9;
-/** Curvatures below this are flat (radians). */
+/** Curvatures below this value count as flat (radians). */
 constexpr double flatCurvature = 1e-9;
 
 double
@@ -155,7 +155,7 @@ private:
     m_Area = AreaOf(RicciGeometry::Euclidean, SidesOfFaces(m_Connectivity, m_Lengths));
   }
 
-  /** Scale of the lengths with which the flow starts. */
+  /** Scale of the lengths at the start of the flow. */
   double
   InitialScale() const
   {

@@ -40,7 +40,7 @@ GeometricSine(RicciGeometry geometry, double x)
 }
 
 /** Angles from side lengths by the half-angle formula tan^2 = S(p - b) S(p - c) / (S(p) S(p - a)), where p is half the
- * perimeter. Not sound if a triangle inequality is violated. */
+ * perimeter. `isSound` is false if a triangle inequality is violated. */
 inline TriangleAngles
 AnglesOfTriangle(RicciGeometry geometry, const std::array<double, 3> & sides)
 {

@@ -41,8 +41,8 @@ struct ColonDiverticulum
   double          arcLength;  ///< arc length of the mouth
   int             segment;    ///< segment of the mouth
   int             materialId; ///< wall point of Correspondence() nearest to the mouth
-  /** Content: stool or lumen (filled like the lumen at the mouth). ColonStructures replaces lumen by gas or fluid,
-   * evaluated at the center of the sac. */
+  /** Content: "stool", or "lumen" if the sac is filled like the lumen at its mouth. ColonStructures replaces "lumen"
+   * with the gas or fluid at the center of the sac. */
   std::string content;
   double      intensity; ///< HU of the stool, otherwise 0
 };
@@ -82,7 +82,7 @@ struct ColonPlace
  * position, from the anal verge. The lumen intersects neither the spine, a cylinder along z at x = 0, y = 80 with
  * radius 30 for z > -50, nor the sacrum below it, behind the rectum (see SpineAxis()).
  *
- * All functions are const and thread-safe. Results are reproducible bit by bit.
+ * All functions are const and thread-safe. Results are reproducible bit for bit.
  * \ingroup ShapetonPhantoms */
 class ShapetonPhantoms_EXPORT ColonAnatomy
 {
@@ -94,7 +94,7 @@ public:
   {
     /** Distance to the wall in mm, positive in the lumen, in [-Reach, Reach]; first-order accurate near the wall. */
     double distance;
-    /** mm; undefined if distance == -Reach. */
+    /** Arc length (mm) of the point; undefined if distance == -Reach. */
     double arcLength;
     /** Material angle about the centerline, radians in (-pi, pi]. */
     double angle;
@@ -139,7 +139,7 @@ public:
   ColonValve
   Valve() const;
 
-  /** The wall point farthest from the mouth of the cecum, the center of the lumen at the valve. */
+  /** The wall point farthest from the mouth of the cecum, which is the center of the lumen at the valve. */
   Eigen::Vector3d
   CecalPole() const;
 

@@ -32,7 +32,7 @@ struct ShapetonPhantoms_EXPORT TiltedLevel
   double end{ 0.0 };   ///< arc length (mm) from which it is horizontal again; may be less than `begin`
   double slope{ 0.0 }; ///< mm per mm of arc length; 0 if absent
 
-  /** Height (mm) of the level of the pool above that at an arc length. */
+  /** Height (mm) by which the level at an arc length is below that of the pool. */
   double
   FallTo(double arcLength) const;
 };
@@ -87,8 +87,8 @@ public:
     return m_Pools;
   }
 
-  /** Arc lengths (mm) of the ends of the stretch that fluid fills completely, below its level on both sides; equal if
-   * absent. */
+  /** Arc lengths (mm) of the ends of the stretch that is completely filled by fluid and below its level on both sides;
+   * equal if there is no such stretch. */
   const std::array<double, 2> &
   FilledStretch() const
   {

@@ -19,7 +19,7 @@ namespace shapeton
  * grid. Each voxel is the mean of its content (BodySampler), with scanner blur and correlated noise (CorrelatedNoise),
  * rounded to integer HU and clamped to [-1024, 31743].
  *
- * The ground truth of the lumen is evaluated at voxel centers, without blur and noise. The catheter is part of the
+ * The ground truth of the lumen is evaluated at voxel centers, without blur or noise. The catheter is part of the
  * lumen.
  *
  * Each voxel depends only on its index and position, so the result does not depend on the number of threads. The whole
@@ -29,10 +29,9 @@ namespace shapeton
  * No input. Output 0 is the image in HU; output 1 the lumen (1 gas, 2 fluid); output 2 the segments of the lumen (see
  * ColonAnatomy); output 3 other structures (ColonStructure).
  *
- * \par Parameters
- * Size (default 256, 256, 240), Spacing (default 1.4 mm), Origin (default: such that the volume's center is at the
- * patient's (0, 0, 0)) and Direction are those of GenerateImageSource; CenterOutput() moves the origin after a change.
- * The diaphragm rises to about z = 160, the lungs reach up to about z = 345.
+ * \par Parameters Size (default 256, 256, 240), Spacing (default 1.4 mm), Origin (default: such that the volume's
+ * center is at the patient's (0, 0, 0)) and Direction are those of GenerateImageSource; CenterOutput() moves the origin
+ * after a change. The diaphragm rises to about z = 160, and the lungs extend up to about z = 345.
  *
  * \ingroup ShapetonPhantoms */
 class ShapetonPhantoms_EXPORT ColonPhantomImageSource : public PhantomImageSource

@@ -11,7 +11,7 @@ namespace shapeton
 /** Corresponding wall points in two positions of a patient; each input is a correspondence.vtp
  * (ColonAnatomy::Correspondence()). The table has one row sx,sy,sz,px,py,pz (LPS, mm) for each materialId that occurs
  * in both positions and is not in a collapsed stretch of either, in ascending order. Throws InputError if an array is
- * missing or no common materialId exists.
+ * missing or the positions have no materialId in common.
  * \ingroup ShapetonPhantoms */
 ShapetonPhantoms_EXPORT CsvTable
 TableOfPointPairs(const CurveSet & first, const CurveSet & second);

@@ -13,10 +13,10 @@ namespace shapeton
 {
 class ColonPhantomImageSource;
 
-/** Writes the ground truth of an updated source to an existing folder:
- * lumen.nrrd (1 gas, 2 fluid), segments.nrrd (1 to 6) and structures.nrrd (ColonStructure) on the grid of the image,
- * wall.vtp, centerline.vtp, folds.vtp, taeniae.vtp, correspondence.vtp, polyps.csv, and structures.json and
- * structures.vtp: valve, cecal pole, terminal ileum. All in LPS, mm.
+/** Writes the ground truth of an updated source to an existing folder. On the grid of the image: lumen.nrrd (1 gas, 2
+ * fluid), segments.nrrd (1 to 6) and structures.nrrd (ColonStructure). Also wall.vtp, centerline.vtp, folds.vtp,
+ * taeniae.vtp, correspondence.vtp and polyps.csv; structures.json and structures.vtp with the valve, the cecal pole and
+ * the terminal ileum. All in LPS, mm.
  * \param outputPath maps final names in the folder to the names to write to.
  * \param other correspondence.vtp of another position of this patient; if not null, points.csv is also written: pairs
  * of points, each with the point of the other position first (TableOfPointPairs()).

@@ -130,7 +130,7 @@ AddPelvis(PhantomBodies & bodies)
   }
 }
 
-// The bodies and upper branches of the pubic bones, and the symphysis in between, below the space of the colon. The
+// The bodies and upper branches of the pubic bones, and the symphysis in between, below the space for the colon. The
 // pelvic brim is the plane through the promontory of the sacrum and the top of the symphysis.
 void
 AddPubis(PhantomBodies & bodies)
@@ -234,7 +234,7 @@ AddThoraxBones(PhantomBodies & bodies)
                                       MakePoint(side * 132, -14, 338) },
                                     5.5);
     AddBone(bodies, clavicle, clavicleBone);
-    // The scapula: a plate outside the ribs with a spine.
+    // The scapula: a plate with a spine, outside the ribs.
     const auto plate = ShellOf(Grown(ThoracicCage(), 16.0), 5.0);
     const auto outline = BoxSolid(MakePoint(side * 104, 62, 268), MakeVector(46, 44, 62));
     const auto edge = HalfSpaceSolid(MakeVector(side * 0.78, 0.0, -0.6258), -58.0);

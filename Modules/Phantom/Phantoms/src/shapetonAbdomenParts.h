@@ -44,7 +44,7 @@ AddThoraxBones(PhantomBodies & bodies);
 void
 AddOrgans(PhantomBodies & bodies, const ColonAnatomy & anatomy, const itk::Vector<double, 3> & down);
 
-/** The bladder and the organ behind it, without the space of the colon. */
+/** The bladder and the organ behind it, excluding the space for the colon. */
 PhantomSolid
 PelvicOrgans();
 

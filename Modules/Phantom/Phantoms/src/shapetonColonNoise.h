@@ -56,7 +56,7 @@ public:
   {
     return this->Uniform(range.low, range.high);
   }
-  /** Normal number with mean 0 and standard deviation 1. */
+  /** Normally distributed random number with mean 0 and standard deviation 1. */
   double
   Normal();
   /** The number with this index, independent of previous draws. */

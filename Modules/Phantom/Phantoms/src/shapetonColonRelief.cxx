@@ -25,7 +25,7 @@ constexpr double c_FreeFolds = 200.0;        // mm from the anal verge; folds fr
 constexpr double c_WaistEnd = 1.3;           // half angles of a fold from its middle
 constexpr double c_PlanStep = 10.0;          // mm, of the list of folds near a place
 
-// Changes of the radius between the folds and the taeniae: shares of the radius, where the haustra are fully formed.
+// Changes in radius between the folds and the taeniae, as fractions of the radius, where the haustra are fully formed.
 constexpr double c_HaustraBulge = 0.2;
 constexpr double c_HaustraInset = 0.06; // everywhere
 constexpr double c_TaeniaInset = 0.05;

@@ -28,7 +28,7 @@ struct DiverticulumBody
   Extent() const;
 };
 
-/** Converts a diverticulum of the ground truth, without its position on the curve. */
+/** Converts a diverticulum of the ground truth, except for its position on the curve. */
 DiverticulumBody
 BodyOf(const ColonDiverticulum & diverticulum);
 } // namespace shapeton

@@ -160,7 +160,8 @@ private:
   std::vector<double>                     m_Levels;
   std::size_t                             m_MostAdded; // points
 };
-// Takes the slices of the dip from their pools, and returns the pool with most of them; the end if there is none.
+// Takes the slices of the dip from their pools, and returns the pool that had most of them, or pools.end() if none had
+// any.
 std::vector<FluidPool>::iterator
 TakeSlices(const std::vector<int> & reached, std::vector<FluidPool> & pools)
 {

@@ -87,8 +87,8 @@ private:
     this->Absorb(a, basinA, basinB, height);
   }
 
-  // The slices of the smaller basin are assigned to the larger one, at each level of the division that they touch,
-  // since only fluid above its ridges reaches them.
+  // The slices of the smaller basin are assigned to the larger one, at each level of its subdivision that they touch,
+  // since only fluid above the larger basin's ridges reaches them.
   void
   Absorb(int representative, int basinA, int basinB, double height)
   {

@@ -133,7 +133,7 @@ public:
   }
 
 private:
-  // Deficit (mm) of the distance between tube and colon, body wall and spine; negative if sufficient.
+  // Amount (mm) by which the tube is too close to colon, body wall and spine; negative if the distance is sufficient.
   double
   Lacking(const Vector3d & at) const
   {
@@ -243,7 +243,8 @@ LongTubeSolid(const std::vector<SlotSection> & sections, double slots)
   return Either(FirstSections(sections, slots), ForestSolid(tubes, ColonAnatomy::Reach + 1.0));
 }
 
-// The height above which the ileum contains gas: that of the colon at a submerged mouth, otherwise a low one.
+// The height above which the ileum contains gas: the fluid level of the colon if the mouth is submerged, otherwise a
+// low height.
 double
 FluidLevel(const std::vector<Vector3d> & axis, const ColonFluid & fluid, double depthOfMouth)
 {

@@ -25,7 +25,7 @@ struct PhantomIleum
   double                       fluidIntensity{ 0.0 }; ///< HU
 };
 
-/** Space (mm) that a tube of radius `margin` at a point lacks between the wall of the abdominal cavity and the spine;
+/** Missing space (mm) for a tube of radius `margin` at a point between the wall of the abdominal cavity and the spine;
  * negative if there is enough. */
 double
 LackingBetweenWallAndSpine(const PhantomSolid & cavity, const Eigen::Vector3d & at, double margin);

@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** Values between which a number is drawn uniformly. */
+/** Limits between which a number is drawn uniformly. */
 struct DrawnRange
 {
   double low;

@@ -40,7 +40,7 @@ private:
   double       m_Intensity;
 };
 
-// The exponents in use are 2 and bodyExponent; x * x * sqrt(x) is the power of the latter.
+// The only exponents in use are 2 and bodyExponent; x * x * sqrt(x) is x to the power of bodyExponent.
 static_assert(bodyExponent == 2.0 + 1.0 / 2.0);
 double
 Power(double x, double exponent)
@@ -149,7 +149,7 @@ BoxSolid(const PointType & center, const itk::Vector<double, 3> & halfSize)
   } };
 }
 
-// If one distance is large, the other is not evaluated, since either one bounds the true distance.
+// If one distance is large, the other is not evaluated, since each one is a bound of the true distance.
 PhantomSolid
 Both(const PhantomSolid & a, const PhantomSolid & b)
 {

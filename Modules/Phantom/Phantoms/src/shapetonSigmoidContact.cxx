@@ -32,7 +32,7 @@ constexpr double sufficient = 0.6;       // of the points of the axis in contact
 constexpr DrawnRange contactRadius{ 6.0, 9.0 };        // mm
 constexpr DrawnRange contactIntensity{ 350.0, 750.0 }; // HU
 
-/** A possible place of the loop. */
+/** A possible position of the loop. */
 struct ContactPlace
 {
   std::vector<Vector3d> axis;
@@ -82,7 +82,7 @@ public:
     , m_Radius(radius)
   {}
 
-  // The place with most contact among those with room; empty if none has enough.
+  // The position with the most contact among those with enough room; empty if none has sufficient contact.
   ContactPlace
   Best(double length) const
   {
@@ -101,7 +101,7 @@ public:
   }
 
 private:
-  // Parallel to the sigmoid from one of its points, on one side.
+  // A loop parallel to the sigmoid, starting at one of its points, on one side.
   ContactPlace
   Beside(std::size_t first, std::size_t count, double angle) const
   {

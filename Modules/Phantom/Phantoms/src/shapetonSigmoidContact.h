@@ -18,8 +18,8 @@ struct SigmoidContactLoop
   PhantomSolid                 outer; ///< including the wall
 };
 
-/** Where the sigmoid has most room beside other colon, spine, body wall, pelvic organs and the terminal ileum, whose
- * axis may be empty. The anatomy must outlive the solids. */
+/** Placed next to the sigmoid where there is enough room beside the rest of the colon, spine, body wall, pelvic organs
+ * and terminal ileum (whose axis may be empty). The anatomy must outlive the solids. */
 SigmoidContactLoop
 MakeSigmoidContact(const ColonAnatomy & anatomy, const std::vector<Eigen::Vector3d> & ileum);
 } // namespace shapeton

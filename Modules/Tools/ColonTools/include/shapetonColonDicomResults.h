@@ -40,10 +40,10 @@ struct ColonDicomOptions : public ColonDicomObjectOptions
  * \param exam the folder of the run, or its folder `second`.
  * \param source the folder with the series that the run read. Its UID, its grid, and its digest in the record of the
  * segmentation are checked.
- * \param outputPath maps final names in the existing `folder` to the names to write to.
- * Returns a list of the results missing in the examination, and thus in the objects. Equal input gives equal bytes.
+ * \param outputPath maps final names in the existing `folder` to the names to write to. Returns a list of the results
+ * that are missing from the examination, and thus from the objects. Equal input gives equal bytes.
  *
- * Throws InputError if the run is unfinished, did not read DICOM, or read another series, and that of
+ * Throws InputError if the run is unfinished, did not read DICOM, or read another series, and the InputError of
  * ReadReaderVerdicts(); ParameterError for an invalid observer; OutputError. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT Remarks
 WriteColonDicomResults(const std::string &       exam,

@@ -27,7 +27,7 @@ class CommandLine;
 class ShapetonColonTools_EXPORT ColonModelFiles
 {
 public:
-  /** Creates the folder. Throws OutputError if it cannot be written to. */
+  /** Creates the folder. Throws OutputError if the folder cannot be written to. */
   ColonModelFiles(CommandLine & commandLine, const std::string & folder);
 
   /** Adds the provenance to the surfaces, and writes each part of the model in parallel as soon as it is available.
@@ -36,8 +36,8 @@ public:
   void
   WriteBeside(ColonModelSettings & options, const itk::Image<float, 3> * ct);
 
-  /** Writes the parts of the model that are not written yet. With `atOnce` the files get their final names immediately,
-   * even if the run fails later. */
+  /** Writes the parts of the model that have not been written yet. With `atOnce` the files get their final names
+   * immediately, even if the run fails later. */
   void
   Write(const ColonModel & model, bool atOnce = false);
 

@@ -11,13 +11,13 @@ struct ColonPhantomParameters;
 class CommandLine;
 
 /** Parameters of ColonPhantom: the values of the option `preset`, overridden by the given options. Options that
- * `standard` and `hard` do not use enter the provenance only if given, so results of these presets keep their bytes.
- * Throws ParameterError. \ingroup ShapetonColonTools */
+ * `standard` and `hard` do not use are added to the provenance only if given, so results of these presets remain
+ * byte-identical. Throws ParameterError. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT ColonPhantomParameters
 ReadColonPhantomParameters(CommandLine & commandLine);
 
-/** The option `center` of ColonPhantom: the center of the volume in the patient (LPS, mm). It enters the provenance
- * only when given. Throws ParameterError unless it has three numbers within 1000 mm.
+/** The option `center` of ColonPhantom: the center of the volume in the patient (LPS, mm). It is added to the
+ * provenance only if given. Throws ParameterError unless it has three numbers within 1000 mm.
  * \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT itk::Point<double, 3>
                           ReadPhantomCenter(CommandLine & commandLine);

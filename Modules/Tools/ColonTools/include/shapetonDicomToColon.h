@@ -32,14 +32,16 @@ TableOfSegments(const DicomSegmentationFile & file,
                 const std::vector<int> &      numbers,
                 const DicomSegmentVoxels &    voxels);
 
-/** Verdicts from the report of a reader in OHIF, who took the candidates of sr-ohif.dcm as measurements, and whose
- * labels begin with "polyp", "not a polyp" or "unsure", in any case, also after "candidate 3:".
+/** Verdicts from a report that a reader saved in OHIF after loading the candidates of sr-ohif.dcm as measurements. A
+ * label states a verdict if it begins with "polyp", "not a polyp" or "unsure" (case-insensitive), optionally after
+ * "candidate 3:".
  *
- * A measurement of a candidate is recognized by its code as finding site, which OHIF keeps, or its label; it gives the
- * verdict, unread without such a label, and the size if the reader changed it by more than 0.05 mm. Any other
- * measurement labeled as a polyp becomes a finding at its middle. The rest of a label is the note.
+ * A measurement of a candidate is recognized by the candidate's code as finding site, which OHIF keeps, or by its
+ * label. It determines the verdict (unread without such a label) and, if the reader changed it by more than 0.05 mm,
+ * the size. Any other measurement labeled as a polyp becomes a finding at its midpoint. The rest of the label becomes
+ * the note.
  *
- * \param exam the examination; its position computed from `source` is the one of the report.
+ * \param exam the examination; the report is on its position that was computed from `source`.
  * \param remarks receives the candidates that the report does not contain, and measurements without a verdict.
  * Throws InputError if no position was computed from the source, or a candidate is measured twice. */
 ShapetonColonTools_EXPORT ReaderVerdicts

@@ -22,10 +22,10 @@ struct ReaderReportInput
   bool isAnonymous{ false };
 };
 
-/** Writes the report of a reader into an existing folder: reader-report.html, its print reader-report.pdf, and
+/** Writes the report of a reader into an existing folder: reader-report.html, its PDF version reader-report.pdf, and
  * reader-report.csv with one row for each candidate and finding.
  *
- * The categories are those that the reader entered; the report computes none. It is marked as preliminary while
+ * The categories are those that the reader entered; the report does not compute any. It is marked as preliminary while
  * candidates are unread or the category of the colon is missing. Without WeasyPrint, it writes no PDF file, removes an
  * older one, and returns a remark. Equal input gives equal bytes. Throws the InputError of ReadReaderVerdicts(), and
  * InputError for a run that lacks files; OutputError.

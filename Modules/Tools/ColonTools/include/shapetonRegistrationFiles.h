@@ -13,13 +13,13 @@ class CommandLine;
  * \brief Files of a registration in a folder: map-supine-to-prone.vtp, map-prone-to-supine.vtp, matches.csv,
  * registration.json, and errors.csv if points were given.
  *
- * Surfaces and the JSON file state the provenance. Without points, an errors.csv of an earlier run is removed.
+ * The surfaces and the JSON file contain the provenance. Without points, an errors.csv of an earlier run is removed.
  *
  * \ingroup ShapetonColonTools */
 class ShapetonColonTools_EXPORT RegistrationFiles
 {
 public:
-  /** Creates the folder. Throws OutputError if it cannot be written to, ParameterError if the folder is an examination
+  /** Creates the folder. Throws OutputError if the folder cannot be written to, ParameterError if it is an examination
    * or one of its stages; a new folder inside an examination is allowed. */
   RegistrationFiles(CommandLine &                    commandLine,
                     const std::string &              folder,

@@ -30,7 +30,7 @@ namespace shapeton
  * are ever removed.
  *
  * The tool runs as a child process that receives SIGTERM when this process dies. A second run in the same folder is
- * rejected, also while a child of a killed run is still exiting.
+ * rejected, even while a child of a killed run is still exiting.
  *
  * \ingroup ShapetonColonTools */
 class ShapetonColonTools_EXPORT StagedRun

@@ -54,8 +54,7 @@ ReadReading(const ColonDicomReader & reader)
   return reading;
 }
 
-/** The files of an examination: their headers, which name the run, not the program that wrote them, and their
- * instances.
+/** The DICOM files of an examination. Their headers state the version of the run, not of the program that writes them.
  */
 class ResultFiles
 {
@@ -99,7 +98,7 @@ public:
     m_Written.push_back({ write(header, this->PathOf(name)), modality, header.seriesDescription });
   }
 
-  /** A bundle of what was written. */
+  /** A bundle of the written instances. */
   Json
   Bundle(DicomMeasurementReport report, std::optional<DicomMeasurementReport> reader) const
   {
@@ -115,7 +114,7 @@ public:
   }
 
 private:
-  /** Start of series descriptions; tells the series of two positions apart in viewers. */
+  /** Start of series descriptions; distinguishes the series of two positions in viewers. */
   static std::string
   TitleOf(const std::string & position)
   {

@@ -32,7 +32,7 @@ struct ColonFhirContent
   /** Name and version of the program. */
   std::string tool;
   std::string version;
-  /** Measurements of candidates, without other structures. */
+  /** Measurements of candidates only, not of other structures. */
   DicomMeasurementReport candidates;
   /** The report of the reader, if there is one. */
   std::optional<DicomMeasurementReport> reader;
@@ -43,7 +43,7 @@ struct ColonFhirContent
  *
  * Reports have the status "partial" and observations "preliminary", because neither is verified. The categories of the
  * reader are conclusion codes. Private DICOM codes are written as text, because their scheme has no URI. Identifiers
- * (urn:uuid) are derived from SHA-256 of the series and the first object, so equal input gives equal bytes. */
+ * (urn:uuid) are derived from SHA-256 of the series and the first object, so identical input yields identical bytes. */
 ShapetonColonTools_EXPORT Json
 FhirBundleOf(const ColonFhirContent & content);
 } // namespace shapeton

@@ -48,7 +48,8 @@ OverridePart(CommandLine & commandLine, const char * name, TValue & value)
   }
 }
 
-/** Overrides the option if it is given; a value equal to the default of the module description is not given. */
+/** Overrides the option if it is given; a value equal to the default in the module description does not count as given.
+ */
 template <typename TOption>
 void
 OverrideOption(const CommandLine & commandLine, const OptionInfo & info, TOption & option)

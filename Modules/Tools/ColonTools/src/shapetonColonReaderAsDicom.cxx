@@ -90,7 +90,7 @@ CategoryOf(const DicomCode & name, const std::string & category)
                           : DicomEvaluation{ name, CodeOfCategory(category), {} };
 }
 
-/** Counts, what is preliminary or unsure, and the polyps of the other series. */
+/** Counts, the reasons why the report is preliminary, unsure lesions, and the polyps of the other series. */
 std::vector<std::string>
 CommentsOn(const ColonReading & reading, std::size_t position, const std::string & whyPreliminary)
 {

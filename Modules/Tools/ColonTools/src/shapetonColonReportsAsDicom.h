@@ -16,11 +16,12 @@ constexpr const char * CandidateNote =
 DicomMeasurementReport
 MeasurementsOfColon(const DicomExamination & exam, const ColonSegmentsAsDicom & segments);
 
-/** Prefix of the code of a candidate as a second finding site (99SHAPETON), which viewers keep in their own reports. */
+/** Prefix of the code (99SHAPETON) of a candidate used as second finding site; viewers keep the code in their own
+ * reports. */
 constexpr const char * CandidateCodePrefix = "candidate-";
 
-/** The candidates as lengths that OHIF takes as its own measurements, for changes and verdicts by a reader: the name of
- * its tool as tracking identifier, and the candidate as label and second finding site. */
+/** The candidates as lengths that OHIF treats as its own measurements, so that a reader can change and label them: the
+ * tracking identifier is the name of OHIF's tool, and the candidate is the label and the second finding site. */
 DicomMeasurementReport
 CandidatesForOhif(const DicomExamination & exam, const ColonSegmentsAsDicom & segments);
 

@@ -6,8 +6,8 @@
 namespace shapeton
 {
 /** \class ColonSegmentsAsDicom
- * \brief Assigns the structures of an examination to two DICOM segmentations without overlap, since viewers such as
- * OHIF lose voxels of overlapping segments.
+ * \brief Assigns the structures of an examination to two DICOM segmentations whose segments do not overlap, since
+ * viewers such as OHIF lose voxels of overlapping segments.
  *
  * The findings are gas, fluid and heads of candidates. The anatomy is the segments of the colon, which divide the same
  * lumen by position along the colon, the terminal ileum and the folds. */

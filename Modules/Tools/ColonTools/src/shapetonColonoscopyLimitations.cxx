@@ -36,7 +36,7 @@ HindranceForReader(ColonHindrance hindrance)
   return words.at(static_cast<std::size_t>(hindrance));
 }
 
-/** Finds slices and places of stretches of the centerline. */
+/** Finds the slices and positions of centerline stretches. */
 class StretchPlaces
 {
 public:
@@ -46,7 +46,7 @@ public:
     , m_Grid(results.lumen)
   {}
 
-  /** ", slices 112 to 131", counted from 1 along the third axis of the image; "" without an image. */
+  /** ", slices 112 to 131", counted from 1 along the third axis of the image; "" if there is no image. */
   std::string
   Slices(double begin, double end) const
   {
@@ -95,7 +95,7 @@ private:
   const itk::ImageBase<3> * m_Grid;
 };
 
-/** Stretches with one hindrance in one segment. */
+/** Stretches of one segment with the same hindrance. */
 struct Hidden
 {
   std::string    segment;
@@ -124,8 +124,8 @@ AddStretch(const HinderedStretch & stretch, Hidden & hidden)
   }
 }
 
-/** Groups stretches by segment, hindrance and whether the other position shows them; the longest first, those hidden in
- * both positions before all others. */
+/** Groups stretches by segment, hindrance and whether the other position shows them. Those hidden in both positions
+ * come first, then the longest. */
 std::vector<Hidden>
 GroupStretches(const ColonoscopyResults & results, const ColonoscopyQuality & quality)
 {
@@ -312,7 +312,7 @@ AddCatheter(const ColonoscopyResults & results, const StretchPlaces & places, st
                    tip });
 }
 
-/** What the series says of its own values. */
+/** Statements of the series about its own values. */
 void
 AddSeries(const Json & series, std::vector<Limitation> & list)
 {
@@ -332,7 +332,7 @@ AddSeries(const Json & series, std::vector<Limitation> & list)
 /** A stretch of the line, mm. */
 using LineStretch = std::pair<double, double>;
 
-/** Joins values along the line to stretches, across steps of up to `step` mm. */
+/** Joins values along the line into stretches; steps between values of up to `step` mm are bridged. */
 std::vector<LineStretch>
 StretchesOf(std::vector<double> values, double step)
 {
@@ -403,7 +403,7 @@ AddInterpolatedWall(const ColonoscopyResults & results, const StretchPlaces & pl
   }
 }
 
-/** Stretches that the map between the positions leaves out. */
+/** Stretches that the map between the positions excludes. */
 void
 AddLeftOutOfMap(const ColonoscopyResults & results, std::vector<Limitation> & list)
 {

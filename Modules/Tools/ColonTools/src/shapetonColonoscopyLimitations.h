@@ -8,18 +8,18 @@
 
 namespace shapeton
 {
-/** Something that an examination does not show, or shows doubtfully. */
+/** Something that an examination does not show, or does not show reliably. */
 struct Limitation
 {
-  /** With segment, distance and slices, for a reader. */
+  /** Text for the reader, with segment, distance and slices. */
   std::string text;
   /** Where it is best seen; LPS, mm. */
   std::optional<Eigen::Vector3d> place;
 };
 
-/** Ordered by consequence: an incomplete examination; stretches without visible wall, the longest first; polyps below
- * the resolution; wall that the flat map does not show; wall under fluid and residue; doubtful landmarks, registration
- * and loops. */
+/** Ordered by severity: an incomplete examination; stretches without visible wall, the longest first; polyps below the
+ * resolution; wall that the flat map does not show; wall under fluid and residue; doubtful landmarks, registration and
+ * loops. */
 ShapetonColonTools_EXPORT std::vector<Limitation>
                           LimitationsOf(const ColonoscopyResults & results, const ColonoscopyQuality & quality);
 

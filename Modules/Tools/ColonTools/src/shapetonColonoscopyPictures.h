@@ -20,7 +20,7 @@ DrawSegments(const ColonoscopyResults & results, PatientSide side);
 Picture::Pointer
 DrawInside(const ColonoscopyResults & results, PatientSide side);
 
-/** 1 where tagged residue coats the wall, by the pixels of the grid of the flat map; empty without the CT before
+/** 1 for each pixel of the flat map's grid where tagged residue coats the wall; empty if there is no CT from before
  * cleansing. */
 std::vector<unsigned short>
 CoatedPixels(const ColonoscopyResults & results);

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** A place in a document, a list of x, y and z. */
+/** A point, which is stored in a document as a list of x, y and z. */
 Eigen::Vector3d
 PlaceInJson(const Json & lps);
 
@@ -14,12 +14,13 @@ PlaceInJson(const Json & lps);
 struct ColonoscopyQuality
 {
   std::vector<SegmentQuality> segments;
-  /** With a second position: wall that neither shows, and what at least one of them shows of the segments. */
+  /** With a second position: wall that neither position shows, and how much of each segment at least one of them shows.
+   */
   std::vector<HinderedStretch>    hiddenInBoth;
   std::vector<ColonAssessability> either;
 };
 
-/** Without segments if landmarks are missing. */
+/** The result has no segments if landmarks are missing. */
 ColonoscopyQuality
 MeasureColonoscopyQuality(const ColonoscopyResults & results);
 

@@ -24,7 +24,7 @@ struct ColonoscopyReportContent
 
 /** Writes one self-contained HTML file: a first page with the examination, quality by segment, candidates and
  * limitations; then cards of the candidates, distension, landmarks, the unfolded wall and views in space; technical
- * details are folded away at the end. For a failed run, the results so far. Equal content gives equal bytes.
+ * details are collapsed at the end. For a failed run, it contains the results so far. Equal content gives equal bytes.
  * `scratchFolder` is created and removed with its contents. Throws OutputError. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT void
 WriteColonoscopyReport(const ColonoscopyReportContent & content,

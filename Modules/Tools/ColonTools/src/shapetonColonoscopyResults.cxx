@@ -104,7 +104,8 @@ LengthOfCenterline(const CurveSet & centerline)
   return distance && distance->values.size() > 0 ? distance->values.maxCoeff() : 0.0;
 }
 
-/** The registration with the second position, and what reports of the first show of the second. */
+/** Reads the registration with the second position, and the results of the second position that reports on the first
+ * one show. */
 void
 ReadPair(const ExaminationFolder & first, ColonoscopyResults & results)
 {

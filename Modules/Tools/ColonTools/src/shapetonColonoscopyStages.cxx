@@ -20,7 +20,7 @@ namespace
 {
 namespace names = colonoscopystage;
 
-/** Shares of the run time of a series, for the progress. */
+/** Fractions of the run time of a series, for the progress. */
 constexpr double shareOfInspection = 0.02;
 constexpr double shareOfSegmentation = 0.5;
 constexpr double shareOfFlattening = 0.25;
@@ -217,8 +217,8 @@ Landmarks(const OptionPasser & passer, const StagedRun & run)
   return stage;
 }
 
-/** Identity of the curves without the provenance, so folds are not recomputed for options that do not change the
- * curves. */
+/** Identity of the curves, excluding the provenance, so that folds are not recomputed for options that do not change
+ * the curves. */
 std::string
 IdentityOfCurves(const std::string & path)
 {

@@ -11,7 +11,7 @@ namespace shapeton
 {
 class CommandLine;
 
-/** A stage that is created once its predecessors have completed, and its share of the run time. */
+/** A stage that is created once its predecessors have completed, and its fraction of the run time. */
 struct ColonoscopyStage
 {
   std::string                             name;
@@ -27,7 +27,7 @@ enum class ColonoscopySeries
   Second
 };
 
-/** Folder of the results of a series inside the output folder of the run. */
+/** Folder for the results of a series, inside the output folder of the run. */
 std::string
 FolderOfSeries(const std::string & outputFolder, ColonoscopySeries series);
 

@@ -10,7 +10,8 @@
 
 namespace shapeton
 {
-/** Results of VirtualColonoscopy for one DICOM series, which belong together according to the records of its stages. */
+/** Results of VirtualColonoscopy for one DICOM series. According to the records of the stages, all results are from the
+ * same run. */
 struct DicomExamination
 {
   /** Nothing else is read yet. */

@@ -3,9 +3,9 @@
 
 namespace shapeton
 {
-/** Pixels of a flat picture around the colon, in the reports. */
+/** Number of pixels around the colon in a flat picture of a report. */
 constexpr int pixelsAround = 200;
-/** Pixels of a row of a flat picture: pages show pictures no wider than 992 pixels. */
+/** Number of pixels along a row of a flat picture: pages show pictures no wider than 992 pixels. */
 constexpr int pixelsOfRow = 900;
 } // namespace shapeton
 

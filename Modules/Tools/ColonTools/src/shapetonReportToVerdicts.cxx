@@ -30,7 +30,7 @@ PositionOf(const ColonExamination & exam, const DicomSource & source)
                    source.series.uid + "; use the series of the report and its examination");
 }
 
-/** A label in its parts, such as "candidate 3: not a polyp, fold". */
+/** The parts of a label such as "candidate 3: not a polyp, fold". */
 struct Label
 {
   /** 0 if none is named. */

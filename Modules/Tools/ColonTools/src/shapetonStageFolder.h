@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Whether a file of this name may differ between equal runs. */
+/** Whether a file of this name may differ between identical runs. */
 bool
 IsRecordOfOneRun(const std::string & name);
 

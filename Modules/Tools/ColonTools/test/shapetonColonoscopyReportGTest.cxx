@@ -44,8 +44,8 @@ Array(const std::string & name, const Eigen::VectorXd & values)
   return { name, values, false };
 }
 
-/** A colon along the third axis of an image with slices of 2 mm, collapsed from 200 to 240 mm, narrow from 300 to 320
- * mm and cut by the scan up to 5 mm. */
+/** A colon along the third axis of an image with 2 mm slices, collapsed from 200 to 240 mm, narrow from 300 to 320 mm
+ * and outside the scan up to 5 mm. */
 shapeton::ColonoscopyResults
 CollapsedColon()
 {

@@ -66,7 +66,7 @@ Has(const std::string & text, const std::string & part)
   return text.find(part) != std::string::npos;
 }
 
-/** Candidate `number` of 8 mm in the position, accepted, matched with a candidate of the other position. */
+/** Candidate `number`, with a size of 8 mm, matched with candidate `other` of the other position. */
 PolypCandidate
 MatchedCandidate(int number, int other)
 {
@@ -82,7 +82,7 @@ MatchedCandidate(int number, int other)
 
 TEST_F(ReaderReportFiles, CountsAcceptedPolypsBySize)
 {
-  // Candidate 1 is measured as 12 mm, but the reader entered 9 mm; the finding has 11 mm.
+  // Candidate 1 is measured as 12 mm, but the reader entered 9 mm; the finding measures 11 mm.
   EXPECT_EQ(SizesOfAccepted(this->Lesions()), "1 of 10 mm and more, 1 of 6 to 9 mm, 0 of 5 mm and less");
   m_Verdicts["candidates"][0]["size"] = nullptr;
   EXPECT_EQ(SizesOfAccepted(this->Lesions()), "2 of 10 mm and more, 0 of 6 to 9 mm, 0 of 5 mm and less");
@@ -145,7 +145,7 @@ TEST(ReaderLesions, OfBothPositionsCountOnce)
   EXPECT_EQ(lesions[3].sameAs, "1"); // second/2, as the first position matched it
   EXPECT_EQ(lesions[0].Size(), 11.0);
   EXPECT_EQ(SizesOfAccepted(lesions), "1 of 10 mm and more, 1 of 6 to 9 mm, 0 of 5 mm and less");
-  // second/1 is matched with 1, too, but that is joined already: it counts as another polyp.
+  // second/1 is also matched with 1, which is already joined, so it counts as another polyp.
   verdicts.candidates.push_back({ "second/1", ReaderVerdict::Polyp, {} });
   lesions = LesionsOf(verdicts, candidates);
   EXPECT_EQ(lesions[2].sameAs, "1");

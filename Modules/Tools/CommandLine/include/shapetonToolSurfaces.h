@@ -20,8 +20,8 @@ ReadSurface(CommandLine & commandLine, const std::string & parameter);
 ShapetonCommandLine_EXPORT Surface
 ReadSurfaceToInspect(CommandLine & commandLine, const std::string & parameter);
 
-/** ReadRepairedSurface() for a tool, with a warning for each kind of change and the same text in the provenance as
- * `repairs`. The options of the tool override part, component and unit of `options`.
+/** Calls ReadRepairedSurface() for a tool, warns of each kind of change, and records the warnings as `repairs` in the
+ * provenance. The options of the tool override part, component and unit of `options`.
  * \ingroup ShapetonCommandLine */
 ShapetonCommandLine_EXPORT Surface
 ReadRepairedSurface(CommandLine & commandLine, const std::string & parameter, const SurfaceReadOptions & options = {});

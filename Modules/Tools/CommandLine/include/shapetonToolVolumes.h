@@ -14,7 +14,7 @@ class CommandLine;
 ShapetonCommandLine_EXPORT Volume
 ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowSingleSlice = false);
 
-/** Warns if a volume states another modality, for a tool that interprets values as Hounsfield units.
+/** Warns if a volume has a known modality other than CT, for a tool that interprets values as Hounsfield units.
  * \ingroup ShapetonCommandLine */
 ShapetonCommandLine_EXPORT void
 WarnUnlessCT(CommandLine & commandLine, const Volume & volume);

@@ -9,8 +9,8 @@
 
 // The address sanitizer replaces new and delete itself.
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
-/** Allocates large memory on huge pages, where supported: volumes and graphs are traversed in all directions, and
- * address translation would dominate the run time. Replaces the operators of the standard library in every program
+/** Allocates large blocks of memory on huge pages, where supported: volumes and graphs are traversed in all directions,
+ * and address translation would dominate the run time. Replaces the operators of the standard library in every program
  * linked with this library; memory is freed as usual. */
 __attribute__((visibility("default"))) void *
 operator new(std::size_t size)

@@ -22,7 +22,7 @@ public:
   operator=(const OutputFiles &) = delete;
   ~OutputFiles();
 
-  /** Temporary name for a final path. Throws OutputError if it cannot be written to. */
+  /** Temporary name for a final path. Throws OutputError if the final path cannot be written to. */
   std::string
   Add(const std::string & path);
 

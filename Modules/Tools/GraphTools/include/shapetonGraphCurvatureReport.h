@@ -29,8 +29,9 @@ NodeTableOf(const Graph & graph, const GraphCurvature & curvature);
 ShapetonGraphTools_EXPORT std::string
                           NameOfCurvature(const GraphCurvatureOptions & options);
 
-/** A view with edges colored by their curvature and circles of nodes by the mean of their edges, on a scale that is
- * symmetric to 0 and reaches the largest magnitude of an edge. \pre The certificate has the edges of the curvature.
+/** A view with edges colored by their curvature, and circles colored by the mean over the edges of their nodes. The
+ * color scale is symmetric about 0 and extends to the largest magnitude of any edge. \pre The certificate has the edges
+ * of the curvature.
  * \ingroup ShapetonGraphTools */
 ShapetonGraphTools_EXPORT GraphView
 ViewOfCurvature(const EmbeddingCertificate &  certificate,

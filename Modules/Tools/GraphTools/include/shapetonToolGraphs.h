@@ -9,12 +9,12 @@ namespace shapeton
 {
 class CommandLine;
 
-/** ReadGraph() for the input parameter of a tool; states its identity and reports the notes as warnings.
+/** ReadGraph() for the input parameter of a tool; records its identity and reports the notes as warnings.
  * \ingroup ShapetonGraphTools */
 ShapetonGraphTools_EXPORT Graph
 ReadGraph(CommandLine & commandLine, const std::string & parameter);
 
-/** ReadRotation() for the input parameter of a tool; states its identity. \ingroup ShapetonGraphTools */
+/** ReadRotation() for the input parameter of a tool; records its identity. \ingroup ShapetonGraphTools */
 ShapetonGraphTools_EXPORT CombinatorialMap
 ReadRotation(CommandLine & commandLine, const std::string & parameter, const Graph & graph);
 } // namespace shapeton

@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** Mix with white for circles behind edges of the same color. */
+/** Fraction of white mixed into circles behind edges of the same color. */
 constexpr double LightnessOfCircles = 0.55;
 
 std::string
@@ -37,7 +37,7 @@ EvidenceToJson(const TypeEvidence & evidence)
   return json;
 }
 
-/** Largest magnitude of an edge; 1 if all are flat. */
+/** Largest magnitude of the curvature of an edge; 1 if all edges are flat. */
 double
 MagnitudeOf(const GraphCurvature & curvature)
 {

@@ -165,8 +165,7 @@ private:
     return tiles;
   }
 
-  /** Tiles, the boundary of the domain, and the center of the view: the domain in the plane, the front on the
-   * sphere. */
+  /** Adds the tiles, the boundary of the domain, and the center of the view (on the sphere, the front). */
   void
   AddCover()
   {

@@ -21,8 +21,8 @@ struct HeatFile
 };
 
 /** \class HeatObjectExplorer
- * \brief The heat explorer of HeatObjects, in the folder that the parameter `explorer` names; without it, nothing is
- * written.
+ * \brief The heat explorer of HeatObjects, in the folder named by the parameter `explorer`; nothing is written without
+ * this parameter.
  *
  * \ingroup ShapetonHeatTools */
 class ShapetonHeatTools_EXPORT HeatObjectExplorer
@@ -32,8 +32,8 @@ public:
   explicit HeatObjectExplorer(CommandLine & commandLine);
   ~HeatObjectExplorer();
 
-  /** The page opens with a color for each object. All heats are stored, of different windows only the first: a page has
-   * one heat per time step. Throws OutputError. */
+  /** The page opens with a color for each object. It contains all heats, but only the first if their windows differ,
+   * because a page has one heat per time step. Throws OutputError. */
   void
   Write(const itk::Image<float, 3> * gray, const std::vector<HeatFile> & heats, const HeatObjectList & list);
 

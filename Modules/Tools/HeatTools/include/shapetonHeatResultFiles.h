@@ -21,9 +21,9 @@ class DicomMapOutput;
  * \brief The output files of a heat diffusion tool, declared by the parameters of its XML.
  *
  * outputHeat, initialHeatOutput and labels are volumes, classTable and histogramTable CSV, histogram a PNG, report a
- * folder that also contains a HeatExplorer. histogramRange zooms ranges of histogram and report. Outputs that were not
- * requested are not written, except the record of the run (`<outputHeat>.run.json`). Volumes carry the provenance of
- * the run, heat also its time step (key `timeStep`).
+ * folder that also contains a HeatExplorer. histogramRange zooms in on ranges of the histogram and the report. Outputs
+ * that were not requested are not written, except the record of the run (`<outputHeat>.run.json`). Volumes carry the
+ * provenance of the run, heat also its time step (key `timeStep`).
  *
  * \ingroup ShapetonHeatTools
  */
@@ -52,7 +52,7 @@ public:
   }
 
   /** Writes all files except the initial heat: content.heat is the heat after content.timeStep; `labels` may be null if
-   * no classes are requested. The ranges of the content must be the parameter histogramRange. */
+   * no classes are requested. The ranges of the content must be those of the parameter histogramRange. */
   void
   Write(HeatReportContent content, const itk::Image<unsigned char, 3> * labels) const;
 
@@ -64,7 +64,7 @@ public:
   void
   WriteSnapshot(const itk::Image<float, 3> * heat, std::uint64_t timeStep, const std::string & folder) const;
 
-  /** Writes the heat of a window, from 1, into a folder, see HeatWindowName(). */
+  /** Writes the heat of a window, numbered from 1, into a folder; see HeatWindowName(). */
   void
   WriteWindow(const itk::Image<float, 3> * heat,
               const HeatParameterChoice &  choice,

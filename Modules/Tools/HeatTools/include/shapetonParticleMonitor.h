@@ -45,7 +45,7 @@ ResumeFromCheckpoint(CommandLine & commandLine, ParticleDiffusionImageFilter<itk
  * a PNG or the page of LiveExplorer (.html) replaced every `previewEvery` seconds, and `checkpoint`, a saved state
  * replaced about every minute.
  *
- * Finish() replaces both a last time. The picture shows a rate, so unlike results it differs between runs.
+ * Finish() replaces both one last time. The picture shows a rate, so unlike results it differs between runs.
  *
  * \ingroup ShapetonHeatTools
  */

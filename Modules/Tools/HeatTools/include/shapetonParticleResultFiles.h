@@ -21,7 +21,7 @@ struct Volume;
 ShapetonHeatTools_EXPORT std::vector<std::string>
                          ParticleRemarks(const ParticleDiffusionImageFilter<itk::Image<float, 3>> * filter);
 
-/** Parameters and measures of a run as text, with the reasons of the choice. \ingroup ShapetonHeatTools */
+/** Parameters and measures of a run as text, with the reasons for the choice. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT HeatReportContent::Facts
                          ParticleFacts(const ParticleDiffusionImageFilter<itk::Image<float, 3>> * filter,
                                        const ShapetonParameterChoice &                            choice);
@@ -34,9 +34,9 @@ ShapetonHeatTools_EXPORT HeatReportContent::Facts
  * \brief The output files of the shapeton diffusion tool, declared by the parameters of its XML.
  *
  * outputDensity and labels are volumes, classTable a CSV, report a folder that also contains a HeatExplorer;
- * histogramRange zooms ranges of its histogram. Outputs that were not requested are not written, except the record of
- * the run (`<outputDensity>.run.json`). The density contains visits and states its time step (key `timeStep`) and
- * provenance.
+ * histogramRange zooms in on ranges of its histogram. Outputs that were not requested are not written, except the
+ * record of the run (`<outputDensity>.run.json`). The density contains visits and states its time step (key `timeStep`)
+ * and provenance.
  *
  * \ingroup ShapetonHeatTools
  */

@@ -28,8 +28,9 @@ struct TransferFunctionChoice
 };
 
 /** Reads the choice; lines and time step of a file become part of the provenance. Throws ParameterError for lines that
- * cannot be read, for `from` with another parameter, and for objects without the parameter `objects`, their labels, or
- * the reverse; InputError for a file not saved by the explorer. \ingroup ShapetonHeatTools */
+ * cannot be read, for `from` combined with `lines` or `timeStep`, and for colored objects without the parameter
+ * `objects` (their labels) or vice versa; InputError for a file not saved by the explorer. \ingroup ShapetonHeatTools
+ */
 ShapetonHeatTools_EXPORT TransferFunctionChoice
 ReadTransferFunctionChoice(CommandLine & commandLine);
 

@@ -50,11 +50,11 @@ struct LiveSessionSettings
  * state, three slices, changed bricks of a reduced volume, and the histogram; or, for another program, all voxels and
  * the labels of the objects.
  *
- * A change of an option or of the start region starts the walk again, so that the visits always belong to one set of
+ * A change to an option or to the start region restarts the walk, so that the visits always belong to one set of
  * options. Therefore the files of a session equal those of ShapetonDiffusion and CumulativeHeatDiffusion, and the saved
- * script repeats them.
+ * script reproduces them.
  *
- * Memory: that of the tools, and at most two volumes of 4 bytes per voxel.
+ * Memory: that of the tools, plus at most two volumes of 4 bytes per voxel.
  *
  * \ingroup ShapetonLiveSession */
 class ShapetonLiveSession_EXPORT LiveSession
@@ -76,8 +76,8 @@ public:
   Json
   Do(const Json & command);
 
-  /** Lets the current call of Work() return soon; for use in a poll when a command has arrived. Heat that is being
-   * computed is continued by the next call only if the command was no change. */
+  /** Makes the current call of Work() return soon; for use in a poll when a command has arrived. The next call
+   * continues an interrupted heat computation unless the command changed something. */
   void
   Interrupt();
 
@@ -100,8 +100,8 @@ public:
   bool
   IsNewFor(const SessionViewer & viewer) const;
 
-  /** The frame of what the viewer lacks. A frame is the length of its header (4 bytes, little-endian), the header
-   * (JSON), and the arrays that the header describes. */
+  /** The frame of what the viewer lacks. A frame consists of the length of its header (4 bytes, little-endian), the
+   * header (JSON), and the arrays that the header describes. */
   std::string
   Update(SessionViewer & viewer);
 

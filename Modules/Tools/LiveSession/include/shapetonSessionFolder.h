@@ -26,7 +26,8 @@ public:
   }
 
   /** The absolute path of a relative name. Throws ParameterError for an absolute name, a part "." or "..", a control
-   * character, a name of more than 255 bytes, and a part that is a symbolic link, which may lead out of the folder. */
+   * character, a name of more than 255 bytes, and a part that is a symbolic link, which may point outside the folder.
+   */
   std::filesystem::path
   PathOf(const std::string & name) const;
 

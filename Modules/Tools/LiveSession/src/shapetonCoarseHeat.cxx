@@ -11,12 +11,13 @@ namespace
 {
 /** Edge lengths of the blocks are powers of two up to this one. */
 constexpr std::size_t largestFactor = 8;
-/** Voxel updates of one picture: 0.5 to 1 s on two cores; a core makes 2e8 to 4e8 a second. */
+/** Voxel updates of one picture: 0.5 to 1 s on two cores; a core performs 2e8 to 4e8 per second. */
 constexpr double budget = 2.5e8;
-/** Applications of the operator for t steps are about this times sqrt(t): 1100 for 100,000; see HeatDiffusionSolver. */
+/** t steps require about this times sqrt(t) applications of the operator: 1100 for t = 100,000; see
+ * HeatDiffusionSolver. */
 constexpr double applicationsPerRoot = 3.5;
 
-/** Averages over blocks of 2^3 values; blocks at the end are smaller. `at` returns a value. */
+/** Averages over blocks of 2^3 values; the last blocks along an axis may be smaller. `at` returns a value. */
 template <typename TAt>
 BlockValues
 Halved(const std::array<std::size_t, 3> & size, std::size_t factor, const TAt & at)

@@ -27,7 +27,7 @@ BlockValues
 Halved(const VolumeView & volume);
 
 /** \class CoarseHeat
- * \brief A fast approximation of cumulative heat diffusion on averages over blocks.
+ * \brief A fast approximation of cumulative heat diffusion, computed on averages over blocks.
  *
  * The initial heat is computed on the volume and averaged, so that a closed object converges to its heat; t steps of
  * the volume are t / f^2 steps on blocks of f^3 voxels. */

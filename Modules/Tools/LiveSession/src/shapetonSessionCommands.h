@@ -34,12 +34,12 @@ std::string
 ResultNameOf(const Json & command, const std::string & key);
 ///@}
 
-/** Sets the options that the command names and returns a description of the changes. Allowed are the options of a walk
+/** Sets the options that the command names and returns a description of the changes. All options of a walk are allowed,
  * except its number of steps. */
 std::string
 SetOptions(const Json & command, ParticleDiffusionOptions & options);
 
-/** The options of the walk, as they are set. */
+/** The current values of the options of the walk. */
 Json
 JsonOfOptions(const ParticleDiffusionOptions & options);
 } // namespace shapeton

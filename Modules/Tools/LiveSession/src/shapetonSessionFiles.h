@@ -57,7 +57,7 @@ public:
   Save(const SavedResult & result, const ParticleDiffusionOptions & options, const HeatType * heat);
   ///@}
 
-  /** The same voxels on the grid that a tool reads from the saved file, which is rounded. */
+  /** The same voxels on the rounded grid that a tool reads from the saved file. */
   HeatType::Pointer
   AsWritten(const HeatType * heat) const;
 
@@ -81,7 +81,7 @@ private:
   RunTool(const char * xml, const std::string & tool, const Arguments & arguments, const Body & body) const;
   void
   AddInput(CommandLine & commandLine) const;
-  /** Writes the objects of the heat, which has been written. */
+  /** Writes the objects of the heat, which must already have been written. */
   std::vector<std::string>
   WriteObjects(const SavedResult & result);
   std::vector<std::string>

@@ -42,7 +42,7 @@ public:
   Json
   List() const;
 
-  /** Selects the object of this number, from 1. Throws ParameterError. */
+  /** Selects the object with this number, counted from 1. Throws ParameterError. */
   void
   Select(int object);
 
@@ -81,7 +81,7 @@ public:
     return m_Mask;
   }
 
-  /** The heat inside of the selected object and 0 outside; null if none is selected. */
+  /** The heat inside the selected object and 0 outside; null if none is selected. */
   HeatType *
   GetSelectedHeat() const
   {

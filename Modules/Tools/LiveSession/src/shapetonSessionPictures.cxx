@@ -16,11 +16,12 @@ namespace shapeton
 {
 namespace
 {
-/** Voxels of the reduced volume that the page renders: 4 MB of bins, 10 times a second over a local connection. */
+/** Number of voxels of the reduced volume that the page renders: 4 MB of bins, 10 times a second over a local
+ * connection. */
 constexpr std::size_t greatestReduced = std::size_t{ 1 } << 21;
 /** Edge length of a brick in voxels of the reduced volume. */
 constexpr std::size_t brickLength = 32;
-/** The histogram and its lines take a pass over all voxels, so they are renewed less often than the picture. */
+/** The histogram and its lines require a pass over all voxels, so they are updated less often than the picture. */
 constexpr std::chrono::seconds betweenHistograms{ 1 };
 
 std::size_t
@@ -34,7 +35,7 @@ StrideFor(const std::array<std::size_t, 3> & size)
   return stride;
 }
 
-/** An image of blocks in the place of the image they were averaged from. */
+/** An image of blocks at the position of the image from which they were averaged. */
 itk::Image<float, 3>::Pointer
 ImageOfBlocks(const BlockValues & blocks, const itk::Image<float, 3> * original)
 {

@@ -30,7 +30,7 @@ struct SessionScene
 };
 
 /** \class SessionPictures
- * \brief The frames of what a session shows, as far as a viewer lacks it, and renderings. */
+ * \brief The frames with the part of what a session shows that a viewer lacks, and renderings. */
 class SessionPictures
 {
 public:
@@ -59,10 +59,10 @@ public:
   std::string
   Draw(const SessionScene & scene, const Json & request, Device device);
 
-  /** The next frame has a new histogram: of other values, */
+  /** Makes the next frame contain a new histogram, because other values are shown. */
   void
   OutdateHistogram();
-  /** or of values that change gradually, if the last one is a second old. */
+  /** The same for values that change gradually, if the last histogram is a second old. */
   void
   OutdateOldHistogram();
 

@@ -4,7 +4,7 @@ namespace shapeton
 {
 namespace
 {
-/** An error belongs to what was shown. */
+/** Changes the view; a failure concerns only the view in which it occurred. */
 void
 Show(SessionState::View view, SessionState & state)
 {

@@ -6,7 +6,7 @@
 namespace shapeton
 {
 /** \class SessionState
- * \brief What a session shows, what it has computed, and what it was asked for.
+ * \brief What a session shows, what it has computed, and what was requested.
  *
  * Commands and completed work are events; After() is the only place that changes the state, NextWork() the only one
  * that decides what to do. The data (visits, heat, objects) belong to LiveSession. */
@@ -29,7 +29,7 @@ struct SessionState
     Coarse,
     Exact
   };
-  /** Objects that are to be found. */
+  /** Whether objects are to be found. */
   enum class Wish
   {
     None,
@@ -81,7 +81,7 @@ enum class SessionWork
 ShapetonLiveSession_EXPORT SessionState
 After(SessionState state, SessionEvent event);
 
-/** \param isAtGoal whether the walk has made all steps it was asked for */
+/** \param isAtGoal whether the walk has made all requested steps */
 ShapetonLiveSession_EXPORT SessionWork
 NextWork(const SessionState & state, bool isAtGoal);
 } // namespace shapeton

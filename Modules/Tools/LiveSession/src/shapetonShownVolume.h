@@ -21,7 +21,7 @@ public:
   ShownVolume(const std::array<std::size_t, 3> & size, const float * heat);
   ShownVolume(const std::array<std::size_t, 3> & size, const BlockValues & heat);
 
-  /** Bins of blocks of `stride`^3 voxels: of the mean of visits, or of the heat at the center. */
+  /** Bins of blocks of `stride`^3 voxels: of the mean number of visits, or of the heat at the center. */
   HeatBins
   Reduced(std::size_t stride) const;
 

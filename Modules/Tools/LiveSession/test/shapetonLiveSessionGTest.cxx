@@ -57,7 +57,7 @@ ErrorOf(Fixture & fixture, const std::string & command)
   return "";
 }
 
-/** The visits of a run of the filter with the options of the session. */
+/** The visits after a run of the filter with the options of the session. */
 ImageType::Pointer
 VisitsOfFilter(const Fixture &                            fixture,
                std::uint64_t                              steps,
@@ -221,7 +221,7 @@ TEST(LiveSession, HeatIsCoarseFirstAndThenThatOfTheFilter)
   filter->SetTimeSteps(5000);
   filter->Update();
   ExpectSameVoxels(shapeton::ReadVolume(fixture.input.GetFolder() / "c-heat.nrrd").image, filter->GetOutput());
-  // The walk goes on where it was.
+  // The walk continues where it stopped.
   fixture.Do(R"({"do": "density"})");
   fixture.Finish();
   fixture.Do(R"({"do": "save", "name": "d"})");

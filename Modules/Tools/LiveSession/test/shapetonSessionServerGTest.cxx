@@ -113,7 +113,7 @@ TEST(SessionServer, RejectsAWrongTokenHostOriginOrMethod)
   EXPECT_EQ(StatusOf(served, "/" + token + "/", ""), 421U);
   EXPECT_EQ(StatusOf(served, "/" + token + "/", host, "http://evil.example"), 403U);
   EXPECT_EQ(basetest::Get(served.url, "/" + token + "/", host, "", boost::beast::http::verb::post).result_int(), 405U);
-  // Through a tunnel, the port is another one.
+  // Through a tunnel, the port is different.
   EXPECT_EQ(StatusOf(served, "/" + token + "/", "localhost:9000"), 200U);
 
   const std::string live = "/" + token + "/live";
@@ -261,7 +261,7 @@ TEST(SessionServer, DeadPagesDoNotStopIt)
   SessionClient client(served.url);
   client.Await([](const Json & frame) { return frame["state"]["step"] >= 60; });
   EXPECT_EQ(client.Ask(R"({"do": "pause"})")["done"], "pause");
-  // Half a request, and no request at all.
+  // An incomplete request, and a connection without any request.
   boost::asio::io_context      context;
   boost::asio::ip::tcp::socket half(context);
   half.connect(
@@ -302,7 +302,7 @@ ResidentMemory()
   return resident / pagesPerMB;
 }
 
-/** Sends random messages for a while, as a page that is now and then closed and opened again. */
+/** Sends random messages for a while, like a page that is closed and reopened now and then. */
 class RandomPage
 {
 public:

@@ -46,10 +46,10 @@ ShapetonColonViews_EXPORT std::vector<itk::IndexValueType>
 /** The usual intensity window for CT colonography, HU. \ingroup ShapetonColonViews */
 constexpr IntensityWindow ColonographyWindow{ -1100.0, 500.0 };
 
-/** Draws slices side by side, with the outlines of gas and fluid and the section of the wall; without a CT the lumen is
- * filled.
+/** Draws slices side by side, with the outlines of gas and fluid and the section of the wall; without a CT, the lumen
+ * is filled.
  *
- * Throws std::invalid_argument without a lumen, or if the CT has another grid. \ingroup ShapetonColonViews */
+ * Throws std::invalid_argument if there is no lumen or the CT has a different grid. \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
                           DrawColonSlices(const ColonParts &      colon,
                                           SlicePlane              plane,
@@ -63,7 +63,8 @@ ShapetonColonViews_EXPORT Picture::Pointer
                           DrawColonProjection(const ColonParts & colon, SlicePlane plane);
 
 /** The wall from one side: opaque, or transparent with the centerline inside. Bridges have a separate color; the ends
- * of the centerline are labeled. Throws std::invalid_argument without a wall, or without a centerline if transparent.
+ * of the centerline are labeled. Throws std::invalid_argument if there is no wall, or no centerline for a transparent
+ * view.
  * \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
                           DrawColonWall(const ColonParts & colon, PatientSide side, bool isSolid);

@@ -51,7 +51,7 @@ ShapetonColonViews_EXPORT Picture::Pointer
 ShapetonColonViews_EXPORT void
 LookAtSurface(const SurfaceMesh & mesh, PatientViewOptions & options);
 
-/** Size and checks of a picture of a conformal map. \ingroup ShapetonColonViews */
+/** Size and number of checks of a picture of a conformal map. \ingroup ShapetonColonViews */
 struct ConformalMapPictureOptions
 {
   /** Width of the whole picture, pixels. */
@@ -61,13 +61,13 @@ struct ConformalMapPictureOptions
   int checks{ 36 };
 };
 
-/** The surface in space on the left, the plane on the right, both with the checkerboard of the plane. Equal input gives
- * equal bytes for any number of threads. \ingroup ShapetonColonViews */
+/** The surface in space on the left, the plane on the right, both with the checkerboard of the plane. Identical input
+ * yields identical bytes for any number of threads. \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
                           DrawConformalMap(const ConformalMap & map, const ConformalMapPictureOptions & options = {});
 
 /** The same for any surface with the point array `uv`, for example of a Ricci flow; options.checks is the number of
- * checks along the longer side of the plane. Throws InputError, which begins with `what`, if it has none.
+ * checks along the longer side of the plane. Throws InputError with the prefix `what` if the surface has no such array.
  * \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
 DrawFlatSurface(const SurfaceMesh & flat, const std::string & what, const ConformalMapPictureOptions & options = {});

@@ -56,13 +56,13 @@ public:
   FlatColonPictures(const FlatColonParts & parts, double pixelSize);
   ~FlatColonPictures();
 
-  /** Grid with one pixel per strip pixel of the page. */
+  /** Grid with one pixel for each pixel of the strip on the page. */
   const FlatColonGrid &
   Grid() const
   {
     return *m_Grid;
   }
-  /** Distance of each column, mm; empty if neither surface nor centerline states it. */
+  /** Distance of each column, mm; empty if neither surface nor centerline provides it. */
   const std::vector<double> &
   Distances() const
   {

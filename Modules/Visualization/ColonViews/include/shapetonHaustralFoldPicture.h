@@ -21,7 +21,7 @@ struct HaustralFoldPictureContent
 };
 
 /** A page of the flat colon in rows (DrawFlatColonPage()) with the relief. Folds are outlined, neighbors in different
- * colors, with green dots at their ends (larger if more reliable); taeniae are yellow lines. `pixelSize`: mm of the map
+ * colors, with green dots at their ends (larger if more reliable); taeniae are yellow lines. `pixelSize`: mm on the map
  * at the mean circumference. Throws the exceptions of FlatColonGrid.
  * \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer

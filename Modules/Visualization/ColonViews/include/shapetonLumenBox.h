@@ -19,7 +19,7 @@ AreasOf(const itk::Image<unsigned char, 3> * lumen);
 ShapetonColonViews_EXPORT itk::ImageRegion<3>
                           LumenBox(const itk::Image<unsigned char, 3> * lumen, const LumenAreas & areas, double margin);
 
-/** Throws std::invalid_argument without a lumen, or if the CT has another grid. */
+/** Throws std::invalid_argument if there is no lumen or the CT has a different grid. */
 ShapetonColonViews_EXPORT void
 CheckParts(const ColonParts & colon);
 } // namespace shapeton

@@ -15,8 +15,8 @@ namespace shapeton
  * \brief Close-ups of each candidate, as in Figures 3.10 and 5.6 of the dissertation, and the flat colon with
  * all candidates.
  *
- * The head is tinted in all pictures. Equal input gives equal bytes for any number of threads. The colon must outlive
- * the object; its wall and flat map are required, and the centerline for endoluminal views.
+ * The head is tinted in all pictures. Identical input yields identical bytes for any number of threads. The colon must
+ * outlive the object; its wall and flat map are required, and the centerline for endoluminal views.
  * \ingroup ShapetonColonViews */
 class ShapetonColonViews_EXPORT PolypCandidatePictures
 {
@@ -35,9 +35,9 @@ public:
   Picture::Pointer
   DrawCloseUp(const PolypCandidate & candidate) const;
 
-  /** Camera of the endoluminal view, which looks at the center of the head. Of the points of the centerline 15 to 60 mm
-   * away, ordered by slant and distance (25 mm is best), and points 3 to 25 mm above the head, takes the first that
-   * sees 40 % of the head, or else the one that sees most of it. */
+  /** Camera of the endoluminal view, which looks at the center of the head. Tries centerline points 15 to 60 mm away,
+   * ordered by slant and distance (25 mm is best), then points 3 to 25 mm above the head. Uses the first point from
+   * which 40 % of the head is visible, or otherwise the one from which most of it is visible. */
   PerspectiveCamera
   EndoluminalCamera(const PolypCandidate & candidate) const;
 
@@ -51,7 +51,7 @@ public:
   Picture::Pointer
   DrawCrops(const PolypCandidate & candidate) const;
 
-  /** The crops, and at their right the endoluminal view and the close-up. */
+  /** The crops, and to their right the endoluminal view and the close-up. */
   Picture::Pointer
   DrawCard(const PolypCandidate & candidate) const;
 

@@ -8,9 +8,9 @@
 
 namespace shapeton
 {
-/** \defgroup RegistrationPictures Pictures of a colon in two positions
- * Results may be newly computed or read by ReadRegistrationResults(). Equal parts give equal bytes for
- * any number of threads. All throw InputError if the results belong to other examinations.
+/** \defgroup RegistrationPictures Pictures of a colon in two positions Results may be newly computed or read by
+ * ReadRegistrationResults(). Identical parts yield identical bytes for any number of threads. All throw InputError if
+ * the results belong to other examinations.
  * \ingroup ShapetonColonViews */
 ///@{
 

@@ -20,7 +20,7 @@ struct CandidatePlane
   Eigen::Vector3d up;
   double          width{ 0.0 }; ///< mm
 
-  /** Picture position of a point, projected to the plane, in pixels of a crop of this size. */
+  /** Picture position of a point, projected onto the plane, in pixels of a crop of this size. */
   Eigen::Vector2d
   PixelOf(const Eigen::Vector3d & point, unsigned int size) const;
 };

@@ -60,7 +60,7 @@ Identity(Json & positions, const ColonExamination & exam, bool isAnonymous)
   return { { "seriesUIDs", series }, { "sha256", exam.Digest() } };
 }
 
-/** Warnings that differ only in numbers, together. */
+/** Combines warnings that differ only in numbers. */
 Json
 WarningsForPage(const std::vector<std::string> & warnings)
 {

@@ -18,8 +18,8 @@ namespace
 {
 constexpr std::size_t raysInBatch = std::size_t{ 1 } << 18; ///< on a GPU
 
-/** Color of tissue by its Hounsfield units: fat, soft tissue, contrast medium and bone. Linear red, green and blue from
- * `darkest` on. */
+/** Color of tissue by its Hounsfield units: fat, soft tissue, contrast medium and bone. Linear red, green and blue,
+ * starting at `darkest`. */
 std::vector<float>
 ColorsOfTissue(double darkest, double colorStep)
 {

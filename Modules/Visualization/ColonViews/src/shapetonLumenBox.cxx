@@ -11,8 +11,8 @@ namespace shapeton
 {
 namespace
 {
-/** Position of the first nonzero value at or after `begin`, or `end`. Tests eight voxels at once, because most of a
- * volume is not lumen. */
+/** Position of the first nonzero value at or after `begin`, or `end` if there is none. Tests eight voxels at once,
+ * because most of a volume is not lumen. */
 const unsigned char *
 NextFilled(const unsigned char * begin, const unsigned char * end)
 {

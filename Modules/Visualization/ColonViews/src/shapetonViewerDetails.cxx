@@ -15,12 +15,13 @@ namespace
 using Eigen::Vector3d;
 
 constexpr double overlap = 1.0; // mm
-/** mm around the center of a head: a polyp of 30 mm, and the wall around smaller ones. */
+/** Reach (mm) around the center of a head: covers a 30 mm polyp, or a smaller one and the wall around it. */
 constexpr double leastReach = 15.0, timesDiameter = 0.75;
-/** mm around the cap of a pouch, and from the flat wall, which is simplified by less than 1 mm elsewhere. */
+/** Reach (mm) around the cap of a pouch, and least distance (mm) from the flat wall, which deviates by less than 1 mm
+ * elsewhere. */
 constexpr double reachOfCap = 3.0, leastDeparture = 1.5;
 
-/** The faces of the flat wall that close pouches; null without any. */
+/** The faces of the flat wall that close pouches; null if there are none. */
 std::unique_ptr<SurfaceLocator>
 CapsOf(const SurfaceMesh & flat)
 {

@@ -259,7 +259,7 @@ PutPoints(PageBlocks & blocks, const std::string & prefix, const FlatColon & fla
   // On the map, faces on folds may measure only thousandths of a millimeter.
   blocks.PutReals<std::uint32_t>(prefix + "uv", ValuesOf(mesh.pointArrays, "uv", path));
   blocks.PutReals(prefix + "arc", ValuesOf(mesh.pointArrays, "arcLength", path));
-  // The first vertex at this place, equal on both sides of the cut: the page uses it as an index of its arrays.
+  // The first vertex at this place, equal on both sides of the cut: the page uses it as an index into its arrays.
   const std::vector<int> &   places = flat.Grid().SourceOfPoints();
   std::vector<std::uint32_t> first(places.size(), mesh.NumberOfVertices());
   std::vector<std::uint32_t> source;
@@ -353,7 +353,7 @@ PutViewerPosition(PageBlocks &               blocks,
   const auto         lumen = exam.ReadLumen();
   const ViewerVolume volume = ReadViewerVolume(exam, *lumen, missing);
   const auto         flat = exam.ReadFlatColon();
-  // Whether tagged residue coats a face of the wall; not known without the CT before cleansing.
+  // Whether tagged residue coats a face of the wall; unknown if there is no CT from before cleansing.
   const auto coated =
     volume.cleansed ? FindCoatedFaces(flat->Surface(), lumen, AttenuationOf(volume.shown)) : std::vector<bool>();
   PutWall(blocks, prefix, exam, coated, *flat, info, missing);

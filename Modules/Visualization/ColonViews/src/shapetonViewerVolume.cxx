@@ -227,7 +227,8 @@ HeaderOf(const ViewerVolume & volume, const VolumeType::RegionType & box, const 
   return header;
 }
 
-/** Stores one volume completely, and of the cleansed CT the voxels that differ: few, in the fluid and at its borders.
+/** Stores one volume completely, but only those voxels of the cleansed CT that differ. They are few, in the fluid and
+ * at its borders.
  */
 template <typename TStored>
 class VolumeWriter

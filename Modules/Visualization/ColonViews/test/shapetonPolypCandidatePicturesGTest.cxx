@@ -106,7 +106,7 @@ TEST(PolypCandidatePictures, HeadIsInTheMiddleOfBothViews)
   EXPECT_THROW(shapeton::PolypCandidatePictures(colon, candidates), shapeton::InputError);
 }
 
-/** A polyp beside a higher plate, which hides it from one half of the centerline. */
+/** A polyp next to a higher plate, which hides it from one half of the centerline. */
 TEST(PolypCandidatePictures, WholeHeadIsInTheEndoluminalViewAlsoBehindAFold)
 {
   const shapeton::PolypColon colon = StraightColon({ Plate(-7.0, 14.0), Ellipsoid(Base(2.0), 4.0, 4.0) });

@@ -17,8 +17,8 @@ struct GrowthCurve
   std::vector<double> quantities; ///< one per radius, >= 0
 };
 
-/** Writes one panel per curve: the quantity from 0 on, against the logarithm of the radius. Equal curves give equal
- * bytes. Throws OutputError. \ingroup ShapetonGraphViews */
+/** Writes one panel per curve: the quantity, on an axis that starts at 0, against the logarithm of the radius. Equal
+ * curves give equal bytes. Throws OutputError. \ingroup ShapetonGraphViews */
 ShapetonGraphViews_EXPORT void
 WriteGrowthSvg(const std::vector<GrowthCurve> & curves, const std::string & path);
 } // namespace shapeton

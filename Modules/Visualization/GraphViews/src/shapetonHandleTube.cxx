@@ -12,10 +12,10 @@ namespace shapeton
 {
 namespace
 {
-/** Radius of a tube: the greatest one, and the one relative to the angle between its ends. */
+/** Maximum radius of a tube: absolute, and relative to the angle between its ends. */
 constexpr double thickest = 0.06;
 constexpr double thickestOfAngle = 0.15;
-/** Number of heights that are tried for a tube, and their distance relative to the lowest one. */
+/** Number of heights to try for a tube, and their spacing relative to the lowest one. */
 constexpr int    levels = 12;
 constexpr double distanceOfLevels = 0.3;
 constexpr int    mostHalvings = 12;
@@ -48,7 +48,7 @@ HeightOfChimney(const SphereHole & hole, double radius)
   return std::max(1.0 + aboveSphere * radius, low + steepness * std::max(0.0, rim - radius) * rim / low);
 }
 
-/** Sections in upward order, without the lowest one; `along` is the tube direction. */
+/** Sections in upward order, excluding the lowest one; `along` is the tube direction. */
 std::vector<TubeSection>
 Chimney(const SphereHole & hole, double radius, const Eigen::Vector3d & normal, const Eigen::Vector3d & along)
 {

@@ -69,7 +69,7 @@ PlansOfTorus(const EmbeddedGraph & graph)
   }
   PanelPlan overlap{ "Universal cover: overlap graph and fundamental domain", flat, WindowAround(pixels, enlargement) };
   overlap.hasTiles = true;
-  // Copies of a large graph are only gray, because each takes as long to paint as the original.
+  // A large graph is shown with fewer copies, because each takes as long to paint as the original.
   constexpr std::size_t large = 100000, huge = 1000000; // segments
   constexpr int         tilesOfHuge = 1, tilesOfLarge = 9, tiles = 25;
   const std::size_t     segments = graph.halfEdges.size() + graph.dual.size();

@@ -36,7 +36,8 @@ struct HeatExplorerContent
   ShapeTransferFunction lines;
   /** Initially zoomed ranges; the key B closes the last one. */
   HeatRanges ranges;
-  /** Objects, which a click selects and colors show; their labels have the size of `gray`. Null for none. */
+  /** Objects, which are shown in color and can be selected by a click; their labels have the size of `gray`. Null for
+   * none. */
   const HeatObjectList * objects{ nullptr };
 };
 

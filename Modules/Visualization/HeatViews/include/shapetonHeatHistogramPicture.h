@@ -57,11 +57,11 @@ PlotAreaOf(const HeatHistogramPictureOptions & options);
  * left border is the background, bin 0. Rows have equal heights. The time axis is labeled with the time steps, for
  * linear and nonlinear spacing. The heat axis is labeled with heat values on both scales.
  *
- * A zoomed range fills the plot. Above it is a strip for each level, at most the last six: the axis of that level in
- * the colors of its pictures, with lines from the ends of the range that the next level shows.
+ * A zoomed range fills the plot. Above it, each level (at most the last six) has a strip with its axis in the colors of
+ * its pictures. Lines start at the ends of the range that the next level shows.
  *
- * Drawn on the CPU; equal input gives equal bytes. Throws std::invalid_argument for a histogram without rows and for
- * a picture that is too small.
+ * Drawn on the CPU; identical input yields identical bytes. Throws std::invalid_argument for a histogram without rows
+ * and for a picture that is too small.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT Picture::Pointer
 DrawHeatHistogram(const HeatHistogram & histogram, const HeatHistogramPictureOptions & options = {});

@@ -19,7 +19,7 @@ struct HeatSnapshot
 {
   std::string                  path;
   std::optional<std::uint64_t> timeStep;
-  /** The intensities mapped to 0 and 1, of FindHeatWindows() only. */
+  /** The intensities mapped to 0 and 1; set by FindHeatWindows() only. */
   std::optional<std::array<double, 2>> intensityWindow{};
 };
 
@@ -37,9 +37,9 @@ FindHeatSnapshot(const std::string & path, std::optional<std::uint64_t> timeStep
 ShapetonHeatViews_EXPORT std::vector<HeatSnapshot>
                          FindHeatSnapshots(const std::string & path);
 
-/** The heat volumes of a folder of windows, window-1.nrrd and so on, in this order; empty if `path` is none. Time step
- * and window are those of the headers (keys `timeStep`, `intensityWindow`). Throws InputError for a header
- * without a window.
+/** The heat volumes of a folder of windows, window-1.nrrd and so on, in this order; empty if `path` is not such a
+ * folder. Time step and window are those of the headers (keys `timeStep`, `intensityWindow`). Throws InputError for a
+ * header without a window.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT std::vector<HeatSnapshot>
                          FindHeatWindows(const std::string & path);

@@ -11,14 +11,14 @@
 
 namespace shapeton
 {
-/** A transfer function saved by the page of HeatExplorer. \ingroup ShapetonHeatViews */
+/** A transfer function saved from the HeatExplorer page. \ingroup ShapetonHeatViews */
 struct SavedTransferFunction
 {
   /** "heat" or "density". */
   std::string           quantity;
   std::uint64_t         timeStep{ 0 };
   ShapeTransferFunction lines;
-  /** Colored objects, at most 200; without any, there is at least one line. */
+  /** Colored objects, at most 200; if there are none, there is at least one line. */
   std::vector<ObjectColor> objects{};
 };
 

@@ -45,11 +45,11 @@ public:
 
   ShapeTransferFunction() = default;
 
-  /** Throws ParameterError with the faulty line for a range outside [0, 1], empty, narrower than 1e-7 or overlapping
-   * another one, for an opacity outside [0, 1], and for too many lines. */
+  /** Throws ParameterError with the faulty line for a range that is outside [0, 1], empty, narrower than 1e-7 or
+   * overlaps another one, for an opacity outside [0, 1], and for too many lines. */
   explicit ShapeTransferFunction(std::vector<TransferFunctionLine> lines);
 
-  /** One line per class, in this order: line i of n has the values from i / n to (i + 1) / n. For pictures of class
+  /** One line per class, in this order: line i of n covers the values from i / n to (i + 1) / n. For pictures of class
    * numbers: there may be more lines than 3D Slicer can read. The ranges of the lines are replaced. */
   static ShapeTransferFunction
   OfClasses(std::vector<TransferFunctionLine> lines);
@@ -94,7 +94,8 @@ public:
   ToVolumeProperty() const;
 
   /** Writes a 3D Slicer volume property, `.vp`, that shows the heat volume with this transfer function. `unit` is the
-   * value of heat 1 in the displayed volume: 1, or for visits their maximum. Throws OutputError. */
+   * value in the displayed volume that corresponds to heat 1: 1, or the maximum number of visits. Throws OutputError.
+   */
   void
   WriteVolumeProperty(const std::string & path, double unit = 1.0) const;
 

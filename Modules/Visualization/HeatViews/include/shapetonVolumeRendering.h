@@ -31,13 +31,13 @@ ViewOfVolume(const itk::ImageBase<3> * volume, const VolumeRenderingOptions & op
 /** \class VolumeRenderer
  * \brief Pictures of a heat volume with a shape-based transfer function (dissertation 2.5, Figures 2.6, 2.9 to 2.11).
  *
- * Direct volume rendering by ray casting, on the CPU or on a GPU with the same bytes; needs neither a display nor a
+ * Direct volume rendering by ray casting, on the CPU or, with identical bytes, on a GPU; needs neither a display nor a
  * graphics driver. Each voxel is classified by its heat, and color and opacity are interpolated. Heat is not
  * interpolated, because between an object and the background it would pass through the heat values of all other objects
  * and surround the object with their colors. Opacity refers to a path of one smallest spacing. Transparent objects are
- * drawn mainly at their surface, so objects inside them are visible. The light is above the
- * viewer's left shoulder. Origin, spacing and direction cosines are respected. Equal input gives equal bytes for any
- * number of threads; ITK's global default number is used.
+ * drawn mainly at their surface, so objects inside them are visible. The light is above the viewer's left shoulder.
+ * Origin, spacing and direction cosines are respected. Identical input yields identical bytes for any number of
+ * threads; ITK's global default number is used.
  *
  * \ingroup ShapetonHeatViews */
 class ShapetonHeatViews_EXPORT VolumeRenderer

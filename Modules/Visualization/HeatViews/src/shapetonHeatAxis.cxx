@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** From the first to the last bin with a count in any row, without the background. */
+/** From the first to the last bin with a count in any row, excluding the background. */
 HeatRange
 RangeOf(const HeatHistogram & histogram)
 {

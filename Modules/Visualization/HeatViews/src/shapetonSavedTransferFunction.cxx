@@ -18,7 +18,7 @@ Refuse(const std::string & path, const std::string & fault)
   throw InputError(path + " is not a transfer function saved by the heat explorer: " + fault + "; save it again");
 }
 
-/** Objects came with the second version. */
+/** Objects were added in the second version. */
 int
 VersionOf(bool hasObjects)
 {
@@ -64,7 +64,7 @@ public:
     return object[key].get<double>();
   }
 
-  /** A list that has items, if it must. */
+  /** Requires a list, which must not be empty if `isRequired`. */
   void
   RequireList(const Json & array, const std::string & name, bool isRequired) const
   {

@@ -362,7 +362,7 @@ TEST(ShapeTransferFunction, TooManyClassesAreJoinedWhereTheyAreClosest)
   std::vector<shapeton::HeatClass> classes{ MakeClass(0, 0.0, 0.1, 5000) };
   for (unsigned int i = 0; i < 13; ++i)
   {
-    // Classes 5 and 6 have only few voxels between their means.
+    // Classes 5 and 6 have only a few voxels between their means.
     const std::uint64_t voxels = i == 5 || i == 6 ? 10 : 1000;
     classes.push_back(MakeClass(i + 1, 0.1 + 0.05 * i, 0.1 + 0.05 * (i + 1), voxels));
     const auto heat = static_cast<float>(classes.back().meanHeat);

@@ -26,9 +26,9 @@ struct PerspectiveCamera
 };
 
 /** Renders a surface in perspective, lit from next to the eye. Like RenderSurfaces(), uses a depth buffer and 3 x 3
- * samples per pixel, with the same bytes for any number of threads. `vertexColors` has one color per vertex. Throws
- * std::invalid_argument for numbers out of range, a view direction that is zero or parallel to `up`, and a wrong number
- * of colors. \ingroup ShapetonPictureKit */
+ * samples per pixel, and yields the same bytes for any number of threads. `vertexColors` has one color per vertex.
+ * Throws std::invalid_argument for numbers out of range, a view direction that is zero or parallel to `up`, and a wrong
+ * number of colors. \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT Picture::Pointer
                           RenderPerspective(const SurfaceMesh &           surface,
                                             const std::vector<RGBColor> & vertexColors,

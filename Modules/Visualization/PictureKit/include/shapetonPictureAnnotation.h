@@ -56,7 +56,7 @@ struct ColorScale
   double                          lower{ 0.0 };
   double                          upper{ 1.0 };
   std::function<RGBColor(double)> map{ HeatColor };
-  /** Numbers at the ticks per value: 0.1 to show values in mm as cm. */
+  /** Factor from values to the numbers at the ticks: 0.1 to show values in mm as cm. */
   double shownPerValue{ 1.0 };
 
   /** Color of a value; gray if it is not finite. */

@@ -13,7 +13,7 @@ struct PlotAxis
   std::string title;
   double      lower{ 0.0 };
   double      upper{ 1.0 };
-  /** Numbers at the ticks per value: 0.1 to show values in mm as cm. */
+  /** Factor from values to the numbers at the ticks: 0.1 to show values in mm as cm. */
   double shownPerValue{ 1.0 };
 };
 

@@ -21,7 +21,7 @@ struct ScreenVertex
   int   x; ///< to the right, in subsamples
   int   y; ///< downwards, in subsamples
   float z; ///< depth away from the viewer, mm
-  /** Components to the right, up and towards the viewer; unit length, or 0 without a normal. */
+  /** Components to the right, up and towards the viewer; unit length, or 0 if there is no normal. */
   float normal[3];
 };
 

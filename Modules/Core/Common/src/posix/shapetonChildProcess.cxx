@@ -83,7 +83,7 @@ StartProgram(const std::string & program, const std::vector<std::string> & argum
   }
   words.push_back(nullptr);
   plan.words = words.data();
-  // No target of a copy may be a source.
+  // No target of a copy may also be a source.
   std::vector<FileDescriptor> sources;
   for (auto & copy : plan.descriptors)
   {

@@ -74,7 +74,7 @@ LimitComputingTime(unsigned int seconds)
 {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  // The system's limit counts from the start of the process.
+  // The system counts CPU time from the start of the process.
   SetLimit(RLIMIT_CPU, static_cast<rlim_t>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) + 1 + seconds);
 }
 } // namespace shapeton
