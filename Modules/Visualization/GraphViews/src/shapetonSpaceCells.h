@@ -20,7 +20,8 @@ CurvesInSpace(const std::vector<std::vector<TPoint>> & edges, std::vector<TPoint
   }
   for (const std::vector<TPoint> & edge : edges)
   {
-    std::iota(curves.emplace_back(edge.size()).begin(), curves.back().end(), static_cast<int>(points.size()));
+    std::vector<int> & curve = curves.emplace_back(edge.size());
+    std::iota(curve.begin(), curve.end(), static_cast<int>(points.size()));
     points.insert(points.end(), edge.begin(), edge.end());
   }
   return curves;
