@@ -42,7 +42,7 @@ PercentileBelow(std::vector<const Level *> levels, double share)
   return levels.back()->Fluid();
 }
 
-/** Large levels over bright fluid, below any gas. */
+/** Large levels on bright fluid, whether or not the gas above is colon. */
 std::vector<const Level *>
 LargeTaggedLevels(const ColonEvidence & evidence)
 {
@@ -57,8 +57,8 @@ LargeTaggedLevels(const ColonEvidence & evidence)
   return tagged;
 }
 
-/** Bright pieces just below a level that cover at least PoolArea, mostly without a wall in between. One level may cover
- * several pools. */
+/** Bright pieces just below a level that cover at least PoolArea of it and are mostly not separated from it by a wall.
+ * One level may cover several pools. */
 std::vector<int>
 BrightUnder(const ColonEvidence & evidence, const GravitySteps & fall, const Level & level)
 {
@@ -107,7 +107,7 @@ Enclose(VoxelBox & box, const std::array<int, 3> & low, const std::array<int, 3>
   }
 }
 
-/** Upper bound of the intensity of a wall between the fluid and a brighter bowel, including noise and the blur of the
+/** Upper bound on the intensity of a wall between the fluid and a brighter bowel, including noise and the blur of the
  * prefilter. */
 double
 BrightestWall(const ColonEvidence & evidence)
@@ -237,10 +237,11 @@ BoxOfColon(const ColonEvidence & evidence)
   {
     return box;
   }
-  constexpr double margin = 12.0; // mm
+  constexpr double margin = 12.0;    // mm; chosen
+  constexpr double analCanal = 50.0; // mm; chosen: the length of a long anal canal
   box = evidence.grid.Widened(box, margin);
-  // Extended to include the anal canal, which may contain a catheter.
-  const int canal = static_cast<int>(50.0 / evidence.grid.spacing[2]);
+  // Extended to include the anal canal, since it may contain a catheter.
+  const int canal = static_cast<int>(analCanal / evidence.grid.spacing[2]);
   if (evidence.grid.axes(2, 2) > 0.0)
   {
     box.low[2] = std::max(0, box.low[2] - canal);
@@ -276,7 +277,7 @@ VoxelOf(const ColonGrid & grid, const itk::Point<double, 3> & point)
   return grid.Index(v[0], v[1], v[2]);
 }
 
-/** The nearby voxel with the maximum of `sign` * value, above a threshold. */
+/** The nearby voxel where `sign` * value is greatest, if above a threshold. */
 std::optional<std::size_t>
 MostExtreme(const ColonEvidence & evidence, std::size_t voxel, double sign, double threshold)
 {
@@ -395,7 +396,7 @@ FindGravity(const std::string & position, ColonEvidence & evidence, ColonLumen &
   }
   const bool isClear = Outweigh(clearest, ClearLevels, ClearRatio, given ? usual.area : 0.0);
   const bool isContradiction = given && isClear && !(clearest.gravity == *given);
-  // A name is always used; only a DICOM code can be overruled.
+  // A named position is always used; only a DICOM code can be overridden.
   const bool isOfHeader = given && position != NameOfGravity(*given);
   const bool isOverruled = isContradiction && isOfHeader && Outweigh(clearest, CertainLevels, CertainRatio, usual.area);
   lumen.gravitySource = given && !isOverruled ? ColonGravitySource::PatientPosition

@@ -2,6 +2,7 @@
 
 #include "shapetonAirFluidLevels.h"
 #include "shapetonColonExtent.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,8 @@ namespace shapeton
 {
 namespace
 {
-/** Limits chosen on two validation exams, hard 105 and 108 (supine). The rule has no effect in 38 others of seeds 100
- * to 109. */
+/** Limits chosen on two validation exams, hard 105 and 108 (supine). The rule has no effect in 38 other exams with
+ * seeds 100 to 109. */
 constexpr double RectumLead = 30.0;     // mm; required difference in distance to the anus
 constexpr double FarthestRectum = 60.0; // mm; loops of small bowel in the pelvis are higher or more anterior
 
@@ -42,7 +43,7 @@ ExtentOfBowel(const ColonEvidence & evidence)
   return extent;
 }
 
-/** Distance of the nearest voxel of each piece from the anus. */
+/** For each piece, the distance from the anus to its nearest voxel. */
 std::vector<double>
 DistancesFromAnus(const ColonGrid & grid, const VoxelRuns & set, const RunLabels & labels, const ColonExtent & extent)
 {
@@ -120,7 +121,7 @@ KindOfGas(const GasPiece & piece, const LungEvidence & lung, const ColonThreshol
   return isWide ? "" : SmallBowelKind;
 }
 
-/** Areas of the levels of a piece: those over fluid as bright as in the colon, and those over fainter matter. */
+/** Areas of the levels of a piece on fluid as bright as in the colon, and on fainter matter. */
 struct LevelAreas
 {
   double bright{ 0.0 };
@@ -147,7 +148,7 @@ StepsAround(const ColonGrid & grid, const GravitySteps & fall)
   std::vector<std::array<int, 3>> steps(1, { { 0, 0, 0 } });
   for (int n = 0; n < 16; ++n)
   {
-    const double          angle = 0.78539816 * (n % 8);
+    const double          angle = 0.25 * Pi * (n % 8);
     const double          reach = n < 8 ? 2.0 : 4.0;
     const Eigen::Vector3d x = reach * (std::cos(angle) * fall.across[0] + std::sin(angle) * fall.across[1]);
     const Eigen::Vector3d v = grid.VoxelOf(grid.origin + x);
@@ -158,7 +159,8 @@ StepsAround(const ColonGrid & grid, const GravitySteps & fall)
   return steps;
 }
 
-/** Adds voxels brighter than `least` in the column under a voxel; its first part may be a blurred layer. */
+/** Adds voxels in the column under a voxel: all voxels of the first part, which may be a blurred layer, and then those
+ * brighter than `least`. */
 void
 AddColumn(const ColonEvidence &             evidence,
           const GravitySteps &              fall,
@@ -183,7 +185,7 @@ AddColumn(const ColonEvidence &             evidence,
   }
 }
 
-/** The fluid in columns under the levels of one piece and around them. */
+/** The fluid in the columns under and around the levels of one piece. */
 std::vector<std::array<int, 3>>
 ColumnsUnder(const ColonEvidence & evidence, int piece)
 {
@@ -229,7 +231,8 @@ MarkStomach(ColonEvidence & evidence, const std::vector<LevelAreas> & areas)
   }
 }
 
-/** Allowed pieces that, with the fluid below them, contain a ball of this radius. */
+/** Adds to the colon those allowed pieces that, together with the fluid below them, contain a ball of this radius;
+ * returns them. */
 std::vector<int>
 TakeOverFluid(ColonEvidence &                 evidence,
               const std::vector<LevelAreas> & areas,
@@ -264,7 +267,7 @@ HeightsOf(const ColonGrid & grid, const GasPiece & piece)
   return { { std::min(low, high), std::max(low, high) } };
 }
 
-/** Whether gas is only next to the cranial half of the lungs, as in airways or the esophagus. */
+/** Marks gas that is only next to the cranial half of the lungs, as in the airways or the esophagus. */
 void
 MarkAirways(ColonEvidence & evidence)
 {

@@ -4,6 +4,7 @@
 #include "shapetonColonPieces.h"
 #include "shapetonColonVolume.h"
 #include "shapetonInterruption.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,11 +22,11 @@ constexpr double PassageInVoxels = 1.4; // minimum radius of a passage, to exclu
 constexpr double ThinReach = 12.0;      // maximum length (mm) of a thin layer from wide fluid or a level
 constexpr double DeepestWide = 20.0;    // maximum depth (mm) of a wide part below a level
 constexpr double ReachOfDip = 3.0;      // voxels
-/** Tolerated rise of brightness along a path (HU), and its increase per HU of noise (standard deviation). */
+/** Tolerated rise in intensity along a path (HU), and its increase per HU of noise (standard deviation). */
 constexpr double LeastTolerance = 10.0;
 constexpr double ToleratedNoise = 0.5;
 
-/** Undecided matter at least as wide as a passage, with the parts in the colon marked. */
+/** Undecided matter at least as wide as a passage; parts that belong to the colon are marked. */
 class WideFluid
 {
 public:
@@ -48,7 +49,8 @@ public:
     m_IsColon.assign(m_Labels.number + 1, 0);
   }
 
-  /** Marks the fluid directly under the levels of the colon, and wide parts below it without a wall in between. */
+  /** Marks the fluid directly under the levels of the colon, and wide parts below it that are not separated from it by
+   * a wall. */
   void
   MarkUnderLevels()
   {
@@ -97,7 +99,7 @@ public:
   }
 
 private:
-  /** Processes one column under a level: marks the first fluid, and votes on the first wide part below. */
+  /** Processes one column under a level: marks the first fluid, and votes on the first wide part below it. */
   void
   MarkColumn(const Level & level, const std::array<int, 3> & floor, std::vector<LevelColumn::Votes> & votes)
   {
@@ -208,7 +210,7 @@ public:
   }
 
 private:
-  /** Mean of a voxel and its face neighbors, to reduce noise while preserving walls of two voxels. */
+  /** Mean of a voxel and its face neighbors, which reduces noise but preserves walls two voxels thick. */
   float
   Mean(std::size_t voxel) const
   {
@@ -274,7 +276,7 @@ private:
     });
   }
 
-  /** Cores: reached voxels beyond the blurred edge, in pieces of at least LeastCoreMl open to the fluid. */
+  /** Cores: reached voxels beyond the blurred edge, in pieces of at least LeastCoreMl that are open to the fluid. */
   VoxelSet
   Cores(const VoxelSet & seeds) const
   {
@@ -292,7 +294,7 @@ private:
     return this->OpenPieces(cores);
   }
 
-  /** Minimum value on the line to the nearest fluid voxel within three voxels; empty if none. */
+  /** Minimum value on the line to the nearest fluid voxel; empty if there is none within three voxels. */
   std::optional<double>
   DipTowardsFluid(std::size_t p) const
   {
@@ -324,7 +326,7 @@ private:
     return dip;
   }
 
-  /** Whether a core contains a seed, or broadly contacts the fluid, mostly without a dip in between. */
+  /** Whether a core contains a seed, or has broad contact with the fluid and mostly no dip in between. */
   bool
   IsOpenToFluid(const VoxelSet & piece) const
   {
@@ -365,7 +367,7 @@ private:
     return kept;
   }
 
-  /** Adds cores and adjacent voxels above their half height. */
+  /** Adds cores, and adjacent voxels with values above the half height of the core. */
   void
   GrowBack(const VoxelSet & cores)
   {
@@ -423,8 +425,8 @@ AddUnmixedFluid(const ColonGrid &                grid,
 
 namespace
 {
-/** Bounds of tagged fluid without gas, chosen on few data. Smaller pools look like small bowel. Pools of 80 and 150 ml
- * of two phantoms (seeds 3 and 8, prone) were lost. */
+/** Limits for tagged fluid without gas, chosen on few data. Smaller pools look like small bowel. Pools of 80 and 150 ml
+ * in two phantoms (seeds 3 and 8, prone) are missed. */
 constexpr double LeastMl = 50.0;
 constexpr double LeastRadius = 14.0; // mm; small bowel has a diameter of 25 mm, plus discretization
 constexpr double RectumMl = 20.0;
@@ -433,7 +435,8 @@ constexpr double LeastLength = 2.5;       // in volumes of the largest inscribed
 constexpr double WellTagged = 300.0;      // HU above tissue
 constexpr double SimilarShare = 0.25;     // relative to the contrast of the fluid
 
-/** Mean of up to 27 voxels at the center of the largest inscribed ball, which may be at the image border. */
+/** Whether the mean of up to 27 voxels at the center of the largest inscribed ball is similar to the fluid of the
+ * colon. The center may be at the image border. */
 bool
 IsAsBright(const ColonEvidence & evidence, const std::array<int, 3> & middle)
 {
@@ -472,7 +475,7 @@ TakeFluidWithoutGas(ColonEvidence & evidence)
     }
     const auto   deepest = FindDeepestVoxel(evidence.grid, evidence.brightSet, evidence.brightLabels, p, pieces[p]);
     const auto & v = deepest.voxel;
-    const double ballMl = 4.18879e-3 * deepest.radius * deepest.radius * deepest.radius;
+    const double ballMl = 4e-3 / 3.0 * Pi * deepest.radius * deepest.radius * deepest.radius;
     const bool   isWide = ml >= LeastMl && deepest.radius >= LeastRadius;
     if ((isWide || (areNearer[p] && deepest.radius >= PoolRectumRadius)) && ml >= LeastLength * ballMl &&
         IsAsBright(evidence, v))
