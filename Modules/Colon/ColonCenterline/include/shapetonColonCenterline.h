@@ -11,7 +11,6 @@
 #include "itkPoint.h"
 
 #include <array>
-#include <optional>
 #include <string>
 
 namespace shapeton
@@ -60,7 +59,7 @@ struct CenterlineMerge
   itk::Point<double, 3> place;
   /** Radius of the hole at its widest, mm. */
   double clearance{ 0.0 };
-  /** Length of colon that a path through the hole would bypass, mm. */
+  /** Length of the colon that a path through the hole would bypass, mm. */
   double loop{ 0.0 };
 };
 
@@ -69,9 +68,9 @@ struct CenterlineMerge
 struct ColonCenterline
 {
   /** One curve from the rectum to the cecum, LPS in mm. Point arrays: arcLength (mm from the rectal end), radius (mm;
-   * that of the largest inscribed ball centered in the cross-section, or the bridge radius in gaps), gap (1 on a
-   * bridge, else 0). Field arrays: lengths (mm, for the exponents 2, 3 and 4), gaps (begin, end), merges (x, y, z,
-   * clearance, loop). */
+   * that of the largest inscribed ball centered in the cross-section; in gaps, that of the bridge), gap (1 on a bridge,
+   * else 0). Field arrays: lengths (mm, for the exponents 2, 3 and 4), gaps (begin, end), merges (x, y, z, clearance,
+   * loop). */
   CurveSet curve;
   /** Length of the line, mm. */
   double                     length{ 0.0 };
@@ -103,7 +102,7 @@ struct ColonCenterline
  *    follows.
  * 4. Start at the rectum, the most caudal, posterior and medial end of a piece, and order the other pieces by the
  *    shortest joins between their ends, using each piece once; exact for up to 14 pieces.
- * 5. Center, smooth and resample the path; bridge gaps by cubic curves.
+ * 5. Center, smooth and resample the path; bridge gaps with cubic curves.
  *
  * Anatomical directions refer to LPS for any image orientation. The result does not depend on the number of threads.
  * Time is linear in the number of voxels.

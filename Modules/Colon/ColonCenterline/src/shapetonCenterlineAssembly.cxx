@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace shapeton
 {
@@ -19,12 +18,13 @@ constexpr double leastInside = 0.55;
 
 /** Side branches larger than this volume (mm^3) are reported. */
 constexpr double largeBranch = 20e3;
-/** Lumen within this distance (mm) plus this number of radii belongs to the line, not to a side branch. The sensitivity
- * was not measured. */
+/** Lumen within a distance of besideLine (mm) plus besideRadii radii from the line belongs to the line, not to a side
+ * branch. The sensitivity was not measured. */
 constexpr double besideLine = 10.0;
 constexpr double besideRadii = 2.0;
-/** Spread of the lengths for the exponents 2, 3 and 4, relative to the length, above which loops have probably merged:
- * a path through a hole between them depends on the cost, a path along the lumen does not. Chosen on a real prone exam.
+/** Spread of the lengths for the exponents 2, 3 and 4, as a fraction of the length. Above it, loops have probably
+ * merged: a path through a hole between loops depends on the cost, a path along the lumen does not. Chosen on a real
+ * prone exam.
  */
 constexpr double unsureLength = 0.03;
 /** Values of a merge in the field array: x, y, z, clearance, loop. */
@@ -78,7 +78,7 @@ FindOutside(const DistanceField & field, const CurvePoints & points)
   return isOutside;
 }
 
-/** Splits a section where it leaves the lumen, with gaps in between. */
+/** Splits a section where it leaves the lumen; the parts outside become gaps. */
 void
 AddInside(const DistanceField & field, const Section & section, std::vector<Section> & sections)
 {
@@ -291,8 +291,8 @@ WarnOfNarrowPlaces(const LumenGrid & grid, const std::vector<Section> & sections
 void
 WarnOfUnlikelyRectum(ColonCenterline & result)
 {
-  // Bounds as shares of the extent of the line. In LPS, y increases toward the back. The rectum of 131 phantoms and of
-  // a real colon lies within 0.07 of the middle; a wrong line lay at 0.24.
+  // Bounds as fractions of the extent of the line. In LPS, y increases toward the back. The rectum is within 0.07 of
+  // the middle in 131 phantoms and a real colon; a wrong line began 0.24 from it.
   constexpr double fromMiddle = 0.2;
   constexpr double leastBack = 0.3;
   ColonExtent      extent;
@@ -313,7 +313,7 @@ WarnOfUnlikelyRectum(ColonCenterline & result)
 struct ShapedLines
 {
   std::vector<Section> sections;
-  /** Line lengths (mm) of each piece for exponent 2, the exponent of the options, and exponent 4. */
+  /** Lengths (mm) of the line through each piece for exponent 2, the exponent in the options, and exponent 4. */
   std::vector<std::array<double, 3>> lengths;
 };
 
@@ -367,7 +367,8 @@ struct SideBranch
   double volume; ///< mm^3
 };
 
-/** Finds branches: far lumen connected to consecutive points of the line. `away` is its volume (mm^3) per point. */
+/** Finds branches: lumen far from the line that is connected to consecutive line points. `away` is the volume (mm^3) of
+ * far lumen for each line point. */
 std::vector<SideBranch>
 SideBranches(const std::vector<double> & away)
 {
@@ -388,7 +389,8 @@ SideBranches(const std::vector<double> & away)
   return branches;
 }
 
-/** Finds side branches: lumen whose distance to the line within the lumen exceeds the limit for the caliber. */
+/** Finds side branches: lumen whose distance to the line, measured within the lumen, exceeds the limit for the
+ * caliber. */
 void
 AddCover(const LumenNetwork & network, const std::vector<Section> & sections, ColonCenterline & result)
 {

@@ -3,7 +3,6 @@
 #include "shapetonInterruption.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace shapeton
@@ -12,7 +11,7 @@ namespace
 {
 /** Maximum distance of a cell from its center, in radii of its inscribed ball. */
 constexpr double reach = 1.5;
-/** Minimum radius of a cell in voxels, slightly above zero: a cell at the narrowest voxel still includes its neighbors.
+/** Minimum radius of a cell, in voxels; above zero, so that even a cell at the narrowest voxel includes its neighbors.
  */
 constexpr double leastRadius = 0.7;
 

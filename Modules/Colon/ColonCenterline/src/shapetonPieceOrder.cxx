@@ -1,29 +1,29 @@
 #include "shapetonPieceOrder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace shapeton
 {
 namespace
 {
-/** Costs in mm of joins, chosen on phantoms of the development seeds. Costs of the start and of tapers were chosen with
- * knowledge of two validation exams, hard 102 (CT) and 114 (prone). The sensitivity of the others was not measured. */
+/** Costs in mm of join length, chosen on the phantoms of the development seeds. The costs of the start and of tapers
+ * were chosen with knowledge of two validation exams, hard 102 (CT) and 114 (prone). The sensitivity of the others was
+ * not measured. */
 
-/** Cost of a join, added to its length; increase per mm of length for an end that faces sideways (twice for one that
- * faces away); cost of each mm beyond longestJoin. */
+/** Cost of a join, added to its length; increase per mm of length for an end that faces sideways (twice that for one
+ * that faces away); cost of each mm beyond longestJoin. */
 constexpr double joinCost = 5.0;
 constexpr double turnShare = 0.35;
 constexpr double longJoinShare = 2.0;
 /** Cost of omitting a piece, added to its length, and of omitting a piece that must be used. */
 constexpr double leavingCost = 60.0;
 constexpr double leavingWantedCost = 1e6;
-/** Penalty (mm) for the least likely position of a cecum, and the shares that height and side contribute to it. */
+/** Penalty (mm) for the least likely position of a cecum, and the fractions of it due to height and side. */
 constexpr double cecumWeight = 60.0;
 constexpr double highShare = 0.7;
 constexpr double leftShare = 0.3;
-/** Penalty for a tapering cecum (mm), and relative calibers of a taper and a cecum. */
+/** Penalty for a tapering cecum (mm), and calibers of a cecum and of a taper relative to the usual one. */
 constexpr double taperWeight = 80.0;
 constexpr double cecumCaliber = 1.25;
 constexpr double taperCaliber = 0.75;
@@ -49,7 +49,7 @@ JoinCost(const JoinEnd & a, const JoinEnd & b)
   return joinCost + distance * (1.0 + turnShare * turns) + longJoinShare * std::max(0.0, distance - longestJoin);
 }
 
-/** Penalty for omitting a piece, in mm of joins. */
+/** Penalty for omitting a piece, in mm of join length. */
 double
 LeavingCost(const JoinPiece & piece)
 {

@@ -4,7 +4,6 @@
 #include "ShapetonColonExaminationExport.h"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace shapeton
@@ -13,7 +12,7 @@ namespace shapeton
  * declares all of them. \ingroup ShapetonColonExamination */
 struct ShapetonColonExamination_EXPORT ExaminationFile
 {
-  /** Stage that writes the file, and its folder; "" for the folder of the run. */
+  /** Stage that writes the file, also the name of its folder; "" for the folder of the run. */
   const char * stage;
   const char * name;
   /** Tool of the stage. */

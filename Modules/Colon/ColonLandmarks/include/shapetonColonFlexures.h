@@ -10,7 +10,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace shapeton
 {
@@ -23,10 +22,10 @@ enum class FlexureRule
   Published
 };
 
-/** A major bend of the colon, found or not. \ingroup ShapetonColonLandmarks */
+/** A major bend of the colon, whether found or not. \ingroup ShapetonColonLandmarks */
 struct ColonFlexure
 {
-  /** Number from the rectum: 1 rectosigmoid, 2 descending-sigmoid, 3 splenic, 4 hepatic. */
+  /** Number, counted from the rectum: 1 rectosigmoid, 2 descending-sigmoid, 3 splenic, 4 hepatic. */
   int  number{ 0 };
   bool isFound{ false };
   /** Reason why it was not found; empty otherwise. */
@@ -38,7 +37,7 @@ struct ColonFlexure
   /** Distance along the centerline, mm. */
   double arcLength{ 0.0 };
   /** 0 to 1. Ordered: probability that the flexure is within 30 mm along the line, calibrated on phantoms. Published:
-   * 0.5 if all four are in anatomical order; that method provides no probability. */
+   * 0.5 if all four are in anatomical order, since that method does not provide a probability. */
   double confidence{ 0.0 };
 };
 
@@ -52,8 +51,8 @@ struct ColonFlexures
   bool isMirrored{ false };
   /** Whether the line is probably reversed (cecum to rectum), which lowers confidences. Set only by Ordered. */
   bool isBackwards{ false };
-  /** Whether the bones of the pelvis decided the descending-sigmoid flexure; otherwise the course of the line did. Set
-   * only by Ordered. */
+  /** Whether the descending-sigmoid flexure was determined by the pelvic bones, not by the course of the line. Set only
+   * by Ordered. */
   bool    isJunctionFromBones{ false };
   Remarks warnings;
 
@@ -71,31 +70,29 @@ ShapetonColonLandmarks_EXPORT std::string
 ShapetonColonLandmarks_EXPORT std::string
                               NameOf(FlexureRule rule);
 
-/** Finds the four flexures of a centerline that runs from the rectum to the cecum.
+/** Finds the four flexures of a centerline from the rectum to the cecum.
  *
  * Ordered: twelve features are computed every 4 mm along the line: the fraction of the length before the point, its
  * position in the bounding box of the line, the angles between chords of 35 and of 70 mm, and the directions 40 mm
  * before and after it. The score of a flexure is the log-likelihood of a Gaussian with independent features. The length
  * of the rectum and the length fractions between flexures are Gaussian as well. Each point up to the splenic flexure is
- * also scored by a likelihood ratio (position in the box, direction over 15 mm): that of the descending colon to that
- * of the whole colon. The descending colon runs straight along the left posterior wall; its lower part, the iliac
- * colon, runs obliquely in front of the iliac bone. If the pelvis is known, the descending-sigmoid flexure, which is at
- * the pelvic brim, is also scored by its height above the promontory and its distance to the left of it. Dynamic
- * programming finds the optimal four ordered points. Then the splenic and hepatic flexures, which are fixed to the
- * posterior wall, are shifted to the highest point within 16 mm, with posterior depth weighted by one half. The
- * rectosigmoid flexure is shifted to the sharpest bend within 14 mm. The descending-sigmoid flexure, the start of the
- * straight part, is set to the probability-weighted mean of its candidates within 60 mm. Confidences are posterior
- * probabilities, tempered and blurred as calibrated on phantoms (constants in the source). The mirror image of the line
- * is scored as well and chosen if its total likelihood times .001 is greater. The prior probability of a line from the
+ * also scored by a likelihood ratio (position in the box, direction over 15 mm) of the descending colon to the whole
+ * colon. The descending colon runs straight along the left posterior wall; its lower part, the iliac colon, runs
+ * obliquely in front of the iliac bone. If the pelvis is known, the descending-sigmoid flexure, which is at the pelvic
+ * brim, is also scored by its height above the promontory and its distance to the left of it. Dynamic programming finds
+ * the optimal four ordered points. Then the splenic and hepatic flexures, which are fixed to the posterior wall, are
+ * shifted to the highest point within 16 mm, with posterior depth weighted by one half. The rectosigmoid flexure is
+ * shifted to the sharpest bend within 14 mm. The descending-sigmoid flexure, the start of the straight part, is set to
+ * the probability-weighted mean of its candidates within 60 mm. Confidences are posterior probabilities, tempered and
+ * blurred as calibrated on phantoms (constants in the source). The mirror image of the line is scored as well, and is
+ * chosen if its total likelihood times .001 is greater than that of the line. The prior probability of a line from the
  * cecum to the rectum is .01; confidences are multiplied by the probability of the chosen direction.
  *
  * The prior is based on published anatomy, not on centerlines or phantoms:
  * - lengths from the anal verge, cm: anal canal 4, rectum 12, sigmoid 40, descending 25, transverse 50, ascending 15,
  *   cecum 6 (Standring, ed.: Gray's Anatomy, 41st ed., 2016); ascending 20-25, descending 10-15, cecum 6 (SEER
- *   training module, US National Cancer Institute). The means of the prior lie between these values. The descending
- *   colon includes the iliac colon, 12 to 15 cm in the iliac fossa (Gray's
- *   Anatomy, 20th ed., 1918).
- *   Total 189.5 +-
+ *   training module, US National Cancer Institute). The means of the prior are between these values. The descending
+ *   colon includes the iliac colon, 12 to 15 cm in the iliac fossa (Gray's Anatomy, 20th ed., 1918). Total 189.5 +-
  *   26.3 cm (Khashab et al., Endoscopy 41, 2009, 505 adults, CT colonography), 150.3 +- 18.5 cm, 110 to 196 (Utano et
  *   al., Jpn J Radiol 40, 2022, 295 patients). Standard deviations are a quarter to a third of the segment length, more
  *   for the sigmoid, whose length varies most (Phillips et al., Ann R Coll Surg Engl 97, 2015).
@@ -106,14 +103,14 @@ ShapetonColonLandmarks_EXPORT std::string
  * - sides and depth: rectum in the midline in front of the sacrum, descending colon left and posterior, transverse
  *   colon hanging forward between its flexures, ascending colon right (same source).
  *
- * Source: Ordered is original work. Published is the rule of the dissertation, 4.2.2; its "comparable y" is undefined
- * there and is 25 mm here.
+ * Source: Ordered is original work. Published is the rule of the dissertation, 4.2.2; its "comparable y" is not defined
+ * there and is taken as 25 mm here.
  *
  * No flexure is found, and the reason is reported, if the line is shorter than 80 cm (minimum for a whole colon,
  * Hounnou et al., Surg Radiol Anat 24, 2002) or its features are too far from the prior. Doubtful results cause
  * warnings. \param centerline one curve with the point array arcLength. Throws InputError unless there is exactly one
- * curve with an ascending arcLength. \param pelvis from FindPelvis(); empty if it is not in view or no CT is at hand.
- * Not used by Published. \ingroup ShapetonColonLandmarks */
+ * curve with an ascending arcLength. \param pelvis from FindPelvis(); empty if the pelvis is not in view or no CT is
+ * available. Not used by Published. \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT ColonFlexures
 FindColonFlexures(const CurveSet &              centerline,
                   FlexureRule                   rule = FlexureRule::Ordered,

@@ -5,17 +5,15 @@
 #include "shapetonColonWallTube.h"
 #include "shapetonProgress.h"
 
-#include <array>
-
 namespace shapeton
 {
 /** Method that finds the taeniae coli. \ingroup ShapetonColonLandmarks */
 enum class TaeniaRule
 {
-  /** Windowed fuzzy C-means and joint dynamic programming for three paths; the result with the lower energy is kept. */
+  /** Windowed fuzzy C-means and joint dynamic programming for three paths; the lower-energy result is kept. */
   Joint,
-  /** The most compact track of fuzzy C-means, and two tracks one and two thirds of the circumference away from it
-   * (dissertation 4.2.1). */
+  /** The most compact track found by fuzzy C-means, and two tracks one third and two thirds of the circumference away
+   * from it (dissertation 4.2.1). */
   Published
 };
 
@@ -58,8 +56,8 @@ struct ColonTaeniaOptions
 struct ColonTaeniae
 {
   TaeniaRule rule{ TaeniaRule::Joint };
-  /** Three, or empty if too few folds are found. In the row order of the flat image, starting with the best
-   * supported. */
+  /** Three taeniae; empty if too few folds are found. In the row order of the flat image, starting with the one best
+   * supported by the evidence. */
   std::vector<ColonTaenia> taeniae;
   std::string              reason; ///< why none were found
   /** Method whose result is kept: "joint", "fuzzyCMeans" or "thirds". */
@@ -81,15 +79,16 @@ ShapetonColonLandmarks_EXPORT std::string
 /** Finds the three taeniae coli of a flat colon, the bands at which haustral folds end (dissertation 4.2.1).
  *
  * Folds are found by FindHaustralFolds(). The evidence is computed on a grid of rows (2.8 mm of the map) along the tube
- * and 72 angles: the density of folds, minus the density of fold ends, minus a term for wall between folds that is
+ * and 72 angles: the density of folds, minus the density of fold ends, minus a term for wall that is between folds,
  * close to the axis and not concave. Haustra bulge outward between taeniae. The first two harmonics, caused by bends,
  * are removed.
  * - Fuzzy C-means (c = 3, m = 2; Bezdek 1981) of the angles of fold ends in windows of 150 mm, tracked between windows.
- * - Joint, exact dynamic programming of three paths: state (angle, two gaps), gaps of 45 to 225 degrees. In each row,
- * all paths turn by at most one step together, and each by at most one more. All paths have the same costs, so a
- * mirrored wall results in mirrored taeniae. The results of the two methods are compared by the energy of the dynamic
- * programming. Markers attract the paths; a Gaussian displacement with a standard deviation of 30 mm then moves each
- * taenia exactly through its markers.
+ * - Joint and exact dynamic programming of three paths: state (angle, two gaps), gaps of 45 to 225 degrees. In each
+ *   row, all paths turn by at most one step together, and each by at most one more. The costs are the same for all
+ *   paths, so a mirrored wall results in mirrored taeniae.
+ *
+ * The results of the two methods are compared by the energy of the dynamic programming. Markers attract the paths; a
+ * Gaussian displacement with a standard deviation of 30 mm then moves each taenia exactly through its markers.
  *
  * Throws InputError if a marker is more than 15 mm from the wall. \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT ColonTaeniae

@@ -5,7 +5,6 @@
 #include "shapetonCurveSet.h"
 #include "shapetonFlatColon.h"
 
-#include <string>
 #include <vector>
 
 namespace shapeton

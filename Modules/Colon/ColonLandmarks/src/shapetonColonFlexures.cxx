@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace shapeton
 {
@@ -15,7 +14,7 @@ namespace
 constexpr double leastColon = 800.0; // mm; Hounnou et al. 2002, see the header
 /** Maximum mean squared feature deviation of a flexure. */
 constexpr double greatestMeanDeviation = 4.0;
-/** Maximum distance (mm) of the apex from the optimum. The descending colon ends with its straight part, not at a
+/** Maximum distance (mm) from the optimum to the apex. The descending colon ends where its straight part does, not at a
  * bend. */
 constexpr std::array<double, 4> apexReach{ 14.0, 0.0, 16.0, 16.0 };
 constexpr double                impossible = -1e30;

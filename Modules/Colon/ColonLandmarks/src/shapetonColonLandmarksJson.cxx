@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 
 namespace shapeton
 {
@@ -37,7 +36,7 @@ FindBorder(const ColonSegments & segments, int number)
   return nullptr;
 }
 
-/** Position of the loop on the map: its mean u, and the v of its first vertex. */
+/** Position of the loop on the map: the mean u, and v at the first vertex. */
 Json
 UvOfLoop(const ColonLandmarks & landmarks, const SegmentBorder & border)
 {
@@ -168,7 +167,7 @@ AreaOfFace(const ColonWallTube & tube, int face)
   return 0.5 * (b - a).cross(c - a).norm();
 }
 
-/** Names of segments without a known border. */
+/** Names of the segments that lack a known border. */
 Json
 SegmentsNotFound(const ColonLandmarks & landmarks)
 {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 namespace shapeton
@@ -15,11 +14,11 @@ namespace
 constexpr double windowLength = 150.0;  // mm; chosen: 120 to 180 mm worked on synthetic colons
 constexpr int    leastEndsOfWindow = 5; // chosen: more than the three centers
 constexpr int    iterations = 40;       // chosen: bounds the time
-/** Least squared distance of a point of the unit circle to a center, so that a fold end at a center does not outweigh
- * all others. */
+/** Lower bound of the squared distance from a point on the unit circle to a center, so that a fold end at a center does
+ * not outweigh all others. */
 constexpr double leastDistance = 1e-4;
-/** Starts of the clustering: angles of the previous window, turned by up to this share of a turn, or, in the first
- * window, this number of angles over a third of a turn. */
+/** Initial angles of the clustering: those of the previous window, rotated by up to stepOfStarts turns, or, in the
+ * first window, firstStarts angles spread over a third of a turn. */
 constexpr double stepOfStarts = 0.05;
 constexpr int    firstStarts = 8;
 
@@ -31,7 +30,7 @@ OnCircle(double turns)
   return std::polar(1.0, TwoPi * turns);
 }
 
-/** Three centers on the circle; `spread` is the mean squared distance of their members. */
+/** Three centers on the circle; `spread` is the mean squared distance from each center to its members. */
 struct Clusters
 {
   TaeniaAngles          angles{};
@@ -39,7 +38,7 @@ struct Clusters
   double                objective{ 0.0 };
 };
 
-/** Fuzzy C-means with c = 3, m = 2 of points on the unit circle. */
+/** Fuzzy C-means (c = 3, m = 2) of points on the unit circle. */
 Clusters
 ClusterFrom(const std::vector<Complex> & points, const TaeniaAngles & start)
 {
@@ -195,7 +194,7 @@ TrackWindows(std::vector<Window> & windows)
   return true;
 }
 
-/** The most compact track, and two tracks one and two thirds of the circumference away from it. */
+/** The most compact track, and two tracks one third and two thirds of the circumference away from it. */
 void
 ReplaceByThirds(std::vector<Window> & windows)
 {

@@ -13,7 +13,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <unordered_map>
 #include <vector>
@@ -23,13 +22,13 @@ namespace shapeton
 /** Standard deviation of the scanner blur, mm. Estimates on real data: 0.56 to 0.8, and 0.9 at levels. */
 constexpr double UsualBlur = 0.8;
 
-/** Bound of squared wall distances (mm^2), which are infinite if the grid has no background. */
+/** Upper bound on squared wall distances (mm^2), which are infinite if the grid has no background. */
 constexpr float GreatestSquaredDistance = 1e6F;
 
 /** Margin (mm) that ColonGrid::Widened() rounds up to one voxel. */
 constexpr double OneVoxel = 1e-6;
 
-/** Variance of a uniform distribution, such as of a place within a voxel. */
+/** Variance of a uniform distribution, such as that of a position within a voxel. */
 inline double
 UniformVariance(double width)
 {
@@ -82,11 +81,11 @@ using ColonImage = itk::Image<float, 3>;
 ColonGrid
 GridOfImage(const itk::ImageBase<3> * image);
 
-/** The part of an image in a working grid. Values are clamped to [-1100, 32767]; padding and NaN become air. */
+/** The part of an image that is in a working grid. Values are clamped to [-1100, 32767]; padding and NaN become air. */
 VoxelValues
 LoadVoxels(const ColonImage * image, const ColonGrid & grid);
 
-/** The part of a working volume in a box. */
+/** The part of a working volume that is in a box. */
 VoxelValues
 CropVoxels(const VoxelValues & voxels, const ColonGrid & grid, const VoxelBox & box);
 
@@ -126,7 +125,7 @@ ForEachVoxel(const itk::ImageBase<3> * image, const ColonGrid & grid, const TBod
 double
 ModeOfTissue(const VoxelValues & hu);
 
-/** Moments of blocks of about 5 mm, at least 2 voxels along each axis; incomplete blocks at the upper ends are
+/** Moments of blocks of about 5 mm and at least 2 voxels along each axis; incomplete blocks at the upper ends are
  * ignored. */
 struct VoxelBlocks
 {
@@ -135,7 +134,7 @@ struct VoxelBlocks
   std::vector<double> mean;                ///< HU
   std::vector<double> deviation;           ///< standard deviation, HU
 
-  /** Whether the voxels of a row are in blocks. */
+  /** Whether the voxels of a row belong to blocks; those beyond the last whole block do not. */
   bool
   HoldRow(int j, int k) const
   {
@@ -165,16 +164,16 @@ SmoothVoxels(const ColonGrid & grid, VoxelValues & hu, double sigma)
   SmoothVoxels(grid, { { sigma / grid.spacing[0], sigma / grid.spacing[1], sigma / grid.spacing[2] } }, hu.data());
 }
 
-/** Remaining contrast (0 to 1) in the middle of a 2 mm wall between two bowels after a prefilter of sigma `smoothing`
- * (mm). */
+/** Contrast (0 to 1) that remains in the middle of a 2 mm wall between two bowels after a prefilter with a sigma of
+ * `smoothing` (mm). */
 double
 ShareInWall(const ColonGrid & grid, double smoothing);
 
 /** Ascending voxel indices of a small subset of a large grid. */
 using VoxelSet = std::vector<std::size_t>;
 
-/** Whether `holds(index, squared distance in mm^2)` is true for all voxels of the box of half width `reach` mm around a
- * voxel; stops at the first failure. */
+/** Whether `holds(index, squared distance in mm^2)` is true for all voxels in the box with a half width of `reach` mm
+ * around a voxel; stops at the first failure. */
 template <typename THolds>
 bool
 ForAllWithin(const ColonGrid & grid, std::size_t voxel, double reach, const THolds & holds)
@@ -207,8 +206,8 @@ std::vector<std::vector<std::size_t>>
 ConnectedPieces(const ColonGrid & grid, const VoxelSet & voxels, const VoxelParts & parts = {});
 
 /** Partitions a set at necks, where no ball of this radius (mm) fits into the union of the set and the voxels for which
- * `isOpen` is true. Returns for each voxel the number (from 1) of the nearest wide part within the set; empty if no
- * wide part exists. */
+ * `isOpen` is true. Returns for each voxel the number (from 1) of the nearest wide part, measured within the set; empty
+ * if there is no wide part. */
 VoxelParts
 PartsAtNecks(const ColonGrid &                        grid,
              const VoxelSet &                         voxels,
@@ -230,7 +229,7 @@ PiecesOfRuns(const VoxelRuns & set, const RunLabels & labels);
 std::vector<unsigned char>
 MaskOfRuns(const ColonGrid & grid, const VoxelRuns & set, const RunLabels & labels, int label, const VoxelBox & box);
 
-/** Center of the largest ball in a piece. */
+/** Center and radius of the largest ball in a piece. */
 struct DeepestVoxel
 {
   std::array<int, 3> voxel{ { 0, 0, 0 } };

@@ -4,9 +4,6 @@
 #include "shapetonCurveSet.h"
 #include "shapetonTopologyPreservingGrowth.h"
 
-#include <string>
-#include <vector>
-
 namespace shapeton
 {
 /** Fraction of lumen in each voxel, 0 to 1; the wall is the 0.5 isosurface. \ingroup ShapetonColonModel */
@@ -15,7 +12,7 @@ using OccupancyImage = itk::Image<float, 3>;
 /** Findings and changes of RepairLumenTopology(). Volumes in ml. \ingroup ShapetonColonModel */
 struct LumenTopologyReport
 {
-  /** Number of handles of the largest piece before the repair. */
+  /** Number of handles in the largest piece before the repair. */
   std::int64_t handlesBefore{ 0 };
   std::int64_t handlesAfter{ 0 };
   /** Cavities in the largest piece, which are filled. */
@@ -36,7 +33,8 @@ struct LumenTopology
   LumenTopologyReport     report;
 };
 
-/** Computes a mask of the voxels of at least 0.5 without handles and cavities, with minimal changes.
+/** Computes a mask of the voxels with values of at least 0.5, with the minimal changes that remove handles and
+ * cavities.
  *
  * The largest piece is kept and its cavities are filled. Then a single voxel is grown by simple points, first along the
  * centerline (if given), to avoid cuts across the lumen, then in order of decreasing distance to the wall. The fronts
@@ -50,7 +48,7 @@ ShapetonColonModel_EXPORT LumenTopology
 RepairLumenTopology(const OccupancyImage * occupancy, const CurveSet & centerline);
 
 /** Converts a mask to an occupancy of 0 and 1; nonzero voxels are lumen. For `sigma` (mm) greater than 0, the field is
- * smoothed by a Gaussian to remove stairs and shifted to preserve the number of voxels of at least 0.5.
+ * smoothed by a Gaussian to remove stairs and shifted to preserve the number of voxels with values of at least 0.5.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT OccupancyImage::Pointer
                           OccupancyFromMask(const LumenMaskImage * mask, double sigma = 0.0);

@@ -9,7 +9,6 @@
 #include "itkImageRegionIterator.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace shapeton
 {
@@ -18,12 +17,14 @@ namespace
 constexpr unsigned char Gas = 1;              // label of a LumenMask
 constexpr unsigned char Fluid = 2;            // label of a LumenMask
 constexpr double        TypicalTissue = 40.0; // HU; soft tissue, as in ModeOfTissue()
-/** Bounds of the values (HU) and the number of voxels from which gas and tagged fluid are measured. */
+/** Bounds on the values (HU) of the voxels from which gas and tagged fluid are measured, and the minimum number of
+ * fluid voxels. */
 constexpr float       GreatestOfGas = -600.0F;
 constexpr float       LeastOfFluid = 150.0F;
 constexpr std::size_t LeastFluidVoxels = 20;
-/** Seeds of gas and fluid as in the segmentation of the CT: a fifth of the contrast from gas, 0.7 of the contrast of
- * the fluid, which is relative because a fixed threshold of 200 HU includes bone and small bowel. */
+/** Seed thresholds of gas and fluid as in the segmentation of the CT: a fifth of the way from gas to tissue, and 0.7 of
+ * the way from tissue to fluid. The latter is relative because a fixed threshold of 200 HU includes bone and small
+ * bowel. */
 constexpr double GasSeedOfTissue = 0.2;
 constexpr double GasSeedOfGas = 0.8;
 constexpr double FluidSeedShare = 0.7;
@@ -46,7 +47,7 @@ struct PieceSums
   itk::Vector<double, 3> fluidPlace{ 0.0 };
 };
 
-/** Accumulates sums for the components of the labels; `ct` may be null. */
+/** Computes sums over the components of the labels; `ct` may be null. */
 std::vector<PieceSums>
 SumPieces(const itk::Image<float, 3> * ct, const LumenMask * labels, const LumenDistanceImage * distance)
 {
@@ -90,7 +91,7 @@ DescribePieces(const std::vector<PieceSums> & sums, double voxelMl, ColonLumen &
   }
 }
 
-/** Estimates gravity from gas to fluid in each piece. */
+/** Estimates gravity by comparing the positions of gas and fluid in each piece. */
 void
 ChooseGravity(const std::vector<PieceSums> & sums, const std::string & position, ColonLumen & lumen)
 {

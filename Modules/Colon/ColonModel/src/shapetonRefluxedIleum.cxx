@@ -4,34 +4,33 @@
 #include "shapetonTerminalIleum.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace shapeton
 {
 namespace
 {
-/** Maximum radius (mm) of an ileum, which is 10 to 25 mm wide; share of its length that must be within it; length (mm)
- * of its first stretch, of which half must be. */
+/** Maximum radius (mm) of an ileum, which is 10 to 25 mm wide; fraction of the length of the ileum that must not exceed
+ * this radius; length (mm) of its first stretch, half of which must not exceed it. */
 constexpr double WidestIleum = 12.5;
 constexpr double MostOfIleum = 0.75;
 constexpr double FirstStretch = 100.0;
-/** Maximum ratio of the median radii of ileum and colon, which is 0.53 in one real patient. A spastic sigmoid is
- * narrow, too, but the colon is widest at the cecum. */
+/** Maximum ratio of the median radius of the ileum to that of the colon; it is 0.53 in one real patient. A spastic
+ * sigmoid is narrow, too, but the colon is widest at the cecum. */
 constexpr double NarrowerThanColon = 0.75;
-/** Length (mm) of the colon before the valve whose caliber is compared. */
+/** Length (mm) of the stretch before the valve whose caliber is compared with that of the ileum. */
 constexpr double ComparedColon = 150.0;
-/** Minimum length of an ileum (mm). The pole of a cecum is within one radius of the end. */
+/** Minimum length (mm) of an ileum. The pole of a cecum is within one radius of the end. */
 constexpr double LeastIleum = 40.0;
-/** Minimum distances (mm) beyond the inscribed ball of the line, for the voxels and for the deepest voxel of a pouch.
+/** Minimum distances (mm) beyond the inscribed ball of the line for all voxels and for the deepest voxel of a pouch.
  * Haustra of a phantom are up to 20 mm deep; cecal poles were 22 mm (phantom) and 40 mm (patient). */
 constexpr double PouchBegin = 10.0;
 constexpr double LeastPouchDepth = 21.0;
 /** Minimum distance (mm) beyond the inscribed ball for the voxels of a cecum that touches the ileum. Folds of the ileum
  * are shallower. */
 constexpr double CecumBegin = 3.0;
-/** Minimum volume (ml) of the part of a cecum beyond the line. The short cecum of a phantom has 1.4 ml. */
+/** Minimum volume (ml) of the part of a cecum beyond the line. The short cecum of a phantom has a volume of 1.4 ml. */
 constexpr double LeastPouchMl = 1.0;
-/** Maximum length of the line (mm) from the pouch through the cecum to the valve, and through the valve. */
+/** Maximum lengths (mm) of the line from the pouch through the cecum to the valve, and through the valve. */
 constexpr double ValveReach = 60.0;
 constexpr double ValveLength = 30.0;
 constexpr double WiderThanIleum = 1.3; // radius of the cecum relative to the median of the ileum
@@ -88,8 +87,8 @@ public:
     return isNarrow;
   }
 
-  /** The valve: the narrowest place after the last place near the pouch that is wider than an ileum. A gap is a closed
-   * valve. */
+  /** The valve: the narrowest place after the last place near the pouch that is wider than an ileum. A gap in the line
+   * is a closed valve. */
   double
   ValveAfter(double arcLength) const
   {
@@ -108,7 +107,7 @@ public:
     return m_ArcLengths[narrowest];
   }
 
-  /** Distance (mm) of a point beyond the inscribed ball at a place of the line. */
+  /** Distance (mm) of a point beyond the inscribed ball at a position on the line. */
   double
   Beyond(double arcLength, const Eigen::Vector3d & point) const
   {
@@ -184,7 +183,7 @@ public:
     return largest;
   }
 
-  /** The lumen around the line behind the valve, without the cecum, which may touch the ileum. */
+  /** The lumen around the line behind the valve, excluding the cecum, which may touch the ileum. */
   TerminalIleum
   IleumBehind(double valve, const CecalPouch & pouch) const
   {

@@ -5,15 +5,14 @@
 
 #include "itkImageRegionIteratorWithIndex.h"
 
-#include <cmath>
-
 namespace shapeton
 {
 namespace
 {
-/** Maximum inscribed radius (mm) of an ileum. Haustra are wider except for their corners. */
+/** Maximum inscribed radius (mm) of an ileum. Haustra are wider, except for their corners. */
 constexpr double ilealRadius = 8.5;
-/** mm; crevices next to lips are shallower. This part of the ileum is not removed. */
+/** Length (mm) of the part of the ileum next to the wide lumen that is not removed; crevices next to lips are
+ * shallower. */
 constexpr double leftWithColon = 4.0;
 /** Maximum distance (mm) of the ileum from the line. */
 constexpr double margin = 110.0;
@@ -22,7 +21,7 @@ constexpr double fromValve = 25.0;
 /** Minimum length, mm; corners of haustra are shallower. */
 constexpr double leastLength = 30.0;
 
-/** Mask of the lumen removed by an opening with a ball of the ileal radius. */
+/** Mask of the lumen that is more than leftWithColon away from its opening by a ball of the ileal radius. */
 std::vector<unsigned char>
 NarrowLumen(const CecalRegion & region)
 {
@@ -60,7 +59,7 @@ TouchesWideLumen(const CecalRegion & region, const std::vector<unsigned char> & 
   return touches;
 }
 
-/** Extracts the connected part around a voxel from `free`. */
+/** Moves the connected part around a voxel from `free` to a branch. */
 Branch
 GrowBranch(const CecalRegion &                region,
            const std::vector<unsigned char> & narrow,
@@ -100,7 +99,7 @@ LengthOf(const CecalRegion & region, const Branch & branch, const Eigen::Vector3
   return farthest;
 }
 
-/** Mask of the branch for the voxels of the region. */
+/** Mask of the branch on the voxels of the region. */
 std::vector<unsigned char>
 VoxelsOf(const CecalRegion & region, const Branch & branch)
 {
@@ -147,7 +146,7 @@ MaskOf(const CecalRegion & region, const Branch & branch, const LumenMask * labe
   return mask;
 }
 
-/** Returns the center of the opening if the branch is connected to the wide lumen only at the valve. */
+/** Whether the branch is connected to the wide lumen only at the valve; sets `middle` to the center of the opening. */
 bool
 LeavesAtValve(const CecalRegion & region, const Branch & branch, const IleocecalValve & valve, Eigen::Vector3d & middle)
 {

@@ -6,13 +6,11 @@
 
 #include <Eigen/Geometry>
 
-#include <cmath>
-
 namespace shapeton
 {
 namespace
 {
-// Pass band 0.1 = 1 / shrinking - 1 / growing, the default of VTK's windowed sinc filter.
+// The pass band is 1 / ShrinkingStep + 1 / GrowingStep = 0.1, the default of VTK's windowed sinc filter.
 constexpr double ShrinkingStep = 0.5;
 constexpr double GrowingStep = -0.5263157894736842;
 
@@ -43,7 +41,7 @@ VertexNormals(const SurfaceMesh & mesh)
 std::vector<char>
 FixedVertices(const SurfaceMesh & mesh)
 {
-  // Around an interior vertex, each neighbor is once the end and once the start of an edge.
+  // Around an interior vertex, each neighbor is the end of one edge and the start of another.
   std::vector<std::int64_t> balance(static_cast<std::size_t>(mesh.NumberOfVertices()), 0);
   std::vector<char>         isFixed(static_cast<std::size_t>(mesh.NumberOfVertices()), 1);
   for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)

@@ -6,7 +6,6 @@
 #include "shapetonFlatColonGridOptions.h"
 #include "shapetonSurfaceMesh.h"
 
-#include <array>
 #include <limits>
 
 namespace shapeton
@@ -23,7 +22,7 @@ struct FlatSample
 {
   /** -1 in a hole of the surface, where the other members are undefined. */
   int face{ -1 };
-  /** Barycentric coordinates in the face; each at least 0, sum 1. */
+  /** Barycentric coordinates in the face, each at least 0; their sum is 1. */
   Eigen::Vector3d barycentric{ Eigen::Vector3d::Zero() };
   /** Point in space, LPS, mm. */
   Eigen::Vector3d point{ Eigen::Vector3d::Zero() };
@@ -44,19 +43,19 @@ struct FlatSample
 /** \class FlatColonGrid
  * \brief Regular grid of square pixels on the flat map of a tube.
  *
- * The surface is a flat tube from FlattenTube(): V in space (LPS, mm), vertices along the cut duplicated, the point
+ * The surface is a flat tube from FlattenTube(): V in space (LPS, mm), duplicate vertices along the cut, the point
  * arrays uv (mm at the mean circumference: u along the tube, v around it) and sourcePointId, the field arrays
- * circumference and length (mm). Cell array bridged and point array arcLength are optional. v may be outside [0,
- * circumference], for example along an uneven cut; it is taken modulo the circumference.
+ * circumference and length (mm). The cell array bridged and the point array arcLength are optional. v may be outside
+ * [0, circumference], for example along an uneven cut; it is taken modulo the circumference.
  *
  * The grid image, columns to the right and rows downward, is the view from inside the lumen for any orientation of the
  * faces and of the map: the rows are reversed relative to v if the map is mirrored. Inside is the side of the tube
  * axis.
  *
  * A pixel is assigned to the face that contains its center. Coordinates are rounded to multiples of 2^-14 pixels, and
- * pixel centers on shared edges are assigned by the top-left rule, so no holes or ties occur, even along the cut. Where
- * the map overlaps, faces that are not flipped have priority, then lower indices. Samples are computed in double
- * precision.
+ * pixel centers on shared edges are assigned by the top-left rule, so there are neither holes nor ties, even along the
+ * cut. Where the map overlaps, faces that are not flipped have priority, then lower indices. Samples are computed in
+ * double precision.
  *
  * Memory: 4 bytes per pixel and about 130 per face. The result does not depend on the number of threads.
  *
@@ -85,7 +84,7 @@ public:
   {
     return m_Rows;
   }
-  /** Pixel size in mm of the map: circumference over rows. */
+  /** Pixel size in mm of the map: the circumference divided by the number of rows. */
   double
   PixelSize() const
   {

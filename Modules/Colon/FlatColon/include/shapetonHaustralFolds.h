@@ -13,7 +13,6 @@
 #include "itkImage.h"
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace shapeton
@@ -42,18 +41,18 @@ struct HaustralFold
   double length{ 0.0 };
   /** Area of the label, mm^2 on the surface. The minimum area applies before the label is extended along the crest. */
   double area{ 0.0 };
-  /** Ratio of long to short axis of the ellipse with the same second moments on the map. */
+  /** Ratio of the long to the short axis of the ellipse with the same second moments on the map. */
   double elongation{ 1.0 };
-  /** Angle of the long axis to u, degrees, in (-90, 90]; 90 is circumferential. */
+  /** Angle between the long axis and u, degrees, in (-90, 90]; 90 is circumferential. */
   double angle{ 0.0 };
   /** Mean smoothed curvature, 1/mm; positive where the wall bulges into the lumen. */
   double meanCurvature{ 0.0 };
-  /** Maximum height (mm) of the crest above the wall on both sides; NaN if a side is not visible. */
+  /** Maximum height (mm) of the crest above the wall on both sides; NaN if the wall is not visible on one of them. */
   double height{ 0.0 };
   /** Certainty that this is a fold, 0 to 1. */
   double reliability{ 0.0 };
-  /** Reliability of the ends as feature points, 0 to 1: the reliability of the fold, halved far from the map border
-   * (the cut) or, if taeniae are given, far from the nearest taenia. */
+  /** Reliability of the ends as feature points, 0 to 1: the reliability of the fold, reduced to half of it far from the
+   * map border (the cut) or, if taeniae are given, far from the nearest taenia. */
   std::array<double, 2> endReliability{ { 0.0, 0.0 } };
   /** mm along the centerline; NaN if the surface lacks arcLength. */
   double arcLength{ 0.0 };
@@ -73,7 +72,7 @@ struct HaustralFolds
 };
 
 /** Finds folds on the flat map of a colon (dissertation 4.3.1) on the grid of FlatColon. Bridged stretches are
- * excluded. A surface without folds causes a warning. The result does not depend on the number of threads. Throws
+ * excluded. Adds a warning if no folds are found. The result does not depend on the number of threads. Throws
  * ParameterError for options out of range, and InputError if vertices of the surface coincide.
  * \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT HaustralFolds

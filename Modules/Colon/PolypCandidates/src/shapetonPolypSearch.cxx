@@ -10,7 +10,6 @@
 #include "shapetonScanResolution.h"
 #include "shapetonExceptions.h"
 
-#include <cmath>
 #include <limits>
 
 namespace shapeton
@@ -64,7 +63,8 @@ NameSegments(const SurfaceMesh & segments, std::vector<PolypCandidate> & candida
   }
 }
 
-/** Adds a remark to each candidate in a stretch with hidden wall. The wall of the candidate itself may be visible. */
+/** Adds a remark to each candidate in a stretch where the wall is partly hidden. The wall at the candidate itself may
+ * be visible. */
 void
 NoteHindrances(const CurveSet & centerline, std::vector<PolypCandidate> & candidates)
 {

@@ -3,15 +3,13 @@
 
 #include "ShapetonSupineProneExport.h"
 
-#include <array>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace shapeton
 {
-/** A fold as input of the matching, with coordinates in mm on the unrolled target cylinder after the initial map; y is
- * periodic. \ingroup ShapetonSupineProne */
+/** A fold to match, with coordinates in mm on the unrolled target cylinder after the initial map; y is periodic.
+ * \ingroup ShapetonSupineProne */
 struct FoldFeature
 {
   double x{ 0.0 };
@@ -27,9 +25,9 @@ struct FoldFeature
 /** Method that matches folds. \ingroup ShapetonSupineProne */
 enum class FoldMatchingMethod
 {
-  /** Independent folds: exact solution by the Hungarian method with dustbins. */
+  /** Folds are independent: exact solution by the Hungarian method with dustbins. */
   Hungarian,
-  /** Similar displacements of neighboring folds: graph matching by dual decomposition. */
+  /** Neighboring folds have similar displacements: graph matching by dual decomposition. */
   DualDecomposition
 };
 
@@ -40,7 +38,7 @@ struct FoldMatchingOptions
   /** Maximum distance of candidate pairs along and around, mm. */
   double reachAlong{ 25.0 };
   double reachAround{ 16.0 };
-  /** Standard deviations of the positions (mm), and of the logarithms of length and area. */
+  /** Standard deviations of the positions along and around (mm), and of the logarithms of length and area. */
   double deviationAlong{ 8.0 };
   double deviationAround{ 6.0 };
   double deviationLength{ 0.5 };
@@ -49,8 +47,8 @@ struct FoldMatchingOptions
   double alone{ 4.0 };
   /** \name DualDecomposition */
   ///@{
-  /** Number of neighbors of each fold; weight and standard deviation (mm) of the difference of their displacements. The
-   * cost of a pair is truncated at `truncation`. */
+  /** Number of neighbors of each fold; weight and standard deviation (mm) of the difference between the displacements
+   * of neighbors. The cost of a pair is truncated at `truncation`. */
   int    neighbors{ 6 };
   double pairWeight{ 1.0 };
   double pairDeviation{ 6.0 };
@@ -59,20 +57,20 @@ struct FoldMatchingOptions
   ///@}
 };
 
-/** Matched pairs of folds with a bound on the optimal energy. See MatchFolds().
+/** Matched pairs of folds, and a bound on the optimal energy. See MatchFolds().
  * \ingroup ShapetonSupineProne */
 struct FoldMatching
 {
-  /** Fold indices in source (ascending) and target. */
+  /** Fold indices in the source (ascending) and in the target. */
   std::vector<std::pair<int, int>> pairs;
-  /** Cost of each pair, without neighbor terms. */
+  /** Cost of each pair, excluding neighbor terms. */
   std::vector<double> costs;
-  /** Energy of the matching and best lower bound; equal for Hungarian. */
+  /** Energy of the matching, and best lower bound; they are equal for Hungarian. */
   double primal{ 0.0 };
   double bound{ 0.0 };
   int    iterations{ 0 };
 
-  /** Duality gap relative to the energy reduction by the matching; 0 proves optimality. */
+  /** Duality gap relative to the energy reduction achieved by the matching; 0 proves optimality. */
   double
   Gap() const
   {
@@ -81,13 +79,14 @@ struct FoldMatching
   double savable{ 0.0 };
 };
 
-/** One-to-one matching of folds with dustbins (dissertation 4.3.1). The cost of a pair is the sum of squared
- * differences of position, length and area over their variances; the cost of an unmatched fold is `alone`.
- * DualDecomposition adds the truncated squared difference of the displacements of neighboring folds.
+/** One-to-one matching of folds with dustbins (dissertation 4.3.1). The cost of a pair is the sum of the squared
+ * differences in position, log length and log area, each divided by its variance; the cost of an unmatched fold is
+ * `alone`. DualDecomposition adds the truncated squared difference between the displacements of neighboring folds.
  *
  * The objective printed in 4.3.1 lacks a pairwise term, so the Hungarian method is exact; its term for unmatched
  * features, |q|^2, is a distance to the origin, here replaced by a constant. Dual decomposition (Torresani, Kolmogorov,
- * Rother 2008): one assignment subproblem, one subproblem per pair of neighbors, multipliers by subgradients.
+ * Rother 2008) uses one assignment subproblem, one subproblem per pair of neighbors, and multipliers updated by
+ * subgradients.
  * \param turn circumference of the plane, mm. \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT FoldMatching
 MatchFolds(const std::vector<FoldFeature> & source,

@@ -2,15 +2,14 @@
 
 #include "shapetonMatchedFolds.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace shapeton
 {
 namespace
 {
-/** Constraints that map taeniae of the source to taeniae of the target. The rectum is excluded: its muscle has no
- * bands, and taeniae there are only extrapolated. */
+/** Constraints that map taeniae of the source to taeniae of the target. The rectum is excluded: its muscle does not
+ * form bands, so taeniae there are only extrapolated. */
 std::vector<DirectionConstraint>
 ConstraintsOfTaeniae(const ColonPair & pair, const RowMap & map, double deviation)
 {
@@ -43,7 +42,7 @@ ConstraintsOfTaeniae(const ColonPair & pair, const RowMap & map, double deviatio
   return constraints;
 }
 
-/** Matches folds iteratively under the previous map. */
+/** Matches folds iteratively, each time under the previous map. */
 void
 MatchAndFit(const ColonPair &  pair,
             FoldMatchingMethod method,

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <set>
 
@@ -12,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** A point on both unrolled walls. */
+/** The positions of a point on both unrolled walls. */
 struct PlacePair
 {
   CylinderPlace source;
@@ -49,7 +48,7 @@ Way(const CylinderPlace & from, const CylinderPlace & to, double around)
   return { to.s - from.s, TurnDifference(to.turn, from.turn) * around };
 }
 
-/** Moves a position with the nearby points; empty if none are near. */
+/** Moves a position together with the nearby points; empty if there are none. */
 std::optional<CylinderPlace>
 Moved(const CylinderPlace & place, const std::vector<PlacePair> & pairs, double around)
 {
@@ -78,7 +77,7 @@ Moved(const CylinderPlace & place, const std::vector<PlacePair> & pairs, double 
   return CylinderPlace{ place.s + moved.s / weights, place.turn + firstTurn + moved.turn / weights };
 }
 
-/** Planar distance of a point to the segment from a to b. */
+/** Planar distance from a point to the segment from a to b. */
 double
 DistanceToLine(const Eigen::Vector2d & place, const Eigen::Vector2d & a, const Eigen::Vector2d & b)
 {
@@ -113,7 +112,8 @@ PlacesOfCrest(const HaustralFold & fold, const ColonCylinder & cylinder)
   };
 }
 
-/** Moves a crest; ends without nearby points move with the center. Empty if no points are near the center either. */
+/** Moves a crest; an end without nearby points is moved together with the center. Empty if no points are near the
+ * center. */
 std::optional<std::array<CylinderPlace, 3>>
 MovedCrest(const std::array<CylinderPlace, 3> & crest, const std::vector<PlacePair> & pairs, double around)
 {

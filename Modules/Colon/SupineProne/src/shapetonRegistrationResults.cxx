@@ -7,7 +7,6 @@
 #include "shapetonRegistrationDocument.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace shapeton
 {
@@ -20,7 +19,7 @@ AddArray(SurfaceMesh & surface, const std::string & name, int columns, bool areI
   return surface.pointArrays.back();
 }
 
-/** `flat` with the corresponding point of the other position at each vertex. */
+/** The surface `flat` with the corresponding point of the other position at each vertex. */
 template <typename TMap>
 SurfaceMesh
 MappedSurface(const SurfaceMesh & flat, const TMap & map, const Progress & progress)
@@ -56,7 +55,7 @@ SegmentAt(const std::vector<ColonSegmentExtent> & segments, double arcLength)
   return segment != nullptr ? segment->name : "";
 }
 
-/** Excluded columns of the flat map. */
+/** Fraction of the columns of the flat map that are excluded. */
 Json
 ExcludedShare(const ColonPosition & position)
 {

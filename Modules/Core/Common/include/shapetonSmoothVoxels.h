@@ -5,7 +5,6 @@
 #include "ShapetonCommonExport.h"
 
 #include <array>
-#include <cstddef>
 
 namespace shapeton
 {

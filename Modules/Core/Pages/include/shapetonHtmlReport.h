@@ -5,14 +5,13 @@
 #include "shapetonCsvTable.h"
 #include "shapetonOutputPath.h"
 
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace shapeton
 {
-/** Scripts or styles of a page as joined by shapeton_join_scripts() in CMake: string literals, terminated by nullptr.
+/** Scripts or styles of a page, joined by shapeton_join_scripts() in CMake: string literals, terminated by nullptr.
  * \ingroup ShapetonPages */
 ShapetonPages_EXPORT std::string
                      PageText(const char * const pieces[]);
@@ -72,7 +71,7 @@ public:
   /** Adds a numbered list. */
   void
   AddNumberedList(const std::vector<LinkedItem> & items);
-  /** Begins a part that is printed on pages of its own, up to EndPage(). */
+  /** Begins a part that is printed on separate pages, up to EndPage(). */
   void
   BeginPage();
   void

@@ -5,7 +5,6 @@
 #include "shapetonHeatHistogram.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace shapeton
 {
@@ -13,7 +12,7 @@ namespace shapeton
  * \ingroup ShapetonHeat */
 struct HeatClass
 {
-  /** 0 is the background, 1 the class of least heat; similar classes have adjacent numbers. */
+  /** 0 is the background, 1 the class with the lowest heat; similar classes have adjacent numbers. */
   unsigned int label{ 0 };
   /** The class contains lowerHeat <= heat < upperHeat. */
   double        lowerHeat{ 0.0 };
@@ -26,8 +25,8 @@ struct HeatClass
   double borderShare{ 0.0 };
   /** Number of converged components of at least 27 voxels in the class that are closed by edges of zero weight. */
   std::uint64_t components{ 0 };
-  /** Scale-normalized companion (an isoperimetric number): mean over the class's components, weighted by voxels; 0
-   * if the class contains no closed component. */
+  /** Scale-normalized counterpart of the heat (an isoperimetric number): mean over the class's components, weighted by
+   * voxels; 0 if the class contains no closed component. */
   double normalizedHeat{ 0.0 };
   /** How well the class is a region of the image, in [0, 1]: see MeasureCoherence(). */
   double coherence{ 0.0 };

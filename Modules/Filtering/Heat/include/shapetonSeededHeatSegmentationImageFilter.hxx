@@ -5,7 +5,6 @@
 #include "shapetonFilterProgress.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 namespace shapeton

@@ -7,7 +7,6 @@
 #include "shapetonSeededHeatOptions.h"
 #include "shapetonVolumeGradientOperator.h"
 
-#include <memory>
 #include <vector>
 
 namespace shapeton
@@ -17,7 +16,7 @@ namespace shapeton
  * \ingroup ShapetonHeat */
 struct SeededHeatResult
 {
-  /** The label of greatest probability; the lowest one for ties. */
+  /** The most probable label; the lowest one for ties. */
   std::vector<unsigned short> labels;
   /** 1 minus the difference between the two greatest probabilities: 0 for a certain label, 1 for a tie. */
   std::vector<float> uncertainty;
@@ -25,8 +24,8 @@ struct SeededHeatResult
   std::vector<unsigned short> labelValues;
   /** Largest number of conjugate gradient iterations. */
   unsigned int iterations{ 0 };
-  /** Remarks on labels that hardly grow beyond their seeds: fewer than FewestVoxels unseeded voxels, if at least half
-   * of all voxels have no seed. This happens for an isolated point without edges that confine its heat. */
+  /** Remarks on labels that hardly grow beyond their seeds: they gain fewer than FewestVoxels voxels, although at least
+   * half of all voxels have no seed. This happens for an isolated point without edges that confine its heat. */
   Remarks remarks;
 
   /** 5^3: painting a smaller part takes fewer strokes than seeding it. */

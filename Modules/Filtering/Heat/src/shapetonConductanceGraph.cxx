@@ -3,7 +3,6 @@
 #include "shapetonDisjointSets.h"
 #include "shapetonParallelFor.h"
 
-#include <cmath>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -12,8 +11,9 @@ namespace shapeton
 {
 namespace
 {
-// An edge is strong if it has at least this share of the strongest edge at both its ends. Measured on CT: with 0.5 the
-// levels are so large that the run time grows by half; below 0.15 there are too many iterations.
+// An edge is strong if its conductance is at least this fraction of that of the strongest edge at each of its ends.
+// Measured on CT: with 0.5 the levels are so large that the run time grows by half; below 0.15 there are too many
+// iterations.
 constexpr float strong = 0.15F;
 
 // Flag of a node of the current cell; the other bits are its number in the cell.
@@ -37,7 +37,7 @@ StepsOf(const std::array<std::size_t, 3> & cells, const std::array<double, 3> & 
   return steps;
 }
 
-/** The aggregates of the nodes of one slice of coarse cells. */
+/** The aggregates of the nodes in one slice of coarse cells. */
 template <typename TLevel>
 class SliceAggregation
 {

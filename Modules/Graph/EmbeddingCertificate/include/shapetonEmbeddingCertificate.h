@@ -5,7 +5,6 @@
 #include "shapetonRemarks.h"
 #include "shapetonCombinatorialMap.h"
 
-#include <array>
 #include <complex>
 #include <string>
 #include <utility>
@@ -37,22 +36,22 @@ struct DeckTransformation
 
 /** \brief An embedded graph and its circle pattern: all data needed to verify or draw it.
  *
- * Half-edge 2e starts at the first node of edge e, 2e + 1 at the second one; a face is to the left of its half-edges. A
- * rotation lists, node by node, the outgoing half-edges counter-clockwise. The list length of a node is its degree,
- * with loops counted twice.
+ * Half-edge 2e starts at the first node of edge e, half-edge 2e + 1 at the second; each face is to the left of its
+ * half-edges. A rotation lists the outgoing half-edges of one node after another, each in counter-clockwise order. Each
+ * node's list has as many entries as its degree; loops count twice.
  *
  * **The packed map** is the graph plus dummy nodes and edges that make it 3-connected. It is connected and has the
- * genus of the surface. Nodes below `graph.nodes` are graph nodes, the others are dummies. Edge e of the graph
- * and edge e of the packed map have the same start node. They also have the same end node unless `subdivided` contains
- * a path for e (a loop or a parallel edge, which circle packings do not allow). All other edges are dummies.
- * Without dummies the packed map equals the graph.
+ * genus of the surface. Nodes below `graph.nodes` are graph nodes, the others are dummies. Edge e of the graph and edge
+ * e of the packed map have the same start node. They also have the same end node unless `subdivided` contains a path
+ * for e (a loop or a parallel edge, which circle packings do not allow). All other edges are dummies. If there are no
+ * dummies, the packed map equals the graph.
  *
  * **Circles**: one for each packed node and one for each face. Faces are numbered by their lowest half-edge. The two
  * end circles and the two face circles of an edge are tangent at the same point. Node and face circles that meet are
  * orthogonal. A place is
  * - on the sphere a unit vector, the center of a cap, with the cap angle in (0, pi) as radius;
  * - in the plane and in the Poincare disk a complex number (x, y), with a Euclidean or hyperbolic length as radius.
- *   Each node has one lift; a face is adjacent to the lift of the start node of its lowest half-edge.
+ *   Each node has one lift; a face is placed next to the lift of the node where its lowest half-edge starts.
  *
  * Units: radians on the sphere; in the plane any unit.
  * \ingroup ShapetonEmbeddingCertificate */
@@ -80,10 +79,11 @@ struct EmbeddingCertificate
 
   /** \name Plane and disk only; empty on the sphere. */
   ///@{
-  /** For each packed node, the direction of the first half-edge of its rotation in the chart at its place (radians). */
+  /** For each packed node, the direction of the first half-edge in its rotation, in the chart at the node's place
+   * (radians). */
   std::vector<double> nodeAngles;
-  /** For each packed node, the half-edge from its parent in the tree of lifts, -1 for the root. No deck transformation
-   * applies along the tree. */
+  /** For each packed node, the half-edge from its parent in the tree of lifts, or -1 for the root. No deck
+   * transformation applies along the tree. */
   std::vector<int> tree;
   /** The 2g deck transformations. Together with the tree, their edges cut the surface into one disk. */
   std::vector<DeckTransformation> generators;
@@ -127,8 +127,8 @@ ShapetonEmbeddingCertificate_EXPORT std::string
 ShapetonEmbeddingCertificate_EXPORT std::vector<int>
                                     RotationOfGraph(const EmbeddingCertificate & certificate);
 
-/** Converts between a map and its rotation as one list of half-edges. The second throws InputError if the list is not a
- * rotation of the graph. \ingroup ShapetonEmbeddingCertificate */
+/** Converts between a map and its rotation as one list of half-edges. The second function throws InputError if the list
+ * is not a rotation of the graph. \ingroup ShapetonEmbeddingCertificate */
 ///@{
 ShapetonEmbeddingCertificate_EXPORT std::vector<int>
                                     FlatRotation(const CombinatorialMap & map);

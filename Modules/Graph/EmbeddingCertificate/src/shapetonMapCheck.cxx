@@ -1,7 +1,5 @@
 #include "shapetonChecks.h"
 
-#include <algorithm>
-
 namespace shapeton
 {
 namespace
@@ -41,7 +39,7 @@ public:
     Require(m_Packed.Node(path.back() ^ 1) == m_Certificate.graph.edges[edge][1], edge, "does not end at its end node");
   }
 
-  /** All edges that are not subdivided have the same ends as in the graph. */
+  /** Checks that all edges that are not subdivided have the same ends as in the graph. */
   void
   CheckOthers() const
   {
@@ -72,7 +70,7 @@ private:
   std::vector<bool>            m_IsSubdivided;
 };
 
-/** For each packed half-edge the graph half-edge that starts with it; -1 for the others. */
+/** For each packed half-edge, the graph half-edge that starts with it; -1 for the others. */
 std::vector<int>
 StartsOfGraph(const EmbeddingCertificate & certificate, const TracedMap & packed)
 {
@@ -89,7 +87,7 @@ StartsOfGraph(const EmbeddingCertificate & certificate, const TracedMap & packed
   return starts;
 }
 
-/** Around each graph node the packed map has the half-edges of the graph in the order of its rotation. */
+/** Checks that the packed map has the half-edges of the graph around each node in the order of the graph's rotation. */
 void
 RequireSameRotation(const EmbeddingCertificate & certificate, const TracedMap & packed, const TracedMap & graph)
 {

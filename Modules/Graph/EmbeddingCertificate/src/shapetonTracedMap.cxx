@@ -1,7 +1,6 @@
 #include "shapetonTracedMap.h"
 
 #include <numeric>
-#include <utility>
 
 namespace shapeton
 {

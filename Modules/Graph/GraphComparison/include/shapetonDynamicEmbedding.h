@@ -7,7 +7,6 @@
 #include "shapetonGraphGenus.h"
 #include "shapetonPackedMap.h"
 
-#include <string>
 #include <vector>
 
 namespace shapeton
@@ -23,13 +22,14 @@ struct GraphChanges
   /** Changed nodes of the second step, ascending: new nodes and those that gained or lost an edge. */
   std::vector<int> changedNodes;
   /** Unchanged nodes of both steps, and their displacement in radians after a rotation of the second sphere onto the
-   * first. NaN on other surfaces, or without unchanged nodes. */
+   * first. NaN on other surfaces, or if there are no unchanged nodes. */
   int    unchangedNodes{ 0 };
   double meanDisplacement;
   double largestDisplacement;
 };
 
-/** Compares embeddings by node names. For another correspondence, pass for each node of `a` its node of `b`, or -1.
+/** Compares embeddings by node names. To use another correspondence, pass the corresponding node of `b`, or -1, for
+ * each node of `a`.
  * \ingroup ShapetonGraphComparison */
 ///@{
 ShapetonGraphComparison_EXPORT GraphChanges
@@ -38,7 +38,7 @@ ShapetonGraphComparison_EXPORT GraphChanges
 ChangesBetween(const EmbeddingCertificate & a, const EmbeddingCertificate & b, const std::vector<int> & image);
 ///@}
 
-/** Rotation that aligns sphere `b` with sphere `a` by corresponding nodes; the identity on other surfaces.
+/** Rotation that aligns sphere `b` with sphere `a`, based on corresponding nodes; the identity on other surfaces.
  * \ingroup ShapetonGraphComparison */
 ShapetonGraphComparison_EXPORT std::array<double, 9>
 RotationTo(const EmbeddingCertificate & a, const EmbeddingCertificate & b, const std::vector<int> & image);
@@ -57,11 +57,11 @@ struct DynamicStep
  * \brief Embeds the steps of a dynamic graph so that unchanged parts stay in place.
  *
  * The blocks of the first step are arranged (see EmbedGraph()); later steps reuse the rotation system of the previous
- * step. Each sphere is rotated to bring unchanged nodes as close as possible to their old places. The graph is packed
- * with the reusable dummies (see CarryPackedMap()), which is more stable if there are few changes. If nodes move, it is
- * also packed with new dummies, which is more stable if there are many changes; the more stable result is used. If a
- * circle is then too small to be legible, blocks and dummies are rearranged, provided that the smallest circle becomes
- * ten times larger.
+ * step. Each sphere is rotated to bring unchanged nodes as close as possible to their previous positions. The graph is
+ * packed with the reusable dummies (see CarryPackedMap()), which is more stable if there are few changes. If nodes
+ * move, it is also packed with new dummies, which is more stable if there are many changes; the more stable result is
+ * used. If a circle is then too small to be legible, blocks and dummies are rearranged, provided that the smallest
+ * circle becomes ten times larger.
  * \ingroup ShapetonGraphComparison */
 class ShapetonGraphComparison_EXPORT DynamicEmbedding
 {

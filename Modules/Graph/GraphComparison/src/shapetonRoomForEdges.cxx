@@ -1,7 +1,6 @@
 #include "shapetonRoomForEdges.h"
 
 #include <algorithm>
-#include <array>
 #include <unordered_map>
 
 namespace shapeton
@@ -19,7 +18,8 @@ struct EdgeEnd
   std::size_t    index; ///< in the list of added half-edges
 };
 
-/** The dummies of a stretch between those used by adjacent edges; one is left for each unplaced edge. */
+/** The dummies of a stretch that lie between the dummies of adjacent edges; one dummy is reserved for each unplaced
+ * edge. */
 struct PlacesOfEnd
 {
   explicit PlacesOfEnd(const EdgeEnd & end) : end(static_cast<int>(end.stretch->dummies.size()))
@@ -185,8 +185,8 @@ RoomForEdges::MakeAlongWay(int edge, const EdgeEnd & from, const EdgeEnd & to)
   return true;
 }
 
-/** Half-edges of the old packed map, each to a free dummy, from one end of an edge to a neighbor of the other; empty if
- * no such path exists. */
+/** Shortest path in the old packed map through free dummies, from one end of an edge to a neighbor of the other end, as
+ * half-edges; empty if there is none. */
 std::vector<int>
 RoomForEdges::ShortestWay(const EdgeEnd & from, const EdgeEnd & to) const
 {

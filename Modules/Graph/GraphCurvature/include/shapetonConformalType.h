@@ -7,7 +7,6 @@
 #include "shapetonConformalTypeOptions.h"
 #include "shapetonProgress.h"
 
-#include <array>
 #include <vector>
 
 namespace shapeton
@@ -25,7 +24,7 @@ ShapetonGraphCurvature_EXPORT const char *
 NameOf(ConformalType type);
 
 /** \brief Measurements of one graph of the sequence: a disk around the root, with its boundary. Its maximal circle
- * packing fills the hyperbolic plane, boundary circles are horocycles. \ingroup ShapetonGraphCurvature */
+ * packing fills the hyperbolic plane, and its boundary circles are horocycles. \ingroup ShapetonGraphCurvature */
 struct PackedBall
 {
   int    radius{ 0 }; ///< edges from the root to the boundary
@@ -33,8 +32,8 @@ struct PackedBall
   int    boundaryNodes{ 0 };
   int    dummies{ 0 };      ///< nodes added in faces that prevent a packing
   double rootRadius{ 0.0 }; ///< hyperbolic radius of the circle of the root
-  /** -log tanh(rootRadius / 2): logarithm of the ratio of the radii of the disk and the circle of the root, if this is
-   * in the center of the disk. */
+  /** -log tanh(rootRadius / 2): logarithm of the disk radius divided by the radius of the root circle, if that circle
+   * is at the center of the disk. */
   double modulus{ 0.0 };
   /** Effective resistance between root and boundary, all edges having resistance 1. */
   double resistance{ 0.0 };
@@ -50,13 +49,13 @@ struct TypeEvidence
   ConformalType type{ ConformalType::NotDecided };
   double        decay{ 0.0 }; ///< NaN if fewer than 4 balls
   /** Extrapolated limit; infinity if parabolic, NaN if not decided. `limit` continues the last two increments
-   * geometrically, `farLimit` continues the fitted power; the first is right for exponential growth of the balls. */
+   * geometrically, `farLimit` continues the fitted power; the first applies if the balls grow exponentially. */
   double limit{ 0.0 };
   double farLimit{ 0.0 };
 };
 
-/** Bounds of the decay for a verdict, see TypeEvidence. The true exponents of lattices are 0; of exponential growth the
- * decay exceeds every bound with the radius. Between the bounds the radii are too small to decide.
+/** Bounds on the decay for a verdict, see TypeEvidence. For lattices the true exponent is 0; for exponential growth the
+ * decay exceeds any bound as the radius grows. Between the bounds, the radii are too small for a verdict.
  * \ingroup ShapetonGraphCurvature */
 ///@{
 constexpr double mostDecayOfParabolic = 0.25;
@@ -72,16 +71,16 @@ struct ConformalTypeResult
   TypeEvidence            resistance; ///< growth of the resistance
   /** The common verdict; NotDecided if they differ. */
   ConformalType type{ ConformalType::NotDecided };
-  /** Extrapolated hyperbolic radius of the circle of the root, from `limit` and `farLimit` of the modulus: 0 if
-   * parabolic, NaN if not decided. */
+  /** Hyperbolic radius of the root circle, extrapolated from `limit` and `farLimit` of the modulus: 0 if parabolic, NaN
+   * if not decided. */
   double limitRadius{ 0.0 };
   double leastLimitRadius{ 0.0 };
 };
 
-/** Options of FindConformalType() and the receiver of its progress. \ingroup ShapetonGraphCurvature */
+/** Options of FindConformalType() and its progress callback. \ingroup ShapetonGraphCurvature */
 struct ConformalTypeSettings : ConformalTypeOptions
 {
-  /** Node at the center of the balls; -1 for the first node of those farthest from the outer face. */
+  /** Node at the center of the balls; -1 for the first of the nodes farthest from the outer face. */
   int root{ -1 };
   /** May throw to abort. */
   Progress progress;
@@ -92,14 +91,14 @@ struct ConformalTypeSettings : ConformalTypeOptions
  * An infinite triangulation of the plane packs the plane (parabolic) or the disk (hyperbolic), not both (Beardon and
  * Stephenson, Indiana Univ. Math. J. 39, 1990; He and Schramm, Discrete Comput. Geom. 14, 1995). In maximal packings of
  * growing balls in the hyperbolic plane, the circle of the root shrinks to 0 or to a positive limit. If degrees are
- * bounded, the type is hyperbolic exactly if the vertex extremal length from the root to infinity is finite, and then
- * simple random walk is transient, so that the effective resistance to the boundary stays bounded. A finite graph has
- * no type: the verdict is about the sequence of balls, and no finite sequence proves it.
+ * bounded, the type is hyperbolic if and only if the vertex extremal length from the root to infinity is finite; the
+ * simple random walk is then transient, so that the effective resistance to the boundary stays bounded. A finite graph
+ * has no type: the verdict is about the sequence of balls, and no finite sequence proves it.
  *
  * The outer face is the longest face. The ball of radius n consists of the faces with a node at distance at most n - 1
- * and of everything that they separate from the outer face; n is at most the distance of the outer face. All n up to 8
- * are packed, then radii that grow by a fifth to a quarter. If the boundary of a ball is farther away than n, the ball
- * has that radius. Faces with four and more nodes have circles, too, orthogonal to those of
+ * and everything that they separate from the outer face; n is at most the distance of the outer face. Balls are packed
+ * for every n up to 8, then for radii that grow by a fifth to a quarter. If the boundary of a ball is farther away than
+ * n, that distance is the radius of the ball. Faces with four or more nodes also have circles, orthogonal to those of
  * their nodes; dummies fill faces that prevent a packing.
  *
  * Throws ParameterError for options out of range; InputError if the graph is not connected and planar, or the outer
@@ -108,8 +107,8 @@ ShapetonGraphCurvature_EXPORT ConformalTypeResult
 FindConformalType(const Graph & graph, const ConformalTypeSettings & settings = ConformalTypeSettings());
 
 /** Overload for growing graphs, each of which is one disk bounded by its longest face. The radius of each is the
- * distance of the outer face from the root; it must increase. `roots` has the root of each. `maximumRadius` does not
- * apply. \ingroup ShapetonGraphCurvature */
+ * distance of the outer face from the root; it must increase. `roots` contains the root of each graph. `maximumRadius`
+ * does not apply. \ingroup ShapetonGraphCurvature */
 ShapetonGraphCurvature_EXPORT ConformalTypeResult
 FindConformalType(const std::vector<Graph> & graphs, const std::vector<int> & roots, const Progress & progress = {});
 

@@ -7,12 +7,11 @@
 #include "shapetonGenusOptions.h"
 #include "shapetonProgress.h"
 
-#include <string>
 #include <vector>
 
 namespace shapeton
 {
-/** Options of FindEmbedding() and the receiver of its progress. \ingroup ShapetonGraphModel */
+/** Options of FindEmbedding() and its progress callback. \ingroup ShapetonGraphModel */
 struct GenusSettings : GenusOptions
 {
   /** May throw to abort. */
@@ -23,8 +22,8 @@ struct GenusSettings : GenusOptions
 struct SurfaceEmbedding
 {
   CombinatorialMap map;
-  /** Lower bound of the genus of any embedding: planarity, and Euler's formula with the lengths of short cycles, for
-   * each block. Genera of blocks add up (Battle, Harary, Kodama and Youngs 1962). */
+  /** Lower bound on the genus of any embedding, for each block from planarity and Euler's formula with the lengths of
+   * short cycles. The genera of the blocks add up (Battle, Harary, Kodama and Youngs 1962). */
   int lowerBound{ 0 };
   /** Whether the genus of the map equals the lower bound. */
   bool minimal{ false };
@@ -43,9 +42,9 @@ FindEmbedding(const Graph & graph, const GenusSettings & options = GenusSettings
 ShapetonGraphModel_EXPORT bool
 FindPlanarEmbedding(const Graph & graph, CombinatorialMap & map);
 
-/** Edges of a maximal planar subgraph, ascending: an edge is kept if it is planar together with the kept edges before
- * it. It has all nodes and the components of the graph, but not always the most edges possible. For k edges left out of
- * m, about k log m planarity tests. \ingroup ShapetonGraphModel */
+/** Edges of a maximal planar subgraph, ascending: an edge is kept if it forms a planar graph with the edges kept before
+ * it. The subgraph has all nodes and the same components as the graph, but not always the largest possible number of
+ * edges. If k of m edges are left out, about k log m planarity tests are needed. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT std::vector<int>
                           PlanarEdges(const Graph & graph);
 
@@ -53,7 +52,7 @@ ShapetonGraphModel_EXPORT std::vector<int>
 ShapetonGraphModel_EXPORT Graph
 GraphWithEdges(const Graph & graph, const std::vector<int> & edges);
 
-/** Lower bound of the genus by Euler's formula V - E + F = 2 - 2g for a connected simple graph of minimum degree three:
+/** Lower bound on the genus by Euler's formula V - E + F = 2 - 2g for a connected simple graph of minimum degree three:
  * each cycle bounds at most one face, and the numbers of cycles of length 3, 4 and 5 are limited.
  * \ingroup ShapetonGraphModel
  */

@@ -3,7 +3,6 @@
 
 #include "shapetonCirclePacking.h"
 
-#include <array>
 #include <vector>
 
 namespace shapeton

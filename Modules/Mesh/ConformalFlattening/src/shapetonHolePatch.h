@@ -5,7 +5,6 @@
 
 #include <array>
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace shapeton
@@ -14,8 +13,8 @@ namespace shapeton
  * \brief A disk that closes a polygon with triangles as large as those around it.
  *
  * After Liepa, Filling holes in meshes (2003). Starts from the minimum-area triangulation (dynamic programming).
- * Triangles are split at their centers down to the length of the surrounding edges; in between, edges are flipped until
- * opposite angles sum to less than 180 degrees. */
+ * Triangles are split at their centers until edges are about as long as the surrounding ones; between splits, edges are
+ * flipped until opposite angles sum to less than 180 degrees. */
 class HolePatch
 {
 public:
@@ -26,7 +25,7 @@ public:
             std::vector<double>                        scales,
             std::function<bool(int first, int second)> isTaken);
 
-  /** False if every triangulation needs a taken edge. */
+  /** False if every triangulation requires an edge that already exists outside. */
   bool
   Triangulate();
 

@@ -3,8 +3,6 @@
 
 #include "shapetonConformalTube.h"
 
-#include <functional>
-
 namespace shapeton
 {
 /** Neighbors of each vertex, with the edges to them. */
@@ -61,10 +59,10 @@ Dilate(const EdgeGraph & graph, std::vector<char> & isMarked, int rings);
 std::vector<int>
 SaddleMultiplicities(const FaceMatrix & F, const SurfaceConnectivity & connectivity, const Eigen::VectorXd & u);
 
-/** Raises the costs of edges in handles that are shortcuts, a million times, such that any detour is cheaper: edges
- * whose ends are farther apart along the centerline (point array arcLength) than 10 times their length. Handles of real
- * colons with edges of 2 mm reach 40 times and more; edges inside of sharp bends may be affected, too. Does nothing
- * without the array. \param lengths of the edges in space. */
+/** Multiplies the costs of edges that are shortcuts through handles by a million, so that any detour is cheaper. These
+ * are edges whose ends are farther apart along the centerline (point array arcLength) than 10 times the edge length. In
+ * real colons with 2 mm edges, handles reach 40 times and more; edges inside sharp bends may also be affected. Does
+ * nothing if the array is missing. \param lengths of the edges in space. */
 void
 AvoidShortcuts(const SurfaceMesh &         mesh,
                const SurfaceConnectivity & connectivity,

@@ -9,7 +9,6 @@
 #include <Spectra/SymEigsShiftSolver.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace shapeton
@@ -167,7 +166,7 @@ LanczosPairs(const SurfaceLaplacian & laplacian, int pairs, const SurfaceSpectru
   const SymbolicFactorization symbolic(laplacian.NumberOfVertices(), laplacian.edges, EliminationOrder::MinimumDegree);
   const Eigen::VectorXd       diagonal = StiffnessDiagonal(laplacian);
   steps.Step();
-  // L - number M has as many negative eigenvalues as there are eigenvalues below the number (Sylvester's law of
+  // L - `number` M has as many negative eigenvalues as there are eigenvalues below `number` (Sylvester's law of
   // inertia).
   auto countBelow = [&, counter = SparseCholesky(symbolic)](double number) mutable {
     counter.Factorize(diagonal - number * laplacian.mass, -laplacian.weights, steps.NextStep());

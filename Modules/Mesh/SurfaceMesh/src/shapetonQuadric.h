@@ -3,8 +3,6 @@
 
 #include <Eigen/Core>
 
-#include <cmath>
-
 namespace shapeton
 {
 /** A sum of weighted squared distances to planes and points: p A p + 2 b p + c. */
@@ -55,7 +53,7 @@ public:
     return p.dot(this->Multiply(p) + 2.0 * m_B) + m_C;
   }
 
-  /** The point with the smallest value, if the planes and points determine it well. */
+  /** Computes the point with the smallest value; returns false if the planes and points do not determine it well. */
   bool
   Minimize(Eigen::Vector3d & p) const
   {

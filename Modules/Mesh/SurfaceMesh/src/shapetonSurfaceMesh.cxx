@@ -2,7 +2,6 @@
 #include "shapetonExceptions.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace shapeton
 {

@@ -10,7 +10,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 #include <queue>
 #include <tuple>
 
@@ -59,8 +58,7 @@ private:
     return (m_Positions[m_Table.From(h)] - m_Positions[m_Table.To(h)]).norm();
   }
 
-  // Longest edges first: in any other order the faces of a long edge
-  // that waits to be split become thinner and thinner.
+  // Longest edges first: in any other order, the faces of a long edge become thinner and thinner before it is split.
   void
   SplitLongEdges()
   {

@@ -3,7 +3,6 @@
 #include "shapetonDisjointSets.h"
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <unordered_map>
