@@ -99,8 +99,8 @@ ShapetonColonExamination_EXPORT std::string
 ShapetonColonExamination_EXPORT bool
 IsPositionKnown(const Json & quality);
 
-/** Writes examination.json, which contains the version of the format. Throws OutputError. \ingroup
- * ShapetonColonExamination */
+/** Writes examination.json, which contains the version of the format. Throws OutputError.
+ * \ingroup ShapetonColonExamination */
 ShapetonColonExamination_EXPORT void
 WriteExaminationVersion(const std::string & path);
 } // namespace shapeton

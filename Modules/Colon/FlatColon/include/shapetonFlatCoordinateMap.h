@@ -27,8 +27,8 @@ ShapetonFlatColon_EXPORT const std::string &
                                RequireCoordinateMapName(const std::string & path);
 
 /** Writes an NRRD file whose header contains the space of the vectors, the pixel size, the circumference and
- * `metadata`. Throws OutputError if the file cannot be written, and ParameterError for another extension. \ingroup
- * ShapetonFlatColon */
+ * `metadata`. Throws OutputError if the file cannot be written, and ParameterError for another extension.
+ * \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT void
 WriteFlatCoordinateMap(const FlatColonGrid & grid, const std::string & path, const VolumeMetadata & metadata = {});
 } // namespace shapeton

@@ -72,8 +72,8 @@ FindInOtherPosition(const SurfaceMesh &                      map,
                     const std::vector<OtherPolypCandidate> & others,
                     std::vector<PolypCandidate> &            candidates);
 
-/** Minimum confidence of a registration that is used as evidence about single candidates. \ingroup
- * ShapetonPolypCandidates */
+/** Minimum confidence of a registration that is used as evidence about single candidates.
+ * \ingroup ShapetonPolypCandidates */
 constexpr double LeastRegistrationConfidence = 0.5;
 
 /** Updates candidates after FindInOtherPosition() using the evidence from the other position: polyps are stationary,
@@ -149,8 +149,8 @@ ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
 ShapetonPolypCandidates_EXPORT std::vector<OtherPolypCandidate>
                                ReadOtherPolypCandidates(const std::string & path);
 
-/** Points for 3D Slicer, labeled by number and diameter; empty if there are no candidates. \ingroup
- * ShapetonPolypCandidates */
+/** Points for 3D Slicer, labeled by number and diameter; empty if there are no candidates.
+ * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<Markup>
                                MarkupsOfPolypCandidates(const std::vector<PolypCandidate> & candidates);
 } // namespace shapeton

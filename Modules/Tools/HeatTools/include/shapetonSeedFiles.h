@@ -18,8 +18,8 @@ LabelsOfVolume(const Volume & volume, const std::string & path, const itk::Image
 
 /** Seeds from markups: label 1 for the first node, 2 for the second, and so on. Points mark the voxels that contain
  * them; curves mark all voxels that their straight segments pass through. Throws InputError for a node without points,
- * and for a point outside the volume or in a voxel of another label; the message states its node and number. \ingroup
- * ShapetonHeatTools
+ * and for a point outside the volume or in a voxel of another label; the message states its node and number.
+ * \ingroup ShapetonHeatTools
  */
 ShapetonHeatTools_EXPORT SeedImage::Pointer
                          SeedsOfMarkups(const std::vector<Markup> & markups, const itk::ImageBase<3> * image);

@@ -15,8 +15,8 @@ namespace shapeton
  *
  * Cell arrays for genus 1 and higher: kind (0 node, 1 edge, 2 triangle) and id, counted from 0 for each kind. Field
  * arrays of the torus, whose radius is 1: tubeRadius and dilatation; of the sphere with handles: twist, the turns of
- * the edges on each handle. Throws OutputError, and InputError if the handles do not all fit. \ingroup
- * ShapetonGraphViews */
+ * the edges on each handle. Throws OutputError, and InputError if the handles do not all fit.
+ * \ingroup ShapetonGraphViews */
 ShapetonGraphViews_EXPORT void
 WriteGraphInSpace(const EmbeddingCertificate & certificate, const Provenance & facts, const std::string & path);
 } // namespace shapeton

@@ -35,8 +35,8 @@ struct ColoredClasses
 /** The classes of a transfer function with objects: the lines, in this order, then the objects. A voxel is in the
  * smallest object that contains it, otherwise in the line of its heat, if any. `labels` contains the number of the
  * smallest object at each voxel, as written by HeatObjects. Throws InputError with `name`, the name of the labels, if
- * the number of voxels of an object differs from that in the labels; the image sizes must be equal. \ingroup
- * ShapetonHeatViews */
+ * the number of voxels of an object differs from that in the labels; the image sizes must be equal.
+ * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT ColoredClasses
 ColorObjects(const itk::Image<float, 3> *       heat,
              const ShapeTransferFunction &      lines,
