@@ -8,7 +8,7 @@
 namespace shapeton
 {
 /** A new image on the grid of another one; its values are 0 if `isZero`, else not initialized.
- * \ingroup ShapetonVolumeFiles */
+ * \ingroup ShapetonCommon */
 template <typename TImage>
 typename TImage::Pointer
 NewImageOn(const itk::ImageBase<3> * grid, bool isZero = false)
@@ -20,7 +20,7 @@ NewImageOn(const itk::ImageBase<3> * grid, bool isZero = false)
   return image;
 }
 
-/** The image with the value `function(voxel)` for each voxel of a buffered image. \ingroup ShapetonVolumeFiles */
+/** The image with the value `function(voxel)` for each voxel of a buffered image. \ingroup ShapetonCommon */
 template <typename TValue, typename TVoxel, typename TFunction>
 typename itk::Image<TValue, 3>::Pointer
 MapVoxels(const itk::Image<TVoxel, 3> * image, const TFunction & function)
