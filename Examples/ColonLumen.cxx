@@ -2,6 +2,7 @@
 // ground truth. Usage: ExampleColonLumen
 #include "shapetonColonPhantomImageSource.h"
 #include "shapetonElectronicCleansing.h"
+#include "shapetonMappedImage.h"
 
 #include "itkImage.h"
 
@@ -18,10 +19,7 @@ main()
   phantom->SetSpacing(Phantom::SpacingType(spacing));
   phantom->CenterOutput();
   phantom->Update();
-  const auto ct = itk::Image<float, 3>::New(); // HU, as from ReadVolume()
-  ct->CopyInformation(phantom->GetOutput());
-  ct->SetRegions(phantom->GetOutput()->GetBufferedRegion());
-  ct->Allocate();
+  const auto ct = shapeton::NewImageOn<itk::Image<float, 3>>(phantom->GetOutput()); // HU, as from ReadVolume()
   std::copy_n(phantom->GetOutput()->GetBufferPointer(), ct->GetPixelContainer()->Size(), ct->GetBufferPointer());
 
   shapeton::ColonLumenSettings options;

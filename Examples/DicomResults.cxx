@@ -3,6 +3,7 @@
 #include "shapetonDicomSegmentation.h"
 #include "shapetonDicomSegmentationReader.h"
 #include "shapetonDicomText.h"
+#include "shapetonMappedImage.h"
 #include "shapetonVolumeReader.h"
 
 #include <algorithm>
@@ -18,15 +19,8 @@ main(int argc, char * argv[])
   }
   const shapeton::Volume      volume = shapeton::ReadVolume(argv[1]);
   const shapeton::DicomSource source = shapeton::ReadDicomSource(argv[1]);
-  const auto                  labels = shapeton::DicomLabelImage::New();
-  labels->CopyInformation(volume.image);
-  labels->SetRegions(volume.image->GetBufferedRegion());
-  labels->Allocate();
-  const float * const first = volume.image->GetBufferPointer();
-  std::transform(first,
-                 first + volume.image->GetBufferedRegion().GetNumberOfPixels(),
-                 labels->GetBufferPointer(),
-                 [](float hounsfield) { return hounsfield > 0.0F ? 1 : 0; });
+  const auto                  labels = shapeton::MapVoxels<unsigned short>(volume.image.GetPointer(),
+                                                          [](float hounsfield) { return hounsfield > 0.0F ? 1 : 0; });
 
   shapeton::DicomSegment bright;
   bright.name = "bright";

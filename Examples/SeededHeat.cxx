@@ -1,5 +1,6 @@
 // Labels a volume from one seed inside an object and one in a corner, and prints the volume of the object.
 // Usage: ExampleSeededHeat VOLUME X Y Z, the index of the seed
+#include "shapetonMappedImage.h"
 #include "shapetonSeededHeatSegmentationImageFilter.h"
 #include "shapetonVolumeReader.h"
 
@@ -17,10 +18,7 @@ main(int argc, char * argv[])
   }
   const shapeton::Volume volume = shapeton::ReadVolume(argv[1]);
   const auto             filter = shapeton::SeededHeatSegmentationImageFilter<shapeton::Volume::ImageType>::New();
-  const auto             seeds = itk::Image<unsigned short, 3>::New();
-  seeds->CopyInformation(volume.image);
-  seeds->SetRegions(volume.image->GetLargestPossibleRegion());
-  seeds->Allocate(true);
+  const auto             seeds = shapeton::NewImageOn<itk::Image<unsigned short, 3>>(volume.image, true);
   seeds->SetPixel({ { 0, 0, 0 } }, 1);
   seeds->SetPixel({ { std::atoi(argv[2]), std::atoi(argv[3]), std::atoi(argv[4]) } }, 2);
   filter->SetInput(volume.image);

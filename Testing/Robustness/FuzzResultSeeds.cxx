@@ -6,6 +6,7 @@
 #include "shapetonDicomReportReader.h"
 #include "shapetonDicomSegmentationReader.h"
 #include "shapetonFileBytes.h"
+#include "shapetonMappedImage.h"
 
 namespace
 {
@@ -16,10 +17,7 @@ constexpr const char * frameOfReference = "1.2.4";
 DicomLabelImage::Pointer
 MakeLabels(const DicomSource & source)
 {
-  const auto labels = DicomLabelImage::New();
-  labels->CopyInformation(source.grid);
-  labels->SetRegions(source.grid->GetLargestPossibleRegion().GetSize());
-  labels->Allocate();
+  const auto labels = NewImageOn<DicomLabelImage>(source.grid);
   for (unsigned short i = 0; i < 7 * 9 * 6; ++i)
   {
     labels->GetBufferPointer()[i] = i % 3;

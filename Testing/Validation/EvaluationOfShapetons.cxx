@@ -186,7 +186,7 @@ RunInterpolatedShapetons(const TrialVolume &  volume,
   const auto      size = volume.image->GetLargestPossibleRegion().GetSize();
   const Stopwatch watch;
   Trial           trial;
-  trial.visits = basetest::NewImageLike<itk::Image<std::uint32_t, 3>>(volume.image);
+  trial.visits = NewImageOn<itk::Image<std::uint32_t, 3>>(volume.image, true);
   std::uint32_t * const   visits = trial.visits->GetBufferPointer();
   const ParticleDiffusion places(
     VolumeView(volume.image->GetBufferPointer(), { { size[0], size[1], size[2] } }), start, nullptr, visits);

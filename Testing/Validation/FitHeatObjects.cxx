@@ -22,7 +22,7 @@ AddRegions(const SceneVolume & volume, const HeatParameterChoice & choice, Logis
 {
   CumulativeHeatDiffusionSettings settings;
   choice.ApplyTo(settings);
-  const auto heat = basetest::NewImageLike<itk::Image<float, 3>>(volume.image);
+  const auto heat = NewImageOn<itk::Image<float, 3>>(volume.image, true);
   DiffuseCumulativeHeat(VolumeView(volume.image.GetPointer()), settings, heat->GetBufferPointer());
   HeatObjectOptions options;
   options.leastProbability = 0.0;

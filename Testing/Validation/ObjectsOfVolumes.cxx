@@ -26,7 +26,7 @@
 #include <numeric>
 
 using namespace shapeton;
-using basetest::NewImageLike;
+using shapeton::NewImageOn;
 
 namespace
 {
@@ -197,7 +197,7 @@ ReferenceBones(const Image * foot)
     }
   }
   std::sort(kept.begin(), kept.end(), [&](int a, int b) { return sizes[a] > sizes[b]; });
-  const auto labels = NewImageLike<Labels>(foot);
+  const auto labels = NewImageOn<Labels>(foot, true);
   for (std::size_t i = 0; i < kept.size(); ++i)
   {
     std::vector<char> part(isBone.size(), 0);

@@ -12,7 +12,7 @@
 #include <cmath>
 
 using namespace shapeton;
-using basetest::NewImageLike;
+using shapeton::NewImageOn;
 
 namespace
 {
@@ -47,7 +47,7 @@ DrawSeeds(const LabeledVolume & volume, int number, unsigned int draw)
   const std::size_t labels = volume.names.size();
   const auto        own = VoxelsOfLabels(volume.truth, labels);
   auto              inner = VoxelsOfLabels(SeedsOfClasses(volume.truth, {}), labels);
-  DrawnSeeds        seeds{ NewImageLike<SeedImage>(volume.truth) };
+  DrawnSeeds        seeds{ NewImageOn<SeedImage>(volume.truth, true) };
   for (std::size_t label = 0; label < labels; ++label)
   {
     Voxels & voxels = inner[label];
@@ -98,7 +98,7 @@ SegmentByConfidence(const LabeledVolume & volume, const SeedImage * seeds)
 {
   const Stopwatch    clock;
   const std::size_t  number = NumberOfVoxels(seeds);
-  const auto         labels = NewImageLike<SeedImage>(seeds);
+  const auto         labels = NewImageOn<SeedImage>(seeds, true);
   std::vector<float> distance(number, HUGE_VALF);
   unsigned short     label = 0;
   for (const Voxels & voxels : VoxelsOfLabels(seeds, volume.names.size()))

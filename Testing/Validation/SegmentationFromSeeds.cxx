@@ -15,7 +15,7 @@
 #include <set>
 
 using namespace shapeton;
-using basetest::NewImageLike;
+using shapeton::NewImageOn;
 
 namespace
 {
@@ -30,7 +30,7 @@ template <typename TImage>
 ImageType::Pointer
 Windowed(const TImage * image, double lower, double upper)
 {
-  const auto windowed = NewImageLike<ImageType>(image);
+  const auto windowed = NewImageOn<ImageType>(image, true);
   std::transform(image->GetBufferPointer(),
                  image->GetBufferPointer() + image->GetLargestPossibleRegion().GetNumberOfPixels(),
                  windowed->GetBufferPointer(),
@@ -61,7 +61,7 @@ SetTruth(const TImage * parts, std::size_t leastVoxels, const std::set<int> & wa
     }
     labels[part] = isTaken ? static_cast<unsigned short>(volume.names.size()) : 1;
   }
-  volume.truth = NewImageLike<SeedImage>(parts);
+  volume.truth = NewImageOn<SeedImage>(parts, true);
   std::transform(parts->GetBufferPointer(),
                  parts->GetBufferPointer() + number,
                  volume.truth->GetBufferPointer(),

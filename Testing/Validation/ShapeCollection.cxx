@@ -25,7 +25,7 @@ constexpr std::uint32_t purposeOfShapes = 0x53687074U; ///< of the random number
 LabelMap::Pointer
 ImageOf(const VoxelRuns & shape, const itk::ImageBase<3> * grid)
 {
-  const auto      image = basetest::NewImageLike<LabelMap>(grid);
+  const auto      image = NewImageOn<LabelMap>(grid, true);
   const VoxelGrid places = GridOf(grid);
   ForEachRun(shape, [&](std::size_t run, int j, int k) {
     float * row = image->GetBufferPointer() + places.Index(0, j, k);

@@ -38,7 +38,7 @@ template <typename TLevel>
 itk::Image<unsigned char, 3>::Pointer
 MakeLevels(const TrialVolume & volume, const TLevel & levelOfVoxel)
 {
-  const auto levels = basetest::NewImageLike<itk::Image<unsigned char, 3>>(volume.image);
+  const auto levels = NewImageOn<itk::Image<unsigned char, 3>>(volume.image, true);
   for (std::size_t i = 0; i < volume.GetNumberOfVoxels(); ++i)
   {
     if (volume.IsObject(i))
@@ -91,7 +91,7 @@ RenderLevels(const itk::Image<unsigned char, 3> * levels, unsigned int width, un
   {
     lines.push_back({ (level - 0.5) * unit, (level + 0.5) * unit, ColorOfLevel(level), 1.0 });
   }
-  const auto field = basetest::NewImageLike<itk::Image<float, 3>>(levels);
+  const auto field = NewImageOn<itk::Image<float, 3>>(levels, true);
   std::transform(levels->GetBufferPointer(),
                  levels->GetBufferPointer() + levels->GetLargestPossibleRegion().GetNumberOfPixels(),
                  field->GetBufferPointer(),

@@ -79,7 +79,7 @@ LoadTrialVolume(const Comparison & comparison, const RealCase & real)
     {
       throw std::runtime_error(real.labels + " has another grid than " + real.file);
     }
-    volume.labels = basetest::NewImageLike<itk::Image<unsigned char, 3>>(labels);
+    volume.labels = NewImageOn<itk::Image<unsigned char, 3>>(labels, true);
     std::transform(labels->GetBufferPointer(),
                    labels->GetBufferPointer() + volume.GetNumberOfVoxels(),
                    volume.labels->GetBufferPointer(),

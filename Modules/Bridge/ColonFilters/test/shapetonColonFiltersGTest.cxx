@@ -405,7 +405,7 @@ TEST(ColonFilters, GridsThatDifferAreRefused)
   cleansing->SetInput(moved);
   cleansing->SetLumen(lumen->GetLumenOutput());
   EXPECT_THROW(cleansing->Update(), InputError);
-  const auto mask = basetest::NewImageLike<LumenMaskImage>(moved);
+  const auto mask = NewImageOn<LumenMaskImage>(moved, true);
   const auto model = NewModelFilter();
   model->SetLumenMask(mask);
   EXPECT_THROW(model->Update(), InputError);

@@ -10,6 +10,7 @@
 #include "shapetonLungEvidence.h"
 #include "shapetonPlaceInWords.h"
 #include "shapetonExceptions.h"
+#include "shapetonMappedImage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -196,7 +197,7 @@ private:
   void
   DecideLabels()
   {
-    m_Result.labels = EmptyLabels(m_Image);
+    m_Result.labels = NewImageOn<ColonLumen::LabelImageType>(m_Image, true);
     if (!BoxOfColon(m_Evidence).IsEmpty())
     {
       const LumenVoxels voxels = DecideVoxels(m_Image, m_Evidence);

@@ -3,6 +3,7 @@
 #include "shapetonAirFluidInterface.h"
 
 #include "shapetonColonVolume.h"
+#include "shapetonMappedImage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -347,11 +348,8 @@ private:
   MakeCleansed() const
   {
     const auto & t = m_Lumen.thresholds;
-    const auto   image = ColonImage::New();
-    image->CopyInformation(m_Image);
-    image->SetRegions(m_Image->GetBufferedRegion());
-    image->Allocate();
-    float * out = image->GetBufferPointer();
+    const auto   image = NewImageOn<ColonImage>(m_Image);
+    float *      out = image->GetBufferPointer();
     std::copy_n(m_Image->GetBufferPointer(), m_Image->GetBufferedRegion().GetNumberOfPixels(), out);
     ForEachVoxel(m_Image, m_Grid, [&](std::size_t to, std::size_t p) {
       const double fluid = m_FluidParts[p] * m_Occupancy[p];

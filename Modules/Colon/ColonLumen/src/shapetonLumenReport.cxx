@@ -56,16 +56,6 @@ struct PieceSums
 };
 } // namespace
 
-ColonLumen::LabelImageType::Pointer
-EmptyLabels(const ColonImage * image)
-{
-  auto labels = ColonLumen::LabelImageType::New();
-  labels->CopyInformation(image);
-  labels->SetRegions(image->GetBufferedRegion());
-  labels->Allocate(true);
-  return labels;
-}
-
 void
 WriteLabels(const ColonImage * image, const LumenVoxels & voxels, ColonLumen & lumen)
 {

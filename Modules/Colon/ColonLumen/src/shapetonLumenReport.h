@@ -5,9 +5,6 @@
 
 namespace shapeton
 {
-ColonLumen::LabelImageType::Pointer
-EmptyLabels(const ColonImage * image);
-
 void
 WriteLabels(const ColonImage * image, const LumenVoxels & voxels, ColonLumen & lumen);
 

@@ -483,7 +483,7 @@ TEST(ColonLumenSegmentation, NoSeedPointAndNoMaskMakeLungColon)
   shapeton::ColonLumenSettings options;
   options.seedPoint.emplace_back(At(-40, 7, 0).GetDataPointer());
   EXPECT_THROW(shapeton::SegmentColonLumen(image, options), shapeton::ParameterError);
-  const auto mask = basetest::NewImageLike<itk::Image<unsigned char, 3>>(image);
+  const auto mask = shapeton::NewImageOn<itk::Image<unsigned char, 3>>(image, true);
   const auto paint = [&](double below) {
     for (std::size_t i = 0; i < image->GetBufferedRegion().GetNumberOfPixels(); ++i)
     {

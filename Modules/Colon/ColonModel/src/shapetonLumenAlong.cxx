@@ -1,6 +1,7 @@
 #include "shapetonLumenAlong.h"
 
 #include "shapetonArcLengthField.h"
+#include "shapetonMappedImage.h"
 #include "shapetonParallelFor.h"
 
 namespace shapeton
@@ -11,12 +12,9 @@ LabelLumenAlong(const LumenMaskImage *                        lumen,
                 const std::function<unsigned short(double)> & labelOf)
 {
   const ArcLengthField field(lumen, centerline);
-  const auto           labels = itk::Image<unsigned short, 3>::New();
   const auto           region = lumen->GetBufferedRegion();
-  labels->CopyInformation(lumen);
-  labels->SetRegions(region);
-  labels->Allocate(true);
-  const std::size_t pixels = region.GetSize(0) * region.GetSize(1);
+  const auto           labels = NewImageOn<itk::Image<unsigned short, 3>>(lumen, true);
+  const std::size_t    pixels = region.GetSize(0) * region.GetSize(1);
   ParallelFor(region.GetSize(2), [&](std::size_t slice) {
     for (std::size_t voxel = slice * pixels; voxel < (slice + 1) * pixels; ++voxel)
     {

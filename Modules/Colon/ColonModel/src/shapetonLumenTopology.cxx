@@ -3,6 +3,7 @@
 #include "shapetonCenterlineGeometry.h"
 #include "shapetonPaddedVoxels.h"
 #include "shapetonExceptions.h"
+#include "shapetonMappedImage.h"
 #include "shapetonSquaredDistances.h"
 
 #include <cmath>
@@ -17,16 +18,6 @@ constexpr unsigned char Lumen = 1;                      // flag of a voxel
 constexpr double        RanksPerMillimeter = 100.0;     // chosen: 0.01 mm, up to 655 mm in 16 bits
 constexpr std::uint16_t CenterlineRank = 65535;         // the greatest rank, so the line grows first
 constexpr double        GreatestDistanceRank = 65534.0; // below CenterlineRank
-
-LumenMaskImage::Pointer
-NewMaskLike(const OccupancyImage * occupancy)
-{
-  auto mask = LumenMaskImage::New();
-  mask->CopyInformation(occupancy);
-  mask->SetRegions(occupancy->GetBufferedRegion());
-  mask->Allocate(true);
-  return mask;
-}
 
 void
 CopyFlagsToMask(const PaddedVoxels & voxels, LumenMaskImage * mask)
@@ -122,10 +113,7 @@ RanksOfLumen(const LumenMaskImage * lumen, const OccupancyImage * occupancy)
 {
   const VoxelValues squares = SquaredDistancesToRim(lumen);
 
-  auto ranks = GrowthRankImage::New();
-  ranks->CopyInformation(lumen);
-  ranks->SetRegions(lumen->GetBufferedRegion());
-  ranks->Allocate();
+  auto                  ranks = NewImageOn<GrowthRankImage>(lumen);
   const auto            spacing = lumen->GetSpacing();
   const double          finest = std::min({ spacing[0], spacing[1], spacing[2] });
   const float * const   occupancyOf = occupancy->GetBufferPointer();
@@ -184,7 +172,7 @@ RepairLumenTopology(const OccupancyImage * occupancy, const CurveSet & centerlin
   const auto    spacing = occupancy->GetSpacing();
   const double  voxelVolume = spacing[0] * spacing[1] * spacing[2] / 1000.0;
   LumenTopology result;
-  const auto    limit = NewMaskLike(occupancy);
+  const auto    limit = NewImageOn<LumenMaskImage>(occupancy, true);
   const auto    size = occupancy->GetBufferedRegion().GetNumberOfPixels();
   ParallelForBlocks(size, [isIn = limit->GetBufferPointer(), share = occupancy->GetBufferPointer()](std::size_t i) {
     isIn[i] = share[i] >= WallLevel ? 1 : 0;
@@ -192,7 +180,7 @@ RepairLumenTopology(const OccupancyImage * occupancy, const CurveSet & centerlin
   KeepSolidPiece(limit, voxelVolume, result.report);
   const auto ranks = RanksOfLumen(limit, occupancy);
   RaiseCenterline(ranks, centerline);
-  result.mask = NewMaskLike(occupancy);
+  result.mask = NewImageOn<LumenMaskImage>(occupancy, true);
   PlantSeed(result.mask, limit, ranks);
   GrowByTopologyPreservingPoints(result.mask, limit, ranks);
   const auto cut =

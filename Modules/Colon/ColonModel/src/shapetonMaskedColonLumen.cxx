@@ -2,6 +2,7 @@
 
 #include "shapetonColonGravity.h"
 #include "shapetonExceptions.h"
+#include "shapetonMappedImage.h"
 #include "shapetonQuantiles.h"
 
 #include "itkImageRegionConstIterator.h"
@@ -157,16 +158,6 @@ MeasureThresholds(const itk::Image<float, 3> * ct, const LumenDistanceImage * di
     thresholds.fluidSeed = thresholds.tissue + FluidSeedShare * (thresholds.fluid - thresholds.tissue);
   }
 }
-
-LumenMask::Pointer
-EmptyLabels(const LumenMask * mask)
-{
-  const auto labels = LumenMask::New();
-  labels->CopyInformation(mask);
-  labels->SetRegions(mask->GetLargestPossibleRegion());
-  labels->Allocate();
-  return labels;
-}
 } // namespace
 
 ColonLumen
@@ -175,7 +166,7 @@ ColonLumenOfMask(const itk::Image<float, 3> * ct, const LumenMask * mask, const 
   ColonLumen lumen;
   const auto distance = LumenDistance(mask, LumenRegion(mask));
   MeasureThresholds(ct, distance, lumen);
-  lumen.labels = EmptyLabels(mask);
+  lumen.labels = NewImageOn<LumenMask>(mask);
   const auto                                          region = mask->GetLargestPossibleRegion();
   itk::ImageRegionConstIterator<LumenMask>            inside(mask, region);
   itk::ImageRegionConstIterator<itk::Image<float, 3>> value(ct, region);
@@ -196,7 +187,7 @@ ColonLumen
 ColonLumenOfMask(const LumenMask * mask)
 {
   ColonLumen lumen;
-  lumen.labels = EmptyLabels(mask);
+  lumen.labels = NewImageOn<LumenMask>(mask);
   const auto                               region = mask->GetLargestPossibleRegion();
   itk::ImageRegionConstIterator<LumenMask> inside(mask, region);
   itk::ImageRegionIterator<LumenMask>      label(lumen.labels, region);

@@ -2,6 +2,7 @@
 
 #include "itkDiscreteGaussianImageFilter.h"
 #include "shapetonExceptions.h"
+#include "shapetonMappedImage.h"
 
 #include <algorithm>
 
@@ -66,10 +67,7 @@ OccupancyImage::Pointer
 OccupancyFromMask(const LumenMaskImage * mask, double sigma)
 {
   RequireParameter(sigma >= 0.0, "the smoothing of a lumen mask must not be negative");
-  auto occupancy = OccupancyImage::New();
-  occupancy->CopyInformation(mask);
-  occupancy->SetRegions(mask->GetBufferedRegion());
-  occupancy->Allocate();
+  auto                  occupancy = NewImageOn<OccupancyImage>(mask);
   const std::size_t     size = mask->GetBufferedRegion().GetNumberOfPixels();
   const unsigned char * labels = mask->GetBufferPointer();
   float *               values = occupancy->GetBufferPointer();

@@ -1,4 +1,5 @@
 #include "shapetonArcLengthField.h"
+#include "shapetonMappedImage.h"
 #include "shapetonPaddedVoxels.h"
 #include "shapetonQuantiles.h"
 #include "shapetonTerminalIleum.h"
@@ -188,10 +189,7 @@ public:
   IleumBehind(double valve, const CecalPouch & pouch) const
   {
     TerminalIleum ileum;
-    ileum.mask = LumenMask::New();
-    ileum.mask->CopyInformation(m_Labels);
-    ileum.mask->SetRegions(m_Labels->GetBufferedRegion());
-    ileum.mask->Allocate(true);
+    ileum.mask = NewImageOn<LumenMask>(m_Labels, true);
     unsigned char * const isIleum = ileum.mask->GetBufferPointer();
     PaddedVoxels          cecum(m_Labels->GetBufferedRegion());
     m_Voxels.ForEachVoxel([&](std::int64_t padded, std::int64_t inner) {

@@ -1,6 +1,7 @@
 #include "shapetonTerminalIleum.h"
 
 #include "shapetonCecalRegion.h"
+#include "shapetonMappedImage.h"
 #include "shapetonSquaredDistances.h"
 
 #include "itkImageRegionIteratorWithIndex.h"
@@ -130,10 +131,7 @@ LumenMask::Pointer
 MaskOf(const CecalRegion & region, const Branch & branch, const LumenMask * labels)
 {
   const std::vector<unsigned char> isBranch = VoxelsOf(region, branch);
-  const auto                       mask = LumenMask::New();
-  mask->CopyInformation(labels);
-  mask->SetRegions(labels->GetLargestPossibleRegion());
-  mask->Allocate(true);
+  const auto                       mask = NewImageOn<LumenMask>(labels, true);
   for (itk::ImageRegionIteratorWithIndex<LumenMask> one(mask, mask->GetBufferedRegion()); !one.IsAtEnd(); ++one)
   {
     if (labels->GetPixel(one.GetIndex()) != 0)

@@ -249,7 +249,7 @@ std::pair<CtImage::Pointer, shapeton::LumenMask::Pointer>
 BagOfGas()
 {
   const auto ct = basetest::NewImage<CtImage>({ { 48, 48, 64 } }, { 2.5, 2.5, 2.5 });
-  const auto mask = basetest::NewImageLike<shapeton::LumenMask>(ct);
+  const auto mask = shapeton::NewImageOn<shapeton::LumenMask>(ct, true);
   basetest::ForVoxels(ct, [&](const auto & index, const auto & p) {
     const double along = std::max(0.0, std::abs(p[2] - 80.0) - 25.0);
     const bool   isGas = std::hypot(p[0] - 60.0, p[1] - 60.0, along) < 25.0;
@@ -290,7 +290,7 @@ TEST(ColonModel, AMaskWithoutGasIsRefused)
 {
   const auto ct = basetest::NewImage<CtImage>({ { 32, 32, 32 } });
   ct->FillBuffer(40.0F);
-  const auto mask = basetest::NewImageLike<shapeton::LumenMask>(ct);
+  const auto mask = shapeton::NewImageOn<shapeton::LumenMask>(ct, true);
   EXPECT_THROW(shapeton::BuildColonModel(ct.GetPointer(), mask.GetPointer(), Options()), shapeton::InputError);
   for (int i = 0; i < 12 * 12 * 12; ++i)
   {

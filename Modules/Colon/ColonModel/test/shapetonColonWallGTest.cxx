@@ -29,7 +29,7 @@ TubeOccupancy(const Grid & grid = {})
 shapeton::LumenMaskImage::Pointer
 MaskOf(const shapeton::OccupancyImage::Pointer & occupancy, unsigned char value)
 {
-  const auto mask = basetest::NewImageLike<shapeton::LumenMaskImage>(occupancy);
+  const auto mask = shapeton::NewImageOn<shapeton::LumenMaskImage>(occupancy, true);
   std::transform(occupancy->GetBufferPointer(),
                  occupancy->GetBufferPointer() + occupancy->GetBufferedRegion().GetNumberOfPixels(),
                  mask->GetBufferPointer(),

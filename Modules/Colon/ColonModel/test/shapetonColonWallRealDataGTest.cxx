@@ -23,7 +23,7 @@ RealMask()
     return nullptr;
   }
   const auto image = shapeton::ReadVolume(std::string(folder) + "/ctc/colon-lumen-mask.nii.gz").image;
-  const auto whole = basetest::NewImageLike<shapeton::LumenMaskImage>(image);
+  const auto whole = shapeton::NewImageOn<shapeton::LumenMaskImage>(image, true);
   std::transform(image->GetBufferPointer(),
                  image->GetBufferPointer() + image->GetBufferedRegion().GetNumberOfPixels(),
                  whole->GetBufferPointer(),

@@ -138,7 +138,7 @@ TEST(TopologyPreservingGrowth, GrowthKeepsTheTopologyOfItsSeed)
     FillAtRandom(limit, generator, 0.75);
     const auto seed = NewMask(12, 14, 13);
     seed->GetBufferPointer()[700 + i] = 1;
-    const auto ranks = basetest::NewImageLike<shapeton::GrowthRankImage>(limit);
+    const auto ranks = shapeton::NewImageOn<shapeton::GrowthRankImage>(limit, true);
     for (std::size_t k = 0; k < limit->GetBufferedRegion().GetNumberOfPixels(); ++k)
     {
       ranks->GetBufferPointer()[k] = static_cast<std::uint16_t>(generator() % 5);
@@ -158,7 +158,7 @@ TEST(TopologyPreservingGrowth, FillsAConvexLimitAndCutsARingWhereTheRankIsLowest
 {
   const auto limit = NewMask(9, 9, 3);
   const auto seed = NewMask(9, 9, 3);
-  const auto ranks = basetest::NewImageLike<shapeton::GrowthRankImage>(limit);
+  const auto ranks = shapeton::NewImageOn<shapeton::GrowthRankImage>(limit, true);
   ranks->FillBuffer(10);
   limit->FillBuffer(1);
   seed->SetPixel({ { 4, 1, 1 } }, 1);

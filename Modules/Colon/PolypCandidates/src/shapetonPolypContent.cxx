@@ -1,6 +1,7 @@
 #include "shapetonPolypContent.h"
 
 #include "shapetonCandidateList.h"
+#include "shapetonMappedImage.h"
 #include "shapetonQuantiles.h"
 
 #include "itkLinearInterpolateImageFunction.h"
@@ -339,10 +340,7 @@ NoteResidue(const SurfaceMesh &           wall,
 itk::Image<unsigned short, 3>::Pointer
 LabelPolypHeads(const SurfaceMesh & wall, const PolypLumenImage * lumen, const std::vector<PolypCandidate> & candidates)
 {
-  const auto labels = itk::Image<unsigned short, 3>::New();
-  labels->CopyInformation(lumen);
-  labels->SetRegions(lumen->GetLargestPossibleRegion());
-  labels->Allocate(true);
+  const auto                          labels = NewImageOn<itk::Image<unsigned short, 3>>(lumen, true);
   const auto &                        spacing = lumen->GetSpacing();
   const double                        step = 0.25 * std::min({ spacing[0], spacing[1], spacing[2] });
   const itk::ImageBase<3>::RegionType region = lumen->GetLargestPossibleRegion();

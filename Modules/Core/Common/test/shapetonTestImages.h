@@ -1,7 +1,7 @@
 #ifndef shapetonTestImages_h
 #define shapetonTestImages_h
 
-#include "itkImage.h"
+#include "shapetonMappedImage.h"
 
 #include <array>
 #include <cmath>
@@ -38,17 +38,6 @@ NewImage(const typename TImage::SizeType & size,
   return image;
 }
 
-/** An image of zeros on the grid of another one. */
-template <typename TImage>
-typename TImage::Pointer
-NewImageLike(const itk::ImageBase<3> * other)
-{
-  const auto image = TImage::New();
-  image->CopyInformation(other);
-  image->SetRegions(other->GetLargestPossibleRegion());
-  image->Allocate(true);
-  return image;
-}
 /** Calls `body` with the index and the point of each voxel. */
 template <typename TBody>
 void

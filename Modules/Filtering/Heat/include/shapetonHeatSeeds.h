@@ -11,10 +11,6 @@ namespace shapeton
 {
 using SeedImage = itk::Image<unsigned short, 3>;
 
-/** An image of zeros on the grid of `image`. \ingroup ShapetonHeat */
-ShapetonHeat_EXPORT SeedImage::Pointer
-                    NewSeeds(const itk::ImageBase<3> * image);
-
 /** Seeds from classes, such as the lines of a heat histogram (HeatClassification::labels).
  * \ingroup ShapetonHeat */
 struct ClassSeeds

@@ -3,6 +3,7 @@
 
 #include "shapetonSeededHeatSegmentationImageFilter.h"
 #include "shapetonFilterProgress.h"
+#include "shapetonMappedImage.h"
 
 #include <algorithm>
 #include <tuple>
@@ -102,10 +103,7 @@ typename SeededHeatSegmentationImageFilter<TInputImage>::HeatImageType::Pointer
 SeededHeatSegmentationImageFilter<TInputImage>::GetProbabilities(unsigned short label) const
 {
   RequireParameter(m_Solver != nullptr, "the probabilities were not kept; set KeepProbabilities and update the filter");
-  auto image = HeatImageType::New();
-  image->CopyInformation(m_Grid);
-  image->SetRegions(m_Grid->GetLargestPossibleRegion());
-  image->Allocate();
+  auto image = NewImageOn<HeatImageType>(m_Grid);
   m_Solver->GetProbabilities(label, image->GetBufferPointer());
   return image;
 }

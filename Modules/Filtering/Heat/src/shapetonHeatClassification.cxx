@@ -1,5 +1,6 @@
 #include "shapetonHeatClassification.h"
 #include "shapetonDisjointSets.h"
+#include "shapetonMappedImage.h"
 #include "shapetonParallelFor.h"
 
 #include "itkImageRegionConstIterator.h"
@@ -327,10 +328,7 @@ MeasureCoherence(const VolumeGradientOperator & volumeGradient, const float * he
 itk::Image<unsigned char, 3>::Pointer
 LabelHeat(const itk::Image<float, 3> * heat, std::vector<HeatClass> & classes)
 {
-  auto labels = itk::Image<unsigned char, 3>::New();
-  labels->CopyInformation(heat);
-  labels->SetRegions(heat->GetBufferedRegion());
-  labels->Allocate();
+  auto                labels = NewImageOn<itk::Image<unsigned char, 3>>(heat);
   std::vector<double> sums(classes.size(), 0.0);
   for (auto & heatClass : classes)
   {

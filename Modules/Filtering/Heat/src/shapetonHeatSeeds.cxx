@@ -1,6 +1,7 @@
 #include "shapetonHeatSeeds.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonMappedImage.h"
 #include "shapetonVoxelRuns.h"
 
 #include <algorithm>
@@ -102,21 +103,11 @@ ChosenClasses(const SeedImage * classes, const ClassSeeds & choice)
 } // namespace
 
 SeedImage::Pointer
-NewSeeds(const itk::ImageBase<3> * image)
-{
-  auto seeds = SeedImage::New();
-  seeds->CopyInformation(image);
-  seeds->SetRegions(image->GetLargestPossibleRegion());
-  seeds->Allocate(true);
-  return seeds;
-}
-
-SeedImage::Pointer
 SeedsOfClasses(const SeedImage * classes, const ClassSeeds & choice)
 {
   RequireParameter(choice.components >= 0, "the parameter \"components\" must not be negative");
   const VoxelGrid grid = GridOf(classes);
-  const auto      seeds = NewSeeds(classes);
+  const auto      seeds = NewImageOn<SeedImage>(classes, true);
   unsigned short  label = 0;
   for (const int value : ChosenClasses(classes, choice))
   {

@@ -13,7 +13,7 @@ using FilterType = shapeton::SeededHeatSegmentationImageFilter<ImageType>;
 SeedImage::Pointer
 MakeSeeds(const ImageType * image)
 {
-  const auto seeds = shapeton::NewSeeds(image);
+  const auto seeds = shapeton::NewImageOn<shapeton::SeedImage>(image, true);
   seeds->SetPixel({ { 2, 3, 4 } }, 1);
   for (int i = 0; i <= 10; ++i)
   {
@@ -111,7 +111,7 @@ TEST(SeededHeatSegmentationImageFilter, NamesWhatIsWrong)
   auto       filter = FilterType::New();
   filter->SetInput(image);
   EXPECT_TRUE(Refuses([&] { filter->Update(); }, "Seeds")); // required
-  const auto seeds = shapeton::NewSeeds(image);
+  const auto seeds = shapeton::NewImageOn<shapeton::SeedImage>(image, true);
   filter->SetSeeds(seeds);
   EXPECT_TRUE(Refuses([&] { filter->Update(); }, "no voxel has a seed"));
   seeds->SetPixel({ { 1, 1, 1 } }, 7);

@@ -5,6 +5,7 @@
 #include "shapetonPi.h"
 #include "shapetonQuantiles.h"
 #include "shapetonImageGrid.h"
+#include "shapetonMappedImage.h"
 #include "shapetonStableRegions.h"
 
 #include <algorithm>
@@ -231,12 +232,7 @@ AddCandidates(const ComponentTree &     tree,
 class Nesting
 {
 public:
-  explicit Nesting(const HeatImage & image) : m_Labels(HeatObjectList::LabelImage::New())
-  {
-    m_Labels->CopyInformation(&image);
-    m_Labels->SetRegions(image.GetBufferedRegion());
-    m_Labels->Allocate(true);
-  }
+  explicit Nesting(const HeatImage & image) : m_Labels(NewImageOn<HeatObjectList::LabelImage>(&image, true)) {}
 
   /** The object that contains nearly all voxels of a candidate, or 0. */
   int
@@ -380,10 +376,7 @@ MaskOfObject(const HeatObjectList & list, int object)
     throw ParameterError("object " + std::to_string(object) + " is not in the list of " +
                          std::to_string(list.objects.size()) + " objects");
   }
-  const auto mask = itk::Image<unsigned char, 3>::New();
-  mask->CopyInformation(list.labels);
-  mask->SetRegions(list.labels->GetBufferedRegion());
-  mask->Allocate(true);
+  const auto mask = NewImageOn<itk::Image<unsigned char, 3>>(list.labels, true);
   for (const VoxelRange & range : list.ranges[object - 1])
   {
     std::fill(mask->GetBufferPointer() + range.begin, mask->GetBufferPointer() + range.end, 1);

@@ -19,7 +19,7 @@ struct Phantom
 {
   itk::Image<float, 3>::Pointer image =
     basetest::NewImage<itk::Image<float, 3>>(itk::Size<3>::Filled(phantomSide), { { 1.0, 1.0, 1.3 } });
-  itk::Image<unsigned char, 3>::Pointer labels = basetest::NewImageLike<itk::Image<unsigned char, 3>>(image);
+  itk::Image<unsigned char, 3>::Pointer labels = NewImageOn<itk::Image<unsigned char, 3>>(image, true);
 };
 
 /** Two balls joined by a thin rod, a box, and a cylinder (intensities 600 to 1000) in noise, in anisotropic voxels. */

@@ -1,5 +1,6 @@
 #include "shapetonVisitDensity.h"
 
+#include "shapetonMappedImage.h"
 #include "shapetonParallelFor.h"
 
 #include <algorithm>
@@ -77,10 +78,7 @@ GreatestVisits(const itk::Image<std::uint32_t, 3> * visits)
 itk::Image<float, 3>::Pointer
 NormalizeVisits(const itk::Image<std::uint32_t, 3> * visits)
 {
-  auto density = itk::Image<float, 3>::New();
-  density->CopyInformation(visits);
-  density->SetRegions(visits->GetBufferedRegion());
-  density->Allocate();
+  auto                density = NewImageOn<itk::Image<float, 3>>(visits);
   const std::uint32_t greatest = GreatestVisits(visits);
   const float         scale = greatest == 0 ? 0.0F : 1.0F / static_cast<float>(greatest);
   ForSlices(visits, [&](std::size_t first, std::size_t number) {

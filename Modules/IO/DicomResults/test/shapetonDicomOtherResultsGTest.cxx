@@ -5,6 +5,7 @@
 #include "shapetonDicomSegmentationReader.h"
 #include "shapetonFileBytes.h"
 #include "shapetonImageGrid.h"
+#include "shapetonMappedImage.h"
 
 #include <array>
 #include <cstdlib>
@@ -259,7 +260,7 @@ public:
   Bits()
     : m_Folder(TestFolder())
     , m_Source(SourceOf(ObliqueFixture(), m_Folder))
-    , m_Labels(basetest::NewImageLike<DicomLabelImage>(m_Source.grid))
+    , m_Labels(NewImageOn<DicomLabelImage>(m_Source.grid, true))
     , m_Path(m_Folder + "/seg.dcm")
   {}
 

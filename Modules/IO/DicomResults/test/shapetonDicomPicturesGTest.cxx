@@ -1,6 +1,7 @@
 #include "shapetonDicomPictures.h"
 #include "shapetonDicomResultsTesting.h"
 #include "shapetonFileBytes.h"
+#include "shapetonMappedImage.h"
 #include "shapetonSurfaceReader.h"
 
 namespace
@@ -59,7 +60,7 @@ TEST_F(DicomPictures, SurfaceComesBack)
 
 TEST_F(DicomPictures, MapKeepsItsValuesAndPlaces)
 {
-  const auto         image = basetest::NewImageLike<itk::Image<float, 3>>(source.grid);
+  const auto         image = NewImageOn<itk::Image<float, 3>>(source.grid, true);
   std::vector<float> values;
   for (int i = 0; i < 7 * 9 * 6; ++i)
   {

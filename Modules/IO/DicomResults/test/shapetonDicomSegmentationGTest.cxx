@@ -2,6 +2,7 @@
 #include "shapetonDicomSegmentationReader.h"
 #include "shapetonFileBytes.h"
 #include "shapetonImageGrid.h"
+#include "shapetonMappedImage.h"
 
 #include <filesystem>
 #include <functional>
@@ -18,7 +19,7 @@ using namespace shapeton;
 DicomLabelImage::Pointer
 RandomLabels(const DicomSource & source, unsigned int seed)
 {
-  const auto        labels = basetest::NewImageLike<DicomLabelImage>(source.grid);
+  const auto        labels = NewImageOn<DicomLabelImage>(source.grid, true);
   std::mt19937      random(seed);
   const std::size_t pixels = source.series.size[0] * source.series.size[1];
   for (std::size_t i = 0; i < pixels * source.series.size[2]; ++i)
@@ -116,7 +117,7 @@ TEST(DicomSegmentation, LabelMapsComeBack)
   const DicomSource source = SourceOf(ObliqueFixture(), folder);
   for (const unsigned short count : { 2, 300 }) // 8 and 16 bits
   {
-    const auto        labels = basetest::NewImageLike<DicomLabelImage>(source.grid);
+    const auto        labels = NewImageOn<DicomLabelImage>(source.grid, true);
     const std::size_t voxels = labels->GetLargestPossibleRegion().GetNumberOfPixels();
     for (std::size_t i = 0; i < voxels; ++i)
     {

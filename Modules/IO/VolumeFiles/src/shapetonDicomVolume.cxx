@@ -7,6 +7,7 @@
 #include "shapetonNumberText.h"
 #include "shapetonSha256.h"
 #include "shapetonExceptions.h"
+#include "shapetonMappedImage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,11 +64,7 @@ ImageType::Pointer
 MakeImage(const DicomSeries & series, const ImageType::SizeType & size, double sliceSpacing, const double (&start)[3])
 {
   CheckMemory(series, static_cast<double>(size[0]) * static_cast<double>(size[1]) * static_cast<double>(size[2]));
-  const auto image = ImageType::New();
-  image->CopyInformation(MakeGrid(series, size, sliceSpacing, start));
-  image->SetRegions(size);
-  image->Allocate();
-  return image;
+  return NewImageOn<ImageType>(MakeGrid(series, size, sliceSpacing, start));
 }
 
 /** The first slice at each position. */

@@ -2,6 +2,7 @@
 
 #include "shapetonExceptions.h"
 #include "shapetonImageGrid.h"
+#include "shapetonMappedImage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,7 +113,7 @@ LabelsOfVolume(const Volume & volume, const std::string & path, const itk::Image
   {
     throw InputError(path + ": the labels and the volume have different grids; use labels on the grid of the volume");
   }
-  const auto        seeds = NewSeeds(image);
+  const auto        seeds = NewImageOn<SeedImage>(image, true);
   const std::size_t number = image->GetLargestPossibleRegion().GetNumberOfPixels();
   for (std::size_t i = 0; i < number; ++i)
   {
@@ -130,7 +131,7 @@ LabelsOfVolume(const Volume & volume, const std::string & path, const itk::Image
 SeedImage::Pointer
 SeedsOfMarkups(const std::vector<Markup> & markups, const itk::ImageBase<3> * image)
 {
-  const auto     seeds = NewSeeds(image);
+  const auto     seeds = NewImageOn<SeedImage>(image, true);
   unsigned short label = 0;
   for (const Markup & markup : markups)
   {

@@ -22,7 +22,7 @@ protected:
   SetUp() override
   {
     m_Gray = basetest::NewImage<ImageType>({ { 16, 14, 12 } }, { 0.5, 0.5, 2.0 });
-    m_Heat = basetest::NewImageLike<ImageType>(m_Gray);
+    m_Heat = shapeton::NewImageOn<ImageType>(m_Gray, true);
     m_Heat->FillBuffer(0.0F);
     for (int i = 0; i < 16 * 14 * 12; ++i)
     {

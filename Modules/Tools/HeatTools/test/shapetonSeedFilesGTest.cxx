@@ -97,7 +97,7 @@ TEST(SeedFiles, LabelMapsLieOnTheGridAndHoldWholeNumbers)
 {
   const auto       image = MakeBoxes();
   shapeton::Volume volume;
-  volume.image = basetest::NewImageLike<shapeton::Volume::ImageType>(image);
+  volume.image = shapeton::NewImageOn<shapeton::Volume::ImageType>(image, true);
   volume.image->SetPixel({ { 3, 3, 3 } }, 65535.0F);
   EXPECT_EQ(Count(shapeton::LabelsOfVolume(volume, "map", image), 65535), 1u);
   for (const float value : { 0.5F, -1.0F, 65536.0F })

@@ -4,6 +4,7 @@
 #include "shapetonFileBytes.h"
 #include "shapetonJson.h"
 #include "shapetonLiveSession.h"
+#include "shapetonMappedImage.h"
 #include "shapetonParticleDiffusionImageFilter.h"
 #include "shapetonRandomCommands.h"
 #include "shapetonSessionTestVolume.h"
@@ -75,7 +76,7 @@ VisitsOfFilter(const Fixture &                            fixture,
     filter->SetMaskImage(shapeton::MaskForImage(shapeton::ReadVolume(mask), mask, volume.image));
   }
   filter->Update();
-  auto visits = basetest::NewImageLike<ImageType>(volume.image);
+  auto visits = shapeton::NewImageOn<ImageType>(volume.image, true);
   std::copy_n(filter->GetOutput()->GetBufferPointer(),
               visits->GetBufferedRegion().GetNumberOfPixels(),
               visits->GetBufferPointer());

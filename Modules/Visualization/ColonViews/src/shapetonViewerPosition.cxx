@@ -8,6 +8,7 @@
 #include "shapetonHaustralFoldFiles.h"
 #include "shapetonPicture.h"
 #include "shapetonImageGrid.h"
+#include "shapetonMappedImage.h"
 #include "shapetonSegmentQuality.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonViewerCandidates.h"
@@ -276,13 +277,7 @@ PutPoints(PageBlocks & blocks, const std::string & prefix, const FlatColon & fla
 itk::Image<float, 3>::Pointer
 VolumeOfLabels(const MaskImage & labels)
 {
-  const auto volume = itk::Image<float, 3>::New();
-  volume->CopyInformation(&labels);
-  volume->SetRegions(labels.GetLargestPossibleRegion());
-  volume->Allocate();
-  const std::size_t voxels = labels.GetLargestPossibleRegion().GetNumberOfPixels();
-  std::copy_n(labels.GetBufferPointer(), voxels, volume->GetBufferPointer());
-  return volume;
+  return MapVoxels<float>(&labels, [](unsigned char label) { return static_cast<float>(label); });
 }
 
 /** The original and the cleansed CT. Runs without cleansing.nrrd have only the latter; runs on a lumen mask have none,

@@ -160,7 +160,7 @@ TEST(ColonPictures, RefusesWhatCannotBeDrawn)
   parts.lumen = empty;
   EXPECT_THROW(shapeton::DrawColonSlices(parts, shapeton::SlicePlane::Axial), std::invalid_argument);
   parts = colon.Parts();
-  auto moved = basetest::NewImageLike<itk::Image<float, 3>>(colon.ct);
+  auto moved = shapeton::NewImageOn<itk::Image<float, 3>>(colon.ct, true);
   moved->FillBuffer(0.0F);
   moved->SetOrigin(colon.ct->GetOrigin() + itk::Vector<double, 3>(1.0));
   parts.ct = moved;

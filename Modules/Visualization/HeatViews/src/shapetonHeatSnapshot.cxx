@@ -4,6 +4,7 @@
 #include "itkMetaImageIO.h"
 #include "itkNrrdImageIO.h"
 #include "shapetonExceptions.h"
+#include "shapetonMappedImage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -243,11 +244,6 @@ VisitsOf(const itk::Image<float, 3> * values, const HeatSnapshot & file)
   {
     return nullptr;
   }
-  auto visits = itk::Image<std::uint32_t, 3>::New();
-  visits->CopyInformation(values);
-  visits->SetRegions(values->GetBufferedRegion());
-  visits->Allocate();
-  std::transform(begin, end, visits->GetBufferPointer(), [](float value) { return static_cast<std::uint32_t>(value); });
-  return visits;
+  return MapVoxels<std::uint32_t>(values, [](float value) { return static_cast<std::uint32_t>(value); });
 }
 } // namespace shapeton

@@ -3,6 +3,7 @@
 #include "shapetonColorMap.h"
 #include "shapetonCsvTable.h"
 #include "shapetonExceptions.h"
+#include "shapetonMappedImage.h"
 #include "shapetonParallelFor.h"
 #include "shapetonSliceMontage.h"
 
@@ -96,10 +97,7 @@ ColorObjects(const ImageType *                heat,
 {
   RequireObjects(CountLabels(labels), objects, name);
   const auto smallest = SmallestObjects(objects);
-  auto       values = ImageType::New();
-  values->CopyInformation(heat);
-  values->SetRegions(heat->GetBufferedRegion());
-  values->Allocate();
+  auto       values = NewImageOn<ImageType>(heat);
   const int  numberOfLines = static_cast<int>(lines.GetLines().size());
   const auto numberOfClasses = static_cast<float>(numberOfLines + objects.size());
   const auto valueOf = [numberOfClasses](int index) { return (static_cast<float>(index) + 0.5F) / numberOfClasses; };

@@ -121,7 +121,7 @@ TEST(HeatExplorer, StoresObjectsOnTheGridOfTheVolume)
   const ImageType::SizeType       size{ { 9, 8, 7 } };
   const auto               volume = basetest::NewImage<ImageType>(size, { 0.7, 1.1, 1.9 }, { 12.0, -31.0, 5.5 }, turn);
   shapeton::HeatObjectList list;
-  list.labels = basetest::NewImageLike<LabelImage>(volume);
+  list.labels = shapeton::NewImageOn<LabelImage>(volume, true);
   std::vector<std::uint16_t> expected(volume->GetBufferedRegion().GetNumberOfPixels());
   for (std::size_t voxel = 0; voxel < expected.size(); ++voxel)
   {
