@@ -10,7 +10,7 @@ set(Shapeton_MODULES
   Core/SparseFactorization
   Mesh/SurfaceMesh
   Mesh/MeshBridge
-  Mesh/HeatDiffusionMetric
+  Mesh/SurfaceHeat
   Mesh/ConformalFlattening
   Mesh/SurfaceRicciFlow
   IO/VolumeFiles

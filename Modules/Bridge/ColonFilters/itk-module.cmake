@@ -5,7 +5,7 @@ itk_module(ShapetonColonFilters
   EXCLUDE_FROM_DEFAULT
   DEPENDS
     ShapetonCommon
-    ShapetonHeatDiffusionMetric
+    ShapetonSurfaceHeat
     ShapetonColonLumen
     ShapetonColonCenterline
     ShapetonColonModel

@@ -12,7 +12,7 @@ itk_module(ShapetonColonModel
     ShapetonColonCenterline
   PRIVATE_DEPENDS
     ShapetonConformalFlattening
-    ShapetonHeatDiffusionMetric
+    ShapetonSurfaceHeat
     ITKSmoothing
     ITKImageFunction
     ITKImageGrid

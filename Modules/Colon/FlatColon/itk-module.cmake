@@ -12,12 +12,12 @@ itk_module(ShapetonFlatColon
     ShapetonReport
     ShapetonColonCenterline
   PRIVATE_DEPENDS
-    ShapetonHeatDiffusionMetric
+    ShapetonSurfaceHeat
     ITKIOImageBase
     ITKIONRRD
     ShapetonColonLumen
   TEST_DEPENDS
-    ShapetonHeatDiffusionMetric
+    ShapetonSurfaceHeat
     ITKIOImageBase
     ITKIONRRD
     ITKGoogleTest

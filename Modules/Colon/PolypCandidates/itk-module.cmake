@@ -14,7 +14,7 @@ itk_module(ShapetonPolypCandidates
   PRIVATE_DEPENDS
     ShapetonColonLumen
     ShapetonColonCenterline
-    ShapetonHeatDiffusionMetric
+    ShapetonSurfaceHeat
     ShapetonHeat
     ShapetonParticles
     ShapetonColonLandmarks

@@ -7,7 +7,7 @@ itk_module(ShapetonShapeSignature
     ShapetonCommon
     ITKCommon
   PRIVATE_DEPENDS
-    ShapetonHeatDiffusionMetric
+    ShapetonSurfaceHeat
     ShapetonReport
     ShapetonSurfaceMesh
   TEST_DEPENDS

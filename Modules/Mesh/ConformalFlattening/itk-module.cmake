@@ -8,7 +8,7 @@ itk_module(ShapetonConformalFlattening
     ShapetonReport
     ShapetonSparseFactorization
     ShapetonSurfaceMesh
-    ShapetonHeatDiffusionMetric
+    ShapetonSurfaceHeat
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

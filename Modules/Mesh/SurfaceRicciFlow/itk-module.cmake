@@ -10,7 +10,7 @@ itk_module(ShapetonSurfaceRicciFlow
     ShapetonConformalFlattening
   PRIVATE_DEPENDS
     ShapetonSparseFactorization
-    ShapetonHeatDiffusionMetric
+    ShapetonSurfaceHeat
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

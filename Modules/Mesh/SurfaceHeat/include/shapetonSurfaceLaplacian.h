@@ -1,7 +1,7 @@
 #ifndef shapetonSurfaceLaplacian_h
 #define shapetonSurfaceLaplacian_h
 
-#include "ShapetonHeatDiffusionMetricExport.h"
+#include "ShapetonSurfaceHeatExport.h"
 
 #include "shapetonSurfaceConnectivity.h"
 
@@ -11,7 +11,7 @@
 
 namespace shapeton
 {
-/** Distribution of the surface area among the vertices. \ingroup ShapetonHeatDiffusionMetric */
+/** Distribution of the surface area among the vertices. \ingroup ShapetonSurfaceHeat */
 enum class MassLumping
 {
   /** A third of each face to each corner. */
@@ -21,7 +21,7 @@ enum class MassLumping
   MixedVoronoi
 };
 
-/** Mass lumping and minimum face height for MakeSurfaceLaplacian(). \ingroup ShapetonHeatDiffusionMetric */
+/** Mass lumping and minimum face height for MakeSurfaceLaplacian(). \ingroup ShapetonSurfaceHeat */
 struct SurfaceLaplacianOptions
 {
   MassLumping lumping{ MassLumping::Barycentric };
@@ -40,7 +40,7 @@ struct SurfaceLaplacianOptions
  * L depends only on edge lengths, so any metric on the surface has a Laplacian. Vertices and edges are numbered as in
  * SurfaceConnectivity. L is dimensionless; M is in mm^2.
  *
- * \ingroup ShapetonHeatDiffusionMetric
+ * \ingroup ShapetonSurfaceHeat
  */
 struct SurfaceLaplacian
 {
@@ -57,51 +57,51 @@ struct SurfaceLaplacian
   }
 };
 
-/** Straight edge lengths, in edge order (mm). \ingroup ShapetonHeatDiffusionMetric */
-ShapetonHeatDiffusionMetric_EXPORT Eigen::VectorXd
-                                   EdgeLengths(const SurfaceConnectivity & connectivity, const VertexMatrix & V);
+/** Straight edge lengths, in edge order (mm). \ingroup ShapetonSurfaceHeat */
+ShapetonSurfaceHeat_EXPORT Eigen::VectorXd
+                           EdgeLengths(const SurfaceConnectivity & connectivity, const VertexMatrix & V);
 
 /** Laplacian of a surface with these edge lengths. Throws InputError if a length is not finite or not positive, a face
  * violates the triangle inequality by more than 1e-5 of its longest side, a face is degenerate, or a vertex has no
- * face. Smaller violations are treated as needles. \ingroup ShapetonHeatDiffusionMetric */
-ShapetonHeatDiffusionMetric_EXPORT SurfaceLaplacian
+ * face. Smaller violations are treated as needles. \ingroup ShapetonSurfaceHeat */
+ShapetonSurfaceHeat_EXPORT SurfaceLaplacian
 MakeSurfaceLaplacian(const SurfaceConnectivity &     connectivity,
                      const Eigen::VectorXd &         edgeLengths,
                      const SurfaceLaplacianOptions & options = {});
 
 /** Laplacian of the surface in space. Also throws InputError for zero-area faces (height below 1e-12 of the longest
- * side), which RepairSurface() cannot repair: remesh or simplify. \ingroup ShapetonHeatDiffusionMetric */
-ShapetonHeatDiffusionMetric_EXPORT SurfaceLaplacian
+ * side), which RepairSurface() cannot repair: remesh or simplify. \ingroup ShapetonSurfaceHeat */
+ShapetonSurfaceHeat_EXPORT SurfaceLaplacian
 MakeSurfaceLaplacian(const SurfaceConnectivity &     connectivity,
                      const VertexMatrix &            V,
                      const SurfaceLaplacianOptions & options = {});
 
 /** Whether the lengths of each face form a triangle within the tolerance of MakeSurfaceLaplacian(). Other errors are
- * not checked. \ingroup ShapetonHeatDiffusionMetric */
-ShapetonHeatDiffusionMetric_EXPORT bool
+ * not checked. \ingroup ShapetonSurfaceHeat */
+ShapetonSurfaceHeat_EXPORT bool
 AreTriangles(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & edgeLengths);
 
 /** Repairs lengths with a small error, which affects the shortest side of a face most: a side that is too short for a
  * triangle is set to the difference of the other two. Returns the changed edges; some faces may still violate the
- * triangle inequality. Throws as MakeSurfaceLaplacian() does. \ingroup ShapetonHeatDiffusionMetric */
-ShapetonHeatDiffusionMetric_EXPORT std::set<int>
+ * triangle inequality. Throws as MakeSurfaceLaplacian() does. \ingroup ShapetonSurfaceHeat */
+ShapetonSurfaceHeat_EXPORT std::set<int>
 LengthenShortestSides(const SurfaceConnectivity & connectivity, Eigen::VectorXd & edgeLengths);
 
-/** The diagonal of L. \ingroup ShapetonHeatDiffusionMetric */
-ShapetonHeatDiffusionMetric_EXPORT Eigen::VectorXd
-                                   StiffnessDiagonal(const SurfaceLaplacian & laplacian);
+/** The diagonal of L. \ingroup ShapetonSurfaceHeat */
+ShapetonSurfaceHeat_EXPORT Eigen::VectorXd
+                           StiffnessDiagonal(const SurfaceLaplacian & laplacian);
 
-/** L as a full symmetric matrix. \ingroup ShapetonHeatDiffusionMetric */
-ShapetonHeatDiffusionMetric_EXPORT Eigen::SparseMatrix<double>
-                                   StiffnessMatrix(const SurfaceLaplacian & laplacian);
+/** L as a full symmetric matrix. \ingroup ShapetonSurfaceHeat */
+ShapetonSurfaceHeat_EXPORT Eigen::SparseMatrix<double>
+                           StiffnessMatrix(const SurfaceLaplacian & laplacian);
 
-/** u^T L u, the integral of |grad u|^2: twice the Dirichlet energy. \ingroup ShapetonHeatDiffusionMetric */
-ShapetonHeatDiffusionMetric_EXPORT double
+/** u^T L u, the integral of |grad u|^2: twice the Dirichlet energy. \ingroup ShapetonSurfaceHeat */
+ShapetonSurfaceHeat_EXPORT double
 GradientEnergy(const SurfaceLaplacian & laplacian, const Eigen::VectorXd & u);
 
 /** Throws InputError with the prefix `what` unless the surface is one manifold component without degenerate faces, as
- * diffusion distances require. \ingroup ShapetonHeatDiffusionMetric */
-ShapetonHeatDiffusionMetric_EXPORT void
+ * diffusion distances require. \ingroup ShapetonSurfaceHeat */
+ShapetonSurfaceHeat_EXPORT void
 RequireOneManifold(const SurfaceConnectivity & connectivity, const std::string & what);
 } // namespace shapeton
 

@@ -1,6 +1,6 @@
 set(DOCUMENTATION "Cotangent Laplacian, spectrum, heat kernel and heat diffusion distance of triangle surfaces.")
 
-itk_module(ShapetonHeatDiffusionMetric
+itk_module(ShapetonSurfaceHeat
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** The lowest eigenpairs of a surface: L phi = lambda M phi. \ingroup ShapetonHeatDiffusionMetric */
+/** The lowest eigenpairs of a surface: L phi = lambda M phi. \ingroup ShapetonSurfaceHeat */
 struct SurfaceSpectrum
 {
   /** Eigenvalues, ascending from 0 (1/mm^2). */
@@ -25,7 +25,7 @@ struct SurfaceSpectrum
 };
 
 /** Stopping criteria of ComputeSurfaceSpectrum(): residual relative to the largest eigenvalue, and number of restarts.
- * \ingroup ShapetonHeatDiffusionMetric */
+ * \ingroup ShapetonSurfaceHeat */
 struct SurfaceSpectrumOptions
 {
   double tolerance{ 1e-10 };
@@ -38,8 +38,8 @@ struct SurfaceSpectrumOptions
  * Cholesky factorization, or a dense decomposition for small surfaces. The start vector is fixed, so results are
  * bitwise reproducible. Eigenfunctions of a multiple eigenvalue are an arbitrary basis of their eigenspace. Peak
  * memory: about 40 bytes per vertex and pair. Throws InputError if `pairs` is not in [1, vertices], or if the
- * iteration does not converge. \ingroup ShapetonHeatDiffusionMetric */
-ShapetonHeatDiffusionMetric_EXPORT SurfaceSpectrum
+ * iteration does not converge. \ingroup ShapetonSurfaceHeat */
+ShapetonSurfaceHeat_EXPORT SurfaceSpectrum
 ComputeSurfaceSpectrum(const SurfaceLaplacian & laplacian, int pairs, const SurfaceSpectrumOptions & options = {});
 } // namespace shapeton
 

@@ -10,8 +10,8 @@ namespace shapeton
  * two implicit steps, (M + time/2 L) x' = M x, with one factorization. An eigenfunction with eigenvalue k is damped by
  * (1 + k time/2)^2, compared to exp(k time) for the heat equation. Results are bitwise reproducible for any number of
  * threads. Throws InputError if the factorization fails, and std::invalid_argument for a wrong number of rows or a
- * negative time. \ingroup ShapetonHeatDiffusionMetric */
-ShapetonHeatDiffusionMetric_EXPORT void
+ * negative time. \ingroup ShapetonSurfaceHeat */
+ShapetonSurfaceHeat_EXPORT void
 DiffuseOverSurface(const SurfaceLaplacian & laplacian,
                    double                   time,
                    Eigen::MatrixXd &        values,

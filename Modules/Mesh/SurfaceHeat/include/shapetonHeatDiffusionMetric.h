@@ -9,7 +9,7 @@
 namespace shapeton
 {
 /** Heat diffusion distance (HDD) between the ends of each edge, used as new edge lengths.
- * \ingroup ShapetonHeatDiffusionMetric
+ * \ingroup ShapetonSurfaceHeat
  */
 struct HeatDiffusionMetric
 {
@@ -41,9 +41,9 @@ struct HeatDiffusionMetric
  *
  * A solver can be reused; it stores the elimination order and the symbolic analysis.
  *
- * \ingroup ShapetonHeatDiffusionMetric
+ * \ingroup ShapetonSurfaceHeat
  */
-class ShapetonHeatDiffusionMetric_EXPORT HeatDiffusionMetricSolver
+class ShapetonSurfaceHeat_EXPORT HeatDiffusionMetricSolver
 {
 public:
   static constexpr int leastPoles = 3;   // pairs for which poles are tabulated
@@ -80,14 +80,14 @@ private:
 
 /** Heat diffusion metric of a surface, from its Euclidean edge lengths. \pre RequireOneManifold() accepts the surface;
  * otherwise throws InputError.
- * \ingroup ShapetonHeatDiffusionMetric */
-ShapetonHeatDiffusionMetric_EXPORT HeatDiffusionMetric
+ * \ingroup ShapetonSurfaceHeat */
+ShapetonSurfaceHeat_EXPORT HeatDiffusionMetric
 ComputeHeatDiffusionMetric(const SurfaceMesh & mesh, double t, const Progress & progress = {});
 
 /** Metric of a surface with this Laplacian; it satisfies the triangle inequality in all faces. Deep within pouches,
  * distances may be as small as the error of the default number of poles and violate it; then mostPoles is used, and
- * LengthenShortestSides() fixes the remaining faces. \ingroup ShapetonHeatDiffusionMetric */
-ShapetonHeatDiffusionMetric_EXPORT HeatDiffusionMetric
+ * LengthenShortestSides() fixes the remaining faces. \ingroup ShapetonSurfaceHeat */
+ShapetonSurfaceHeat_EXPORT HeatDiffusionMetric
 ComputeHeatDiffusionMetric(const SurfaceConnectivity & connectivity,
                            const SurfaceLaplacian &    laplacian,
                            double                      t,
@@ -95,8 +95,8 @@ ComputeHeatDiffusionMetric(const SurfaceConnectivity & connectivity,
 
 /** The published metric: uses only the first `pairs` eigenpairs of the spectrum (50 in the dissertation). Distances are
  * too short unless exp(-2 lambda t) of the last pair is small. Throws InputError if t is not positive or the spectrum
- * has fewer pairs. \ingroup ShapetonHeatDiffusionMetric */
-ShapetonHeatDiffusionMetric_EXPORT HeatDiffusionMetric
+ * has fewer pairs. \ingroup ShapetonSurfaceHeat */
+ShapetonSurfaceHeat_EXPORT HeatDiffusionMetric
 TruncatedHeatDiffusionMetric(const SurfaceLaplacian & laplacian, const SurfaceSpectrum & spectrum, double t, int pairs);
 } // namespace shapeton
 

@@ -1,5 +1,5 @@
 // Heat diffusion distances of all edges of a surface: exactly, without computing eigenpairs, and from the first 100
-// eigenpairs. Usage: ExampleHeatDiffusionMetric SURFACE
+// eigenpairs. Usage: ExampleSurfaceHeat SURFACE
 #include "shapetonHeatDiffusionMetric.h"
 #include "shapetonSurfaceReader.h"
 
