@@ -6,8 +6,8 @@ usage: examination.py header OUTPUT.h    writes shapetonExaminationFiles.h
        examination.py page OUTPUT.md     writes the page for people who read the folder with their own scripts
        examination.py tools              prints the tools of the stages, one in a line
 
-Keys of a file: id (name in C++ and Python), name, kind, sentence; always (the stage always writes it); readBy (tools that read
-it); contents (names of arrays, columns or entries: sentence; a name that is not always there ends with ?); sameAs (id of a file
+The stages are in the order in which they run. Keys of a file: id (name in C++ and Python), name, kind, sentence; always (the
+stage always writes it); readBy (tools that read it from the folder of a position); contents (names of arrays, columns or entries: sentence; a name that is not always there ends with ?); sameAs (id of a file
 whose contents it has as well).
 """
 

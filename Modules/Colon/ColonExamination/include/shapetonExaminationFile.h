@@ -17,7 +17,7 @@ struct ShapetonColonExamination_EXPORT ExaminationFile
   const char * name;
   /** Tool of the stage. */
   const char * tool;
-  /** Tools that read the file, separated by spaces. */
+  /** Tools that read the file from the folder of a position, separated by spaces. */
   const char * readers;
   /** Whether the stage always writes the file. */
   bool isAlways;
@@ -29,7 +29,7 @@ struct ShapetonColonExamination_EXPORT ExaminationFile
   IsReadBy(const std::string & reader) const;
 };
 
-/** Paths of the files of a position that a tool reads. \ingroup ShapetonColonExamination */
+/** Paths of the files that a tool reads from the folder of a position. \ingroup ShapetonColonExamination */
 ShapetonColonExamination_EXPORT std::vector<std::string>
                                 FilesReadBy(const std::string & tool);
 

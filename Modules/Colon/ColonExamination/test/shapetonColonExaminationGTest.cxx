@@ -48,6 +48,26 @@ TEST(ExaminationFiles, HaveOneNameEach)
   EXPECT_EQ(shapeton::FilesAlwaysWrittenBy("viewer"), std::vector<std::string>{ "viewer.html" });
 }
 
+TEST(ExaminationFiles, AToolReadsNoResultsOfItsOwnStagesOrLaterOnes)
+{
+  const auto & stages = shapeton::colonoscopystage::stageTools;
+  for (const auto & [stage, tool] : stages)
+  {
+    const auto first = std::find_if(std::begin(stages), std::end(stages), [tool = std::string(tool)](const auto & one) {
+      return one.second == tool;
+    });
+    const std::set<std::string> earlier = [&] {
+      std::set<std::string> names;
+      std::for_each(std::begin(stages), first, [&](const auto & one) { names.insert(one.first); });
+      return names;
+    }();
+    for (const std::string & path : shapeton::FilesReadBy(tool))
+    {
+      EXPECT_EQ(earlier.count(path.substr(0, path.find('/'))), 1U) << tool << " reads " << path;
+    }
+  }
+}
+
 TEST(ExaminationFolder, GivesAToolOnlyTheFilesThatItIsDeclaredToRead)
 {
   const basetest::Folder  folder;
