@@ -7,8 +7,8 @@ usage: examination.py header OUTPUT.h    writes shapetonExaminationFiles.h
        examination.py tools              prints the tools of the stages, one in a line
 
 The stages are in the order in which they run. Keys of a file: id (name in C++ and Python), name, kind, sentence; always (the
-stage always writes it); readBy (tools that read it from the folder of a position); contents (names of arrays, columns or entries: sentence; a name that is not always there ends with ?); sameAs (id of a file
-whose contents it has as well).
+stage always writes it); readBy (tools that read it from the folder of a position); contents (names of arrays, columns or
+entries: sentence; a name that is not always there ends with ?); sameAs (id of a file whose contents it has as well).
 """
 
 from __future__ import annotations

@@ -6,7 +6,6 @@
 
 #include "itkImage.h"
 
-#include <algorithm>
 #include <iostream>
 
 int
@@ -19,8 +18,7 @@ main()
   phantom->SetSpacing(Phantom::SpacingType(spacing));
   phantom->CenterOutput();
   phantom->Update();
-  const auto ct = shapeton::NewImageOn<itk::Image<float, 3>>(phantom->GetOutput()); // HU, as from ReadVolume()
-  std::copy_n(phantom->GetOutput()->GetBufferPointer(), ct->GetPixelContainer()->Size(), ct->GetBufferPointer());
+  const auto ct = shapeton::MapVoxels<float>(phantom->GetOutput(), [](auto hounsfield) { return hounsfield; });
 
   shapeton::ColonLumenSettings options;
   options.position = "HFS"; // as in the DICOM header; supine, fluid at the back

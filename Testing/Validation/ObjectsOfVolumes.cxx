@@ -26,7 +26,6 @@
 #include <numeric>
 
 using namespace shapeton;
-using shapeton::NewImageOn;
 
 namespace
 {

@@ -12,7 +12,6 @@
 #include <cmath>
 
 using namespace shapeton;
-using shapeton::NewImageOn;
 
 namespace
 {

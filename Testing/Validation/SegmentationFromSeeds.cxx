@@ -15,7 +15,6 @@
 #include <set>
 
 using namespace shapeton;
-using shapeton::NewImageOn;
 
 namespace
 {
@@ -30,12 +29,7 @@ template <typename TImage>
 ImageType::Pointer
 Windowed(const TImage * image, double lower, double upper)
 {
-  const auto windowed = NewImageOn<ImageType>(image, true);
-  std::transform(image->GetBufferPointer(),
-                 image->GetBufferPointer() + image->GetLargestPossibleRegion().GetNumberOfPixels(),
-                 windowed->GetBufferPointer(),
-                 [=](double value) { return std::clamp((value - lower) / (upper - lower), 0.0, 1.0); });
-  return windowed;
+  return MapVoxels<float>(image, [=](double value) { return std::clamp((value - lower) / (upper - lower), 0.0, 1.0); });
 }
 
 /** Sets label 1 for the background and for parts that are too small or not selected (empty: all are selected), then one
@@ -61,11 +55,7 @@ SetTruth(const TImage * parts, std::size_t leastVoxels, const std::set<int> & wa
     }
     labels[part] = isTaken ? static_cast<unsigned short>(volume.names.size()) : 1;
   }
-  volume.truth = NewImageOn<SeedImage>(parts, true);
-  std::transform(parts->GetBufferPointer(),
-                 parts->GetBufferPointer() + number,
-                 volume.truth->GetBufferPointer(),
-                 [&](auto part) { return labels[static_cast<int>(part)]; });
+  volume.truth = MapVoxels<unsigned short>(parts, [&](auto part) { return labels[static_cast<int>(part)]; });
 }
 
 LabeledVolume

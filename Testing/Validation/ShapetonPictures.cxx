@@ -91,11 +91,7 @@ RenderLevels(const itk::Image<unsigned char, 3> * levels, unsigned int width, un
   {
     lines.push_back({ (level - 0.5) * unit, (level + 0.5) * unit, ColorOfLevel(level), 1.0 });
   }
-  const auto field = NewImageOn<itk::Image<float, 3>>(levels, true);
-  std::transform(levels->GetBufferPointer(),
-                 levels->GetBufferPointer() + levels->GetLargestPossibleRegion().GetNumberOfPixels(),
-                 field->GetBufferPointer(),
-                 [](unsigned char level) { return static_cast<float>(level * unit); });
+  const auto field = MapVoxels<float>(levels, [](unsigned char level) { return static_cast<float>(level * unit); });
   VolumeRenderingOptions options;
   options.azimuth = azimuth;
   options.elevation = 25.0;

@@ -79,11 +79,8 @@ LoadTrialVolume(const Comparison & comparison, const RealCase & real)
     {
       throw std::runtime_error(real.labels + " has another grid than " + real.file);
     }
-    volume.labels = NewImageOn<itk::Image<unsigned char, 3>>(labels, true);
-    std::transform(labels->GetBufferPointer(),
-                   labels->GetBufferPointer() + volume.GetNumberOfVoxels(),
-                   volume.labels->GetBufferPointer(),
-                   [](float label) { return static_cast<unsigned char>(label); });
+    volume.labels =
+      MapVoxels<unsigned char>(labels.GetPointer(), [](float label) { return static_cast<unsigned char>(label); });
   }
   return volume;
 }

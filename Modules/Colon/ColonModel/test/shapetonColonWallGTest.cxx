@@ -29,12 +29,8 @@ TubeOccupancy(const Grid & grid = {})
 shapeton::LumenMaskImage::Pointer
 MaskOf(const shapeton::OccupancyImage::Pointer & occupancy, unsigned char value)
 {
-  const auto mask = shapeton::NewImageOn<shapeton::LumenMaskImage>(occupancy, true);
-  std::transform(occupancy->GetBufferPointer(),
-                 occupancy->GetBufferPointer() + occupancy->GetBufferedRegion().GetNumberOfPixels(),
-                 mask->GetBufferPointer(),
-                 [value](float share) -> unsigned char { return share >= 0.5F ? value : 0; });
-  return mask;
+  return shapeton::MapVoxels<unsigned char>(occupancy.GetPointer(),
+                                            [value](float share) { return share >= 0.5F ? value : 0; });
 }
 
 /** The axis of a wide leg 1 mm from a narrow one; the wall of the wide leg is closer to the axis of the narrow one. */

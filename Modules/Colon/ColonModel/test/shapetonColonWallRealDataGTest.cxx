@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdlib>
 
 namespace
@@ -23,11 +22,8 @@ RealMask()
     return nullptr;
   }
   const auto image = shapeton::ReadVolume(std::string(folder) + "/ctc/colon-lumen-mask.nii.gz").image;
-  const auto whole = shapeton::NewImageOn<shapeton::LumenMaskImage>(image, true);
-  std::transform(image->GetBufferPointer(),
-                 image->GetBufferPointer() + image->GetBufferedRegion().GetNumberOfPixels(),
-                 whole->GetBufferPointer(),
-                 [](float value) -> unsigned char { return value > 0.0F; });
+  const auto whole =
+    shapeton::MapVoxels<unsigned char>(image.GetPointer(), [](float value) { return value > 0.0F ? 1 : 0; });
   const auto crop = itk::RegionOfInterestImageFilter<shapeton::LumenMaskImage, shapeton::LumenMaskImage>::New();
   crop->SetInput(whole);
   crop->SetRegionOfInterest(shapeton::LumenRegion(whole, 1));

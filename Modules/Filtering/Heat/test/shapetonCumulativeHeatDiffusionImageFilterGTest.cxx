@@ -110,8 +110,7 @@ TEST(CumulativeHeatDiffusionImageFilter, IntegerPixelsGiveTheHeatOfEqualFloats)
 {
   const test::Volume volume = test::MakeScene({ 16, 18, 14 }, 0.1);
   const auto         shorts = MakeImage<short>(volume, 1000.0);
-  auto               floats = NewImageOn<itk::Image<float, 3>>(shorts, true);
-  std::copy_n(shorts->GetBufferPointer(), volume.values.size(), floats->GetBufferPointer());
+  const auto floats = MapVoxels<float>(shorts.GetPointer(), [](short value) { return static_cast<float>(value); });
   const auto a = MakeFilter(shorts.GetPointer(), 200);
   const auto b = MakeFilter(floats.GetPointer(), 200);
   a->Update();

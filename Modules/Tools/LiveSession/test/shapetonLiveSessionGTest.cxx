@@ -76,11 +76,7 @@ VisitsOfFilter(const Fixture &                            fixture,
     filter->SetMaskImage(shapeton::MaskForImage(shapeton::ReadVolume(mask), mask, volume.image));
   }
   filter->Update();
-  auto visits = shapeton::NewImageOn<ImageType>(volume.image, true);
-  std::copy_n(filter->GetOutput()->GetBufferPointer(),
-              visits->GetBufferedRegion().GetNumberOfPixels(),
-              visits->GetBufferPointer());
-  return visits;
+  return shapeton::MapVoxels<float>(filter->GetOutput(), [](auto number) { return static_cast<float>(number); });
 }
 
 void
