@@ -158,7 +158,8 @@ private:
     {
       values.push_back(this->ValueAt(place));
     }
-    return LowerQuantile(std::move(values), 0.6);
+    constexpr double slightlyAboveMedian = 0.6;
+    return LowerQuantile(std::move(values), slightlyAboveMedian);
   }
 
   /** Indices of the first and last positions on the plateau. */

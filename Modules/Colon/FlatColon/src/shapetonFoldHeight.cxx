@@ -119,6 +119,7 @@ HeightOfFold(const FlatColonGrid & grid, const FoldPicture & picture, const Fold
   {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  return LowerQuantile(std::move(heights), 0.9);
+  constexpr double nearlyHighest = 0.9;
+  return LowerQuantile(std::move(heights), nearlyHighest);
 }
 } // namespace shapeton

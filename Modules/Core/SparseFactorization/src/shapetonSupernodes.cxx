@@ -3,6 +3,7 @@
 #include "shapetonEliminationTree.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 
 namespace shapeton

@@ -7,6 +7,7 @@
 #include "shapetonPlaceInWords.h"
 #include "shapetonPolypCandidatePictures.h"
 #include "shapetonPolypMorphology.h"
+#include "shapetonReportTable.h"
 #include "shapetonScanResolution.h"
 
 #include <algorithm>

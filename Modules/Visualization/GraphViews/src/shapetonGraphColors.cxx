@@ -45,13 +45,15 @@ DistinctColors(int count)
   constexpr double         golden = 0.61803398874989485; // golden ratio: consecutive hues differ strongly
   constexpr Channels       shifts{ 5.0, 3.0, 1.0 };      // of red, green and blue; a turn is 6
   std::vector<std::string> colors;
+  constexpr double         brightness = 0.95;
+  constexpr double         chroma = 0.55;
   for (int i = 0; i < count; ++i)
   {
     const double hue = 6.0 * std::fmod(i * golden, 1.0);
     Channels     color{};
     std::transform(shifts.begin(), shifts.end(), color.begin(), [hue](double shift) {
       const double k = std::fmod(shift + hue, 6.0);
-      return 255.0 * (0.95 - 0.55 * std::clamp(std::min(k, 4.0 - k), 0.0, 1.0));
+      return 255.0 * (brightness - chroma * std::clamp(std::min(k, 4.0 - k), 0.0, 1.0));
     });
     colors.push_back(HexColor(color));
   }
