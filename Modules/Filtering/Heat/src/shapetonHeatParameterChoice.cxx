@@ -60,7 +60,7 @@ struct Trial
 };
 
 /** Calls `body` with the value of each voxel scaled by the window and those of its next `number` - 1 neighbors along an
- * axis, if all are strictly inside the window. */
+ * axis, if all are strictly inside the window, and with the index of the voxel. */
 template <unsigned int number, typename TBody>
 void
 VisitInside(const VolumeView & volume, const Window & window, unsigned int axis, const TBody & body)
@@ -85,7 +85,7 @@ VisitInside(const VolumeView & volume, const Window & window, unsigned int axis,
     }
     if (inside)
     {
-      body(scaled);
+      body(scaled, voxel);
     }
   }
 }
@@ -110,7 +110,7 @@ MedianDifference(const VolumeView & copy, const Window & window)
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     const double resolution = copy.spacing[axis] / SmallestSpacing(copy.spacing);
-    VisitInside<2>(copy, window, axis, [&](const std::array<double, 2> & v) {
+    VisitInside<2>(copy, window, axis, [&](const std::array<double, 2> & v, std::size_t) {
       if (v[0] != v[1])
       {
         differences.push_back(VolumeGradientOperator::HalfGradient(v[0], v[1], resolution));
@@ -120,7 +120,26 @@ MedianDifference(const VolumeView & copy, const Window & window)
   return Median(differences);
 }
 
-/** Standard deviation of the noise inside the window, from second differences, which vanish in linear slopes. */
+/** Whether a voxel has the value of all its neighbors, as in padding, a removed background or clipped intensities. */
+bool
+IsInConstant(const VolumeView & volume, std::size_t voxel)
+{
+  const Size & size = volume.size;
+  const Size   strides = { 1, size[0], size[0] * size[1] };
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const std::size_t place = voxel / strides[axis] % size[axis];
+    if ((place > 0 && volume.values[voxel - strides[axis]] != volume.values[voxel]) ||
+        (place + 1 < size[axis] && volume.values[voxel + strides[axis]] != volume.values[voxel]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** Standard deviation of the noise inside the window, from second differences, which vanish in linear slopes. Constant
+ * parts of the volume tell nothing about the noise of the others. */
 double
 NoiseInside(const VolumeView & volume, const Window & window)
 {
@@ -129,8 +148,12 @@ NoiseInside(const VolumeView & volume, const Window & window)
   std::vector<double> differences;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    VisitInside<3>(volume, window, axis, [&](const std::array<double, 3> & v) {
-      differences.push_back(std::abs(v[0] - 2.0 * v[1] + v[2]));
+    const std::size_t stride = axis == 0 ? 1 : axis == 1 ? volume.size[0] : volume.size[0] * volume.size[1];
+    VisitInside<3>(volume, window, axis, [&](const std::array<double, 3> & v, std::size_t first) {
+      if (!IsInConstant(volume, first + stride))
+      {
+        differences.push_back(std::abs(v[0] - 2.0 * v[1] + v[2]));
+      }
     });
   }
   return perMedian * Median(differences) / perDifference;

@@ -126,6 +126,19 @@ TEST(HeatParameterChoice, FollowsTheUnitOfIntensity)
   EXPECT_EQ(ten.timeSteps, one.timeSteps);
 }
 
+TEST(HeatParameterChoice, MeasuresNoiseWhereTheVolumeIsNotConstant)
+{
+  const Body body(4.0, 20.0);
+  Volume     padded({ 96, 96, 96 });
+  padded.Fill([&](double x, double y, double z) {
+    const auto       voxel = static_cast<std::size_t>((z * 64.0 + y) * 64.0 + x);
+    constexpr double padding = 70.0; // of 70 % of the volume
+    return std::max({ x, y, z }) < 64.0 ? static_cast<double>(body.volume.values[voxel]) : padding;
+  });
+  EXPECT_GT(ChooseHeatParameters(body.volume).smoothing, 0.0);
+  EXPECT_GT(ChooseHeatParameters(padded).smoothing, 0.0);
+}
+
 TEST(HeatParameterChoice, KeepsGivenValues)
 {
   const Body          body(3.0, 20.0);
