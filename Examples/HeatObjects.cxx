@@ -1,9 +1,8 @@
-// Diffuses heat in each intensity window that shows objects, and lists the objects of all windows. Usage:
-// ExampleHeatObjects VOLUME
+// Diffuses heat with automatic parameters, and lists its objects. Usage: ExampleHeatObjects VOLUME
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
-#include "shapetonObjectParameters.h"
+#include "shapetonHeatObjects.h"
+#include "shapetonHeatParameterChoice.h"
 #include "shapetonVolumeReader.h"
-#include "shapetonWindowObjects.h"
 
 #include <algorithm>
 #include <iostream>
@@ -17,26 +16,19 @@ main(int argc, char * argv[])
     return 2;
   }
   using ImageType = shapeton::Volume::ImageType;
-  const shapeton::Volume          volume = shapeton::ReadVolume(argv[1]);
-  const shapeton::VolumeView      view(volume.image.GetPointer());
-  const auto                      windows = shapeton::ChooseObjectWindows(view);
-  std::vector<ImageType::Pointer> heats;
-  for (const auto & window : windows)
-  {
-    const auto diffusion = shapeton::CumulativeHeatDiffusionImageFilter<ImageType>::New();
-    diffusion->SetInput(volume.image);
-    diffusion->UseParameters(window);
-    diffusion->Update();
-    heats.push_back(diffusion->GetOutput());
-  }
-  const auto list = shapeton::FindWindowObjects({ heats.begin(), heats.end() });
-  std::cout << windows.size() << " windows, " << list.objects.size() << " objects\n";
+  const shapeton::Volume     volume = shapeton::ReadVolume(argv[1]);
+  const shapeton::VolumeView view(volume.image.GetPointer());
+  const auto                 diffusion = shapeton::CumulativeHeatDiffusionImageFilter<ImageType>::New();
+  diffusion->SetInput(volume.image);
+  diffusion->UseParameters(shapeton::ChooseHeatParameters(view, diffusion->GetOptions(), {}, volume.modality));
+  diffusion->Update();
+  const auto list = shapeton::FindHeatObjects(diffusion->GetOutput());
+  std::cout << list.objects.size() << " objects\n";
   for (std::size_t i = 0; i < list.objects.size(); ++i)
   {
     const auto & object = list.objects[i];
     const auto   mask = shapeton::MaskOfObject(list, static_cast<int>(i + 1)); // as a click
-    std::cout << object.volume << " mm^3 at " << object.center << ", window " << object.time + 1 << ", in object "
-              << object.parent << ", "
+    std::cout << object.volume << " mm^3 at " << object.center << ", in object " << object.parent << ", "
               << std::count(mask->GetBufferPointer(), mask->GetBufferPointer() + view.NumberOfVoxels(), 1)
               << " voxels\n";
   }

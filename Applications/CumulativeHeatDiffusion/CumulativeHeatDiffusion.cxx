@@ -5,12 +5,13 @@
 #include "shapetonReadOptions.h"
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonHeatClassification.h"
+#include "shapetonHeatParameterChoice.h"
 #include "shapetonHeatResultFiles.h"
-#include "shapetonHeatWindows.h"
 #include "shapetonExceptions.h"
 #include "shapetonToolDevice.h"
 #include "shapetonToolVolumes.h"
 
+#include <optional>
 #include <set>
 
 namespace
@@ -31,6 +32,26 @@ CheckUsage(const CommandLine & commandLine)
   RequireParameter(!commandLine.IsGiven("snapshotSteps") || commandLine.IsGiven("snapshotFolder") ||
                      commandLine.IsGiven("report"),
                    "--snapshotSteps requires --snapshotFolder or --report, to store the heat");
+}
+
+/** Sets the parameters that are not given, unless the preset is the published one; returns the choice, if any. */
+std::optional<HeatParameterChoice>
+ChooseParameters(CommandLine & commandLine, const std::string & modality, FilterType * filter)
+{
+  if (commandLine.GetString("preset") == "published")
+  {
+    return {};
+  }
+  auto       options = filter->GetOptions();
+  const auto given = GivenAmong(ReadGivenOptions(commandLine, options), options);
+  const auto progress = commandLine.PartOfProgress(0.0, shareOfChoice).Part("Choosing parameters", 0.0, 1.0);
+  const auto choice = ChooseHeatParameters(VolumeView(filter->GetInput()), options, given, modality, progress);
+  filter->UseParameters(choice);
+  for (const auto & [name, value] : ChosenValues(choice))
+  {
+    commandLine.AddProvenance("chosen." + name, value);
+  }
+  return choice;
 }
 
 void
@@ -67,14 +88,13 @@ void
 Diffuse(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
-  MakeWindowFolder(commandLine);
   const HeatResultFiles files(commandLine);
   auto                  filter = FilterType::New();
   ReadOptionsOf(commandLine, filter.GetPointer());
   CheckOptions(filter->GetOptions());
   const Volume volume = ReadVolume(commandLine, "inputVolume");
   filter->SetInput(volume.image);
-  const auto choices = ChooseWindows(commandLine, volume.modality, shareOfChoice, filter);
+  const auto choice = ChooseParameters(commandLine, volume.modality, filter);
   filter->SetWantInitialHeat(files.WantInitialHeat());
   filter->SetWantComponents(files.WantClasses());
   if (files.WantHistogram())
@@ -82,9 +102,8 @@ Diffuse(CommandLine & commandLine)
     RequestHistogram(commandLine, filter);
   }
   const auto   snapshotSteps = RequestSnapshots(commandLine, files, filter);
-  const double start = choices.empty() ? 0.0 : shareOfChoice;
-  const double windows = commandLine.IsGiven("windowFolder") ? static_cast<double>(choices.size()) : 1.0;
-  commandLine.Watch(filter, "Diffusing heat", start, (endOfDiffusion - start) / windows);
+  const double start = choice ? shareOfChoice : 0.0;
+  commandLine.Watch(filter, "Diffusing heat", start, endOfDiffusion - start);
   filter->Update();
   const auto & result = filter->GetResult();
   commandLine.AddRunFact("device", result.device);
@@ -96,9 +115,9 @@ Diffuse(CommandLine & commandLine)
     classification = ClassifyHeat(filter->GetOutput(), result);
   }
   HeatReportContent content = MakeReportContent(result, volume.image, filter->GetOutput());
-  if (!choices.empty())
+  if (choice)
   {
-    const auto reasons = ChoiceFacts(choices.front());
+    const auto reasons = ChoiceFacts(*choice);
     content.parameters.insert(content.parameters.end(), reasons.begin(), reasons.end());
   }
   content.input = { { "Modality", volume.modality }, { "Identity", volume.identity } };
@@ -112,7 +131,6 @@ Diffuse(CommandLine & commandLine)
   {
     files.WriteInitialHeat(filter->GetInitialHeatOutput());
   }
-  WriteHeatWindows(commandLine, files, choices, start, endOfDiffusion, filter);
 }
 } // namespace
 

@@ -4,15 +4,14 @@
 #include "shapetonExceptions.h"
 #include "shapetonHeatObjectExplorer.h"
 #include "shapetonHeatObjectTable.h"
+#include "shapetonHeatObjects.h"
 #include "shapetonHeatSnapshot.h"
 #include "shapetonReadOptions.h"
 #include "shapetonImageGrid.h"
 #include "shapetonToolVolumes.h"
 #include "shapetonVolumeWriter.h"
-#include "shapetonWindowObjects.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 namespace
@@ -21,56 +20,40 @@ using namespace shapeton;
 
 using HeatImage = itk::Image<float, 3>;
 
-/** The heat volumes in which objects are searched for, the time steps that identify them, and their windows if these
- * differ. */
-struct Heats
+/** The heat in which objects are searched for. */
+struct Heat
 {
-  std::vector<HeatFile>              files;
-  std::vector<const HeatImage *>     images;
-  std::vector<std::string>           names;
-  std::vector<std::array<double, 2>> windows;
+  HeatSnapshot       file;
+  HeatImage::Pointer image;
 };
 
-Heats
-ReadHeats(CommandLine & commandLine, const HeatImage * image)
+Heat
+ReadHeat(CommandLine & commandLine, const HeatImage * image)
 {
-  Heats             heats;
-  const std::string path = commandLine.GetString("heatVolume");
-  const auto        windows = FindHeatWindows(path);
-  for (const auto & snapshot : windows.empty() ? FindHeatSnapshots(path) : windows)
+  const HeatSnapshot file = FindHeatSnapshot(commandLine.GetString("heatVolume"));
+  const Volume       heat = ReadVolume(file.path);
+  commandLine.AddInput("heatVolume", heat.identity);
+  if (!HaveSameGrid(image, heat.image))
   {
-    const Volume heat = ReadVolume(snapshot.path);
-    commandLine.AddInput("heatVolume", heat.identity);
-    if (!HaveSameGrid(image, heat.image))
-    {
-      throw InputError("the grids of " + commandLine.GetString("inputVolume") + " and " + snapshot.path +
-                       " differ; use the volume from which the heat was computed");
-    }
-    if (!VisitsOf(heat.image, snapshot))
-    {
-      RequireHeat(heat.image, snapshot.path);
-    }
-    heats.files.push_back({ heat.image, snapshot });
-    heats.images.push_back(heat.image);
-    heats.names.push_back(snapshot.timeStep ? std::to_string(*snapshot.timeStep) : "unknown");
-    if (!windows.empty())
-    {
-      heats.windows.push_back(snapshot.intensityWindow.value());
-    }
+    throw InputError("the grids of " + commandLine.GetString("inputVolume") + " and " + file.path +
+                     " differ; use the volume from which the heat was computed");
   }
-  return heats;
+  if (!VisitsOf(heat.image, file))
+  {
+    RequireHeat(heat.image, file.path);
+  }
+  return { file, heat.image };
 }
 
 HeatObjectList
-Find(CommandLine & commandLine, const Heats & heats)
+Find(CommandLine & commandLine, const HeatImage * heat)
 {
   HeatObjectOptions options;
   ReadOptions(commandLine, options);
-  const auto find = heats.windows.empty() ? &FindHeatObjects : &FindWindowObjects;
-  auto       list = find(heats.images, options, commandLine.PartOfProgress(0.2, 0.9).Part("Finding objects", 0.0, 1.0));
+  auto list = FindHeatObjects(heat, options, commandLine.PartOfProgress(0.2, 0.9).Part("Finding objects", 0.0, 1.0));
   if (list.objects.empty())
   {
-    commandLine.Warn("no object was found: diffuse heat with the preset objects, or reduce --leastProbability");
+    commandLine.Warn("no object was found: diffuse heat with the preset automatic, or reduce --leastProbability");
   }
   return list;
 }
@@ -111,16 +94,16 @@ ListObjects(CommandLine & commandLine)
   HeatObjectExplorer explorer(commandLine);
 
   const Volume     volume = ReadVolume(commandLine, "inputVolume");
-  const Heats      heats = ReadHeats(commandLine, volume.image);
-  auto             list = Find(commandLine, heats);
+  const Heat       heat = ReadHeat(commandLine, volume.image);
+  auto             list = Find(commandLine, heat.image);
   std::vector<int> objects(list.objects.size());
   std::iota(objects.begin(), objects.end(), 1);
   if (isSelected)
   {
     objects = SelectedObjects(commandLine, list);
   }
-  HeatObjectTable(list, objects, volume.image, heats.names, heats.windows).Write(table);
-  explorer.Write(volume.image, heats.files, list);
+  HeatObjectTable(list, objects, volume.image).Write(table);
+  explorer.Write(volume.image, heat.image, heat.file, list);
   if (isSelected)
   {
     KeepObject(objects[commandLine.GetInteger("climb")], list);

@@ -6,14 +6,15 @@
 #include "ValidationReport.h"
 #include "ValidationVolumes.h"
 
-#include "shapetonComponentTree.h"
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonImageGrid.h"
-#include "shapetonObjectParameters.h"
+#include "shapetonHeatObjects.h"
+#include "shapetonHeatParameterChoice.h"
+#include "shapetonMappedImage.h"
+#include "shapetonPartitionTree.h"
 #include "shapetonTestImages.h"
 #include "shapetonVolumeReader.h"
 #include "shapetonVoxelRuns.h"
-#include "shapetonWindowObjects.h"
 
 #include "itkBinaryThresholdImageFilter.h"
 #include "itkConnectedComponentImageFilter.h"
@@ -39,20 +40,20 @@ struct Found
   HeatObjectList      list;
 };
 
-/** As CumulativeHeatDiffusion --preset objects, followed by HeatObjects. */
+/** As CumulativeHeatDiffusion, followed by HeatObjects. */
 Found
-FindObjects(const Image * image, double leastProbability)
+FindObjects(const Image * image, double leastProbability, const std::string & modality = {})
 {
   const auto filter = CumulativeHeatDiffusionImageFilter<Image>::New();
   filter->SetInput(image);
   Found found;
-  found.choice = ChooseObjectParameters(VolumeView(image));
+  found.choice = ChooseHeatParameters(VolumeView(image), filter->GetOptions(), {}, modality);
   filter->UseParameters(found.choice);
   filter->Update();
   found.heat = filter->GetOutput();
   HeatObjectOptions options;
   options.leastProbability = leastProbability;
-  found.list = FindHeatObjects({ found.heat }, options);
+  found.list = FindHeatObjects(found.heat, options);
   return found;
 }
 
@@ -86,7 +87,7 @@ ValidatePhantoms(const ValidationSettings & settings, ValidationReport & report)
       options.blur = noise > 0.0 ? 0.6 : 0.0;
       options.seed = 11;
       const auto   source = SampledScene(ShapeScene::Load(name), itk::Size<3>::Filled(96), options);
-      const Found  found = FindObjects(ToFloat(source->GetOutput()), 0.5);
+      const Found  found = FindObjects(ToFloat(source->GetOutput()), HeatObjectOptions{}.leastProbability);
       const auto   agreement = CompareObjects(found.list, source->GetLabelOutput());
       const double rand = RandIndex(found.list, source->GetLabelOutput());
       const bool   isOne = agreement.diceOfLabel.size() == 1; // no partition
@@ -117,10 +118,10 @@ ValidateScenes(const ValidationSettings & settings, ValidationReport & report)
       const double probability = all.list.objects[i].probability;
       const bool   isWhole = agreement.dice[i] >= wholeObject;
       reliability.Add(probability, isWhole);
-      listed += probability >= 0.5 ? 1.0 : 0.0;
-      whole += probability >= 0.5 && isWhole ? 1.0 : 0.0;
+      listed += probability >= HeatObjectOptions{}.leastProbability ? 1.0 : 0.0;
+      whole += probability >= HeatObjectOptions{}.leastProbability && isWhole ? 1.0 : 0.0;
     }
-    const auto list = FindHeatObjects({ all.heat.GetPointer() });
+    const auto list = FindHeatObjects(all.heat);
     const auto ofList = CompareObjects(list, volume.labels);
     labels += static_cast<double>(ofList.diceOfLabel.size());
     found += static_cast<double>(CountWhole(ofList.diceOfLabel));
@@ -128,7 +129,7 @@ ValidateScenes(const ValidationSettings & settings, ValidationReport & report)
   }
   report.AddText("Random scenes of " + std::to_string(side) + "^3 voxels with blur, noise, contacts and cores, seeds " +
                  std::to_string(firstSeed) + " to " + std::to_string(firstSeed + seeds - 1) +
-                 " (fitted on 1 to 40): " + CsvTable::Number(found) + " of " + CsvTable::Number(labels) +
+                 " (not used for the fit): " + CsvTable::Number(found) + " of " + CsvTable::Number(labels) +
                  " objects, or objects with their core, are found; " + CsvTable::Number(whole) + " of " +
                  CsvTable::Number(listed) + " listed objects are whole. Adjusted Rand index " + MeanWithInterval(rand) +
                  '.');
@@ -241,55 +242,43 @@ Clicks(const Labels * labels, const VoxelGrid & grid)
   return clicks;
 }
 
-/** Dice of each label with the node of a tree that fits it best. */
+/** Dice of each label with the region of the partition tree that fits it best. */
 std::map<int, double>
-BestNodes(const ComponentTree &    tree,
-          const float *            values,
-          const std::vector<int> & labels,
-          std::map<int, double>    best = {})
+BestRegionsOfTree(const Image * values, const std::vector<int> & labels)
 {
+  const auto spacing = values->GetSpacing();
+  const auto tree =
+    BuildPartitionTree(values->GetBufferPointer(), GridOf(values), { { spacing[0], spacing[1], spacing[2] } });
   std::map<int, double> total;
   for (const int label : labels)
   {
     total[label] += 1.0;
   }
-  const auto &                       arcs = tree.GetArcs();
-  const auto &                       voxels = tree.GetVoxels();
-  std::vector<std::map<int, double>> counts(arcs.size());
-  for (std::size_t a = 0; a < arcs.size(); ++a)
+  total.erase(0);
+  std::map<int, double> best;
+  for (const auto & [label, voxels] : total)
   {
-    for (auto i = arcs[a].begin; i < arcs[a].end; ++i)
+    std::vector<double> before{ 0.0 }; // voxels of the label among the first ones of the tree
+    for (const auto voxel : tree.GetVoxels())
     {
-      const int label = labels[voxels[i]];
-      counts[a][label] += label > 0 ? 1.0 : 0.0;
-      const bool isNode = i + 1 == arcs[a].end || values[voxels[i + 1]] != values[voxels[i]];
-      if (isNode && (label > 0 || i + 1 == arcs[a].end))
-      {
-        for (const auto & [of, count] : counts[a])
-        {
-          best[of] = std::max(best[of], 2.0 * count / (i + 1.0 - arcs[a].first + total[of]));
-        }
-      }
+      before.push_back(before.back() + (labels[voxel] == label ? 1.0 : 0.0));
     }
-    if (arcs[a].parent != a)
+    for (const auto & region : tree.GetRegions())
     {
-      for (const auto & [label, count] : counts[a])
-      {
-        counts[arcs[a].parent][label] += count;
-      }
-      counts[a].clear();
+      const double dice = 2.0 * (before[region.end] - before[region.first]) / (region.NumberOfVoxels() + voxels);
+      best[label] = std::max(best[label], dice);
     }
   }
-  best.erase(0);
   return best;
 }
 
+/** The same for heat, of which the tree is that of FindHeatObjects(). */
 std::map<int, double>
-BestNodesOfTrees(const Image * image, const std::vector<int> & labels)
+BestRegionsOfHeat(const Image * heat, const std::vector<int> & labels)
 {
-  const auto trees = BuildComponentTrees(image->GetBufferPointer(), GridOf(image));
-  auto       best = BestNodes(trees.maxTree, image->GetBufferPointer(), labels);
-  return BestNodes(trees.minTree, image->GetBufferPointer(), labels, best);
+  const float least = 1e-6F;
+  const auto  logarithm = MapVoxels<float>(heat, [=](float value) { return std::log(std::max(value, least)); });
+  return BestRegionsOfTree(logarithm, labels);
 }
 
 /** Dice of each label with the region of a partition that fits it best. */
@@ -374,32 +363,6 @@ DiceOfClicks(const HeatObjectList & list, const std::map<int, std::size_t> & cli
   return dice;
 }
 
-struct Windows
-{
-  HeatObjectList list;
-  std::string    names; ///< the windows, in words
-};
-
-/** As --windowFolder, followed by HeatObjects. */
-Windows
-FindInWindows(const Image * image)
-{
-  std::vector<Image::Pointer> heats;
-  Windows                     windows;
-  for (const HeatParameterChoice & choice : ChooseObjectWindows(VolumeView(image)))
-  {
-    const auto filter = CumulativeHeatDiffusionImageFilter<Image>::New();
-    filter->SetInput(image);
-    filter->UseParameters(choice);
-    filter->Update();
-    windows.names += (heats.empty() ? "" : ", ") + CsvTable::Number(choice.intensityWindow[0]) + " to " +
-                     CsvTable::Number(choice.intensityWindow[1]);
-    heats.push_back(filter->GetOutput());
-  }
-  windows.list = FindWindowObjects({ heats.begin(), heats.end() });
-  return windows;
-}
-
 void
 ValidateFoot(const ValidationSettings & settings, ValidationReport & report)
 {
@@ -407,27 +370,24 @@ ValidateFoot(const ValidationSettings & settings, ValidationReport & report)
   const Image *    foot = volume.image;
   const auto       bones = ReferenceBones(foot);
   const VoxelGrid  grid = GridOf(foot);
-  const Found      found = FindObjects(foot, 0.5);
+  const Found      found = FindObjects(foot, HeatObjectOptions{}.leastProbability);
   std::vector<int> labels(bones->GetBufferPointer(), bones->GetBufferPointer() + grid.NumberOfVoxels());
   const auto       clicks = Clicks(bones, grid);
   const auto       byClick = DiceOfClicks(found.list, clicks, labels);
-  const Windows    windows = FindInWindows(foot);
   const std::vector<std::pair<std::string, std::map<int, double>>> columns = {
     { "one click", byClick },
-    { "one click, all windows", DiceOfClicks(windows.list, clicks, labels) },
-    { "best node of the heat", BestNodesOfTrees(found.heat, labels) },
-    { "best node of the intensity", BestNodesOfTrees(foot, labels) },
+    { "best region of the heat", BestRegionsOfHeat(found.heat, labels) },
+    { "best region of the intensity", BestRegionsOfTree(Smooth(foot, 0.8), labels) },
     { "best watershed region", BestWatersheds(foot, labels) },
     { "best component above a threshold", BestConnectedThresholds(foot, labels) }
   };
-  report.AddText("Foot (scivis), bones by threshold and opening; `--preset objects` chose the window " +
+  report.AddText("Foot (scivis), bones by threshold and opening; the automatic window is " +
                  CsvTable::Number(found.choice.intensityWindow[0]) + " to " +
                  CsvTable::Number(found.choice.intensityWindow[1]) + " and " + std::to_string(found.choice.timeSteps) +
-                 " steps and listed " + std::to_string(found.list.objects.size()) +
+                 " steps; listed are " + std::to_string(found.list.objects.size()) +
                  " objects. Dice; one click at the deepest voxel of a bone selects the smallest object, without "
                  "knowledge of the bones. The others use the best node or region for each bone, chosen with that "
-                 "knowledge; the last is a ceiling, because thresholds define the bones. All windows: " +
-                 windows.names + "; " + std::to_string(windows.list.objects.size()) + " objects.");
+                 "knowledge; the last is a ceiling, because thresholds define the bones.");
   std::vector<std::string> names{ "bone" };
   for (const auto & column : columns)
   {
@@ -450,43 +410,28 @@ ValidateFoot(const ValidationSettings & settings, ValidationReport & report)
   }
   table.AddRow(row);
   report.AddTable(table);
-  for (std::size_t i = 0; i < 2; ++i)
-  {
-    const auto & [name, dice] = columns[i];
-    const auto right = std::count_if(dice.begin(), dice.end(), [](const auto & d) { return d.second >= wholeObject; });
-    report.AddText(std::to_string(right) + " of " + std::to_string(dice.size()) + " bones by " + name +
-                   " (bound 10 of 12): " + report.Check(right >= 10));
-  }
+  const auto right =
+    std::count_if(byClick.begin(), byClick.end(), [](const auto & d) { return d.second >= wholeObject; });
+  report.AddText(std::to_string(right) + " of " + std::to_string(byClick.size()) +
+                 " bones by one click (bound 10 of 12): " + report.Check(right >= 10));
 }
 
-/** Best node per organ at the thresholds of the preset and around soft tissue. */
+/** Best region per organ. */
 void
 ValidateOrgans(const ValidationSettings & settings, ValidationReport & report)
 {
   const auto [ct, organs] = ReadAbdomen(settings.dataFolder);
   const float * const    first = organs.image->GetBufferPointer();
   const std::vector<int> labels(first, first + GridOf(ct.image).NumberOfVoxels());
-  std::map<int, double>  best;
-  for (const double threshold : { -300.0, -50.0, 0.0, 50.0, 100.0, 150.0, 200.0 }) // HU
-  {
-    const auto filter = CumulativeHeatDiffusionImageFilter<Image>::New();
-    filter->SetInput(ct.image);
-    GivenHeatParameters given;
-    given.intensityWindow = { { threshold - 10.0, threshold + 10.0 } };
-    filter->UseParameters(ChooseObjectParameters(VolumeView(ct.image.GetPointer()), {}, given));
-    filter->Update();
-    for (const auto & [organ, dice] : BestNodesOfTrees(filter->GetOutput(), labels))
-    {
-      best[organ] = std::max(best[organ], dice);
-    }
-  }
-  CsvTable table({ "organ label", "Dice of the best node" });
+  const Found            found = FindObjects(ct.image, HeatObjectOptions{}.leastProbability, "CT");
+  const auto             best = BestRegionsOfHeat(found.heat, labels);
+  CsvTable               table({ "organ label", "Dice of the best region" });
   for (const auto & [organ, dice] : best)
   {
     table.AddRow({ std::to_string(organ), Rounded(dice) });
   }
-  report.AddText("Abdomen CT of TotalSegmentator's tests: the best node per organ over seven narrow windows, chosen "
-                 "with knowledge of the organs. Mean Dice " +
+  report.AddText("Abdomen CT of TotalSegmentator's tests: the best region of the automatic heat per organ, chosen with "
+                 "knowledge of the organs. Mean Dice " +
                  Rounded(Mean(best)) + '.');
   report.AddRows("organs", table);
 }
@@ -495,7 +440,7 @@ ValidateOrgans(const ValidationSettings & settings, ValidationReport & report)
 void
 ValidateObjectsOfVolumes(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText("`CumulativeHeatDiffusion --preset objects`, then `HeatObjects`. Found: an object with a Dice of at "
+  report.AddText("`CumulativeHeatDiffusion`, then `HeatObjects`. Found: an object with a Dice of at "
                  "least 0.85. Phantoms of `ShapePhantom`:");
   ValidatePhantoms(settings, report);
   ValidateScenes(settings, report);

@@ -43,7 +43,6 @@ from .heat import (
     diffuse_shapetons,
     find_objects,
     heat_histogram,
-    object_windows,
     recorded_steps,
     visit_density,
 )
@@ -82,7 +81,6 @@ __all__ = [
     "find_objects",
     "heat_histogram",
     "list_series",
-    "object_windows",
     "read_volume",
     "recorded_steps",
     "set_threads",

@@ -7,7 +7,6 @@
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonExceptions.h"
 #include "shapetonHeatClassification.h"
-#include "shapetonObjectParameters.h"
 
 #include <algorithm>
 #include <functional>
@@ -66,14 +65,14 @@ Diffuse(const ImageType::Pointer &                    image,
   filter->SetInput(image);
   filter->SetOptions(settings);
   HeatParameterChoice choice;
-  const auto preset = OptionInfo("preset").Words({ "automatic", "objects", "published" }).PositionOf(presetName);
-  const auto part = progress.Part("Choosing parameters", 0.0, 0.0);
-  if (preset != 2)
+  const bool isAutomatic = OptionInfo("preset").Words({ "automatic", "published" }).PositionOf(presetName) == 0;
+  if (isAutomatic)
   {
-    const VolumeView volume(image.GetPointer());
-    const auto       fixed = GivenAmong(names, settings);
-    choice = preset == 0 ? ChooseHeatParameters(volume, settings, fixed, modality, part)
-                         : ChooseObjectParameters(volume, settings, fixed, part);
+    choice = ChooseHeatParameters(VolumeView(image.GetPointer()),
+                                  settings,
+                                  GivenAmong(names, settings),
+                                  modality,
+                                  progress.Part("Choosing parameters", 0.0, 0.0));
     filter->UseParameters(choice);
   }
   filter->SetSnapshotSteps(snapshotSteps, ConsumerOf(snapshot));

@@ -17,7 +17,7 @@ heat = shapeton.diffuse_heat(image, time_steps=20, histogram_steps=[0, 20], comp
 histogram, component = heat.histogram, heat.components[0]
 labels, (heat_class, *_) = shapeton.classify_heat(heat.heat)
 walk = shapeton.diffuse_shapetons(image, shapetons=100, time_steps=5)
-objects = shapeton.find_objects([heat.heat], least_probability=0.0, least_voxels=8)
+objects = shapeton.find_objects(heat.heat, least_probability=0.0, least_voxels=8)
 heat_object = objects.objects[0]
 """,
         "Image HeatResult HeatHistogram HeatClass HeatObjects HeatObject ShapeComponent ShapetonResult",

@@ -63,8 +63,7 @@ class ProgressTest(TestCase):
         self.check(shapeton.diffuse_heat, image, preset="published", time_steps=10**6, until_steady=True)
         self.check(shapeton.diffuse_heat, image, preset="published", time_steps=100, histogram_steps=[0, 50], components=True, initial_heat=True)
         self.check(shapeton.diffuse_heat, image.like(np.zeros_like(image.array)), preset="published", time_steps=100)
-        self.check(shapeton.object_windows, image)
-        self.check(shapeton.find_objects, [shapeton.diffuse_heat(image, preset="objects").heat])
+        self.check(shapeton.find_objects, shapeton.diffuse_heat(image).heat)
         self.check(shapeton.diffuse_shapetons, image, shapetons=100, time_steps=20)
         self.check(shapeton.diffuse_shapetons, image, time_steps=10**6, until_steady=True)
 

@@ -48,21 +48,21 @@ class SameAsToolsTest(TestCase):
 
     def test_HeatObjects(self):
         heat, table = self.folder / "heat.nrrd", self.folder / "objects.csv"
-        run_tool("CumulativeHeatDiffusion", self.volume, heat, "--preset", "objects")
+        run_tool("CumulativeHeatDiffusion", self.volume, heat)
         run_tool("HeatObjects", self.volume, heat, self.folder / "labels.nrrd", table)
-        result = shapeton.diffuse_heat(self.image, preset="objects")
+        result = shapeton.diffuse_heat(self.image)
         self.assertSame(result.heat.array, self.read("heat.nrrd"))
-        found = shapeton.find_objects([result.heat])
+        found = shapeton.find_objects(result.heat)
         self.assertSame(found.labels.array.astype(np.float32), self.read("labels.nrrd"))
         with open(table, encoding="utf-8") as file:
             rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
         self.assertGreater(len(rows), 0)
         self.assertEqual(len(rows), len(found.objects))
         for row, one in zip(rows, found.objects):
-            self.assertEqual((int(row["parent"]), row["kind"] == "warm", int(row["voxels"])), (one.parent, one.is_warm, one.voxels))
+            self.assertEqual((int(row["parent"]), int(row["voxels"])), (one.parent, one.voxels))
             for name, value in {**dict(zip("xyz", one.center)), "volume": one.volume, "compactness": one.compactness}.items():
                 self.assertAlmostEqual(float(row[name]), value, delta=1e-9 * abs(value))  # the file rounds the grid
-            for name in ("probability", "growth", "range", "contrast"):
+            for name in ("probability", "range", "contrast"):
                 self.assertEqual(float(row[name]), getattr(one, name))
 
     def test_SeededHeatSegmentation(self):

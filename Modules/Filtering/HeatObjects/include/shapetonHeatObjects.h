@@ -13,32 +13,38 @@
 
 namespace shapeton
 {
-/** A connected region that changes little over a range of heat.
+/** What the score and the probability of an object depend on, as numbers that a linear model needs: see
+ * HeatObject::terms. \ingroup ShapetonHeatObjects */
+constexpr std::size_t HeatObjectTerms = 8;
+
+/** A region of heat with a border: a part that a person sees.
  * \ingroup ShapetonHeatObjects */
 struct HeatObject
 {
-  int                   parent{ 0 };    ///< number of the smallest object, from 1, that contains this one; 0 for none
-  bool                  isWarm{ true }; ///< voxels of at least `heat`; otherwise of at most `heat`
-  int                   time{ 0 };      ///< the heat volume in which it was found, from 0
-  float                 heat{ 0.0F };   ///< the threshold; in [0, 1] for heat, in visits for shapetons
-  std::uint32_t         seed{ 0 };      ///< index of a voxel of the object: its warmest, or coldest, one
-  itk::Point<double, 3> center{};       ///< mean position of its voxels, LPS, mm
+  int                   parent{ 0 }; ///< number of the smallest object, from 1, that contains this one; 0 for none
+  itk::Point<double, 3> center{};    ///< mean position of its voxels, LPS, mm
   std::uint64_t         voxels{ 0 };
-  double                volume{ 0.0 }; ///< mm^3
-  /** Mean value of its voxels in each heat volume. */
-  std::vector<double> heatCurve;
-  /** Logarithmic change of the volume when the threshold changes by 5 %; 0: none. */
-  double growth{ 0.0 };
-  /** Range of thresholds (natural logarithm of their ratio) over which the volume stays within 20 %. */
-  double range{ 0.0 };
-  /** Absolute log ratio of the heat on the two sides of a border face, median over all faces. */
+  double                volume{ 0.0 };   ///< mm^3
+  double                meanHeat{ 0.0 }; ///< of its voxels
+  /** Absolute log ratio of the heat on the two sides of its border, mean over the border. */
   double contrast{ 0.0 };
+  /** Range of border strengths, as the natural logarithm of their ratio, over which its volume changes by less than a
+   * factor of 2; at most 6. */
+  double range{ 0.0 };
   /** 36 pi volume^2 / surface^3: 1 for a ball; the surface is two thirds of the area of the voxel faces. */
   double compactness{ 0.0 };
   /** Fraction of its border that lies on the border of the volume. */
   double cut{ 0.0 };
+  /** If one object contains another, a person more probably means the one with the greater score; e to the power of the
+   * difference is the ratio of the probabilities. */
+  double score{ 0.0 };
   /** Calibrated probability that this is one whole object, neither part of an object nor several objects. */
   double probability{ 0.0 };
+  /** ln range; ln voxels, at most ln 5,000; ln of the share of the volume, at least ln 0.1; ln of the factor by which
+   * it grows when its weakest border is merged, at most ln 51; ln of the ratio of its contrast to the strength of that
+   * border, 0 to 4, which is 0 for an object whose whole border is equally strong; ln contrast, -4 to 1; ln
+   * compactness, at least ln 0.0001, at most ln 0.1; cut. The score depends on the first six. */
+  std::array<double, HeatObjectTerms> terms{};
 };
 
 /** Voxels whose index in the volume is in [begin, end).
@@ -61,24 +67,17 @@ struct HeatObjectList
   std::vector<std::vector<VoxelRange>> ranges;
 };
 
-/** Finds the stable nodes of the component trees (max-tree and min-tree) of one or several heat volumes on one grid,
- * for example at several times or with several windows.
+/** Finds the parts of a heat volume: regions of a PartitionTree of the logarithm of heat.
  *
- * Along each path of a tree, from an extremum to the whole volume, a node is stable where the volume hardly changes
- * with the threshold (maximally stable regions; Matas et al. 2002). Nodes found in both trees or at several times count
- * once: the most probable one is kept. Throws InputError if the grids differ or a value is not a finite number, and
- * ParameterError if an option is out of range or `heats` is empty.
- * \ingroup ShapetonHeatObjects */
+ * Candidates are the regions that grow by at least 15 % when their weakest border is merged. One is listed if a person
+ * would rather mean it than those that contain it (greater score), and it is probable enough. So the smallest object at
+ * a voxel is the one that a click selects, and its parents are those to climb to. Values below a millionth of the
+ * greatest one count as a millionth. Works for shapeton visits, too. Throws InputError if a value is not a finite
+ * number or none is above 0, and ParameterError if an option is out of range. \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT HeatObjectList
-FindHeatObjects(const std::vector<const itk::Image<float, 3> *> & heats,
-                const HeatObjectOptions &                         options = {},
-                const Progress &                                  progress = {});
-
-/** Terms of the logistic model of the probability: ln range (at most 6), ln (growth + 0.002), ln compactness (at most
- * 0.02), ln voxels (at most 2,000). Above these limits, larger values no longer distinguish objects from noise, which
- * has regions of 64 voxels or with a sponge-like surface. \ingroup ShapetonHeatObjects */
-ShapetonHeatObjects_EXPORT std::array<double, 4>
-                           ProbabilityTerms(const HeatObject & object);
+FindHeatObjects(const itk::Image<float, 3> * heat,
+                const HeatObjectOptions &    options = {},
+                const Progress &             progress = {});
 
 /** Mask of one object of the list (numbered from 1), including the objects inside it: 1 inside, 0 outside. Needs no
  * search. Throws ParameterError. \ingroup ShapetonHeatObjects */

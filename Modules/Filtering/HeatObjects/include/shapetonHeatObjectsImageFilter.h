@@ -11,8 +11,8 @@
 namespace shapeton
 {
 /** \class HeatObjectsImageFilter
- * \brief FindHeatObjects() as a filter: the inputs are heat volumes on one grid, and the output is the number of the
- * smallest object at each voxel.
+ * \brief FindHeatObjects() as a filter: the input is a heat volume, and the output is the number of the smallest object
+ * at each voxel.
  *
  * Update() throws InputError or ParameterError, both derived from itk::ExceptionObject.
  *

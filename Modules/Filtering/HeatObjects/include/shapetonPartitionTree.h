@@ -42,13 +42,15 @@ public:
 
   struct Region
   {
-    Index  first{ 0 };       ///< begin of its voxels in GetVoxels()
-    Index  end{ 0 };         ///< end of its voxels
-    Index  parent{ 0 };      ///< the region it becomes a part of; its own number for the root, the last region
-    float  strength{ 0.0F }; ///< of the strongest border that was merged inside it; 0 for a basin
-    double steps{ 0.0 };     ///< sum of steps across its border, times the area of the face; unit of values times mm^2
-    double border{ 0.0 };    ///< area of the faces between it and the rest of the volume, mm^2
-    double cut{ 0.0 };       ///< area of its faces on the border of the volume, mm^2
+    Index first{ 0 };  ///< begin of its voxels in GetVoxels()
+    Index end{ 0 };    ///< end of its voxels
+    Index parent{ 0 }; ///< the region it becomes a part of; its own number for the root, the last region
+    /** Strength of the strongest border that was merged inside it, or mean step inside one of its basins, if greater.
+     */
+    float  strength{ 0.0F };
+    double steps{ 0.0 };  ///< sum of steps across its border, times the area of the face; unit of values times mm^2
+    double border{ 0.0 }; ///< area of the faces between it and the rest of the volume, mm^2
+    double cut{ 0.0 };    ///< area of its faces on the border of the volume, mm^2
 
     Index
     NumberOfVoxels() const

@@ -1,15 +1,13 @@
 #include "shapetonHeatObjects.h"
 
 #include "shapetonExceptions.h"
-#include "shapetonParallelFor.h"
-#include "shapetonPi.h"
-#include "shapetonQuantiles.h"
 #include "shapetonImageGrid.h"
 #include "shapetonMappedImage.h"
-#include "shapetonStableRegions.h"
+#include "shapetonParallelFor.h"
+#include "shapetonPartitionTree.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -19,290 +17,226 @@ namespace shapeton
 namespace
 {
 using HeatImage = itk::Image<float, 3>;
-using Index = ComponentTree::Index;
+using Index = PartitionTree::Index;
+using Region = PartitionTree::Region;
+using Terms = std::array<double, HeatObjectTerms>;
 
-/** An object and its voxels. */
-struct Candidate
-{
-  HeatObject         object;
-  std::vector<Index> voxels;
-};
+/** Smallest growth of a candidate at its next merge. With 8 to 25 %, the first click is right for as many objects. */
+constexpr double LeastGrowth = 0.15;
 
-/** Weights of ProbabilityTerms(), fitted by FitHeatObjects (Testing/Validation) to 1,460 regions of 40 random scenes.
+/** Weights of HeatObject::terms in the score: those for which the probability of the right region among those around a
+ * voxel is greatest (conditional logit), for 12 voxels of each visible part of 174 random scenes, 14 phantoms, and six
+ * scans (foot, tooth, lobster, three CTs), which count three times. */
+constexpr std::array<double, 6> ScoreWeights = { { 1.769, 1.179, -2.006, 0.121, -1.236, 0.444 } };
+/** Weights of the terms in the log odds of the probability, and the constant: logistic regression on the same volumes.
  */
+constexpr Terms  ProbabilityWeights = { { 1.792, 3.118, 1.636, 0.211, -3.672, 1.554, 0.212, -3.571 } };
+constexpr double ProbabilityConstant = -23.629;
+
+template <std::size_t number>
 double
-ProbabilityOf(const HeatObject & object)
+Weighted(const std::array<double, number> & weights, const Terms & terms)
 {
-  constexpr double                constant = -14.3302;
-  constexpr std::array<double, 4> weights = { { 0.676454, -1.2026, 1.37828, 1.62809 } };
-  const auto                      terms = ProbabilityTerms(object);
-  return 1.0 / (1.0 + std::exp(-std::inner_product(terms.begin(), terms.end(), weights.begin(), constant)));
+  return std::inner_product(weights.begin(), weights.end(), terms.begin(), 0.0);
 }
 
-/** The volumes in which to search for objects, on one grid. */
-struct Volumes
+/** Natural logarithm of heat. */
+std::vector<float>
+LogarithmOf(const HeatImage * heat)
 {
-  const HeatImage *          image{ nullptr }; ///< the first one, for its geometry
-  std::vector<const float *> values;
-  VoxelGrid                  grid;
-  double                     voxelVolume{ 0.0 };            ///< mm^3
-  std::array<double, 3>      faceArea{ { 0.0, 0.0, 0.0 } }; ///< mm^2, of the faces across each axis
-};
-
-Volumes
-RequireOneGrid(const std::vector<const HeatImage *> & images)
-{
-  if (images.empty())
-  {
-    throw ParameterError("objects need at least one heat volume");
-  }
-  const auto & spacing = images[0]->GetSpacing();
-  const auto   size = images[0]->GetBufferedRegion().GetSize();
-  Volumes      volumes;
-  volumes.image = images[0];
-  volumes.grid.SetSize({ { static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) } });
-  volumes.voxelVolume = spacing[0] * spacing[1] * spacing[2];
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    volumes.faceArea[axis] = volumes.voxelVolume / spacing[axis];
-  }
-  for (std::size_t i = 0; i < images.size(); ++i)
-  {
-    if (!HaveSameGrid(images[i], images[0]))
-    {
-      throw InputError("the grid of heat volume " + std::to_string(i + 1) + " differs from that of the first one");
-    }
-    volumes.values.push_back(images[i]->GetBufferPointer());
-  }
-  return volumes;
-}
-
-/** Measures the regions of one tree. */
-class RegionMeasures
-{
-public:
-  RegionMeasures(const ComponentTree & tree, const Volumes & volumes, int time, bool isWarm, float greatest)
-    : m_Voxels(tree.GetVoxels())
-    , m_Volumes(volumes)
-    , m_Time(time)
-    , m_IsWarm(isWarm)
-    , m_Greatest(greatest)
-    , m_Position(m_Voxels.size())
-  {
-    ParallelForBlocks(m_Voxels.size(), [this](std::size_t i) { m_Position[m_Voxels[i]] = static_cast<Index>(i); });
-  }
-
-  HeatObject
-  Measure(const StableRegion & region) const
-  {
-    const float * const heat = m_Volumes.values[m_Time];
-    const auto          begin = m_Voxels.begin() + region.first;
-    const auto          end = m_Voxels.begin() + region.end;
-    HeatObject          object;
-    object.isWarm = m_IsWarm;
-    object.time = m_Time;
-    object.heat = heat[*(end - 1)];
-    object.seed = *std::min_element(
-      begin, end, [&](Index a, Index b) { return heat[a] != heat[b] ? (heat[a] > heat[b]) == m_IsWarm : a < b; });
-    object.voxels = region.end - region.first;
-    object.volume = m_Volumes.voxelVolume * static_cast<double>(object.voxels);
-    object.growth = region.growth;
-    object.range = region.range;
-    for (const float * const values : m_Volumes.values)
-    {
-      const auto add = [values](double sum, Index voxel) { return sum + values[voxel]; };
-      const auto sum = std::accumulate(begin, end, 0.0, add);
-      object.heatCurve.push_back(sum / static_cast<double>(object.voxels));
-    }
-    object.center = this->CenterOf(region);
-    this->MeasureBorder(region, object);
-    object.probability = ProbabilityOf(object);
-    return object;
-  }
-
-private:
-  itk::Point<double, 3>
-  CenterOf(const StableRegion & region) const
-  {
-    std::array<double, 3> sums{};
-    for (Index i = region.first; i < region.end; ++i)
-    {
-      const auto place = m_Volumes.grid.Voxel(m_Voxels[i]);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        sums[axis] += place[axis];
-      }
-    }
-    itk::ContinuousIndex<double, 3> mean;
-    const auto                      first = m_Volumes.image->GetBufferedRegion().GetIndex();
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      mean[axis] = static_cast<double>(first[axis]) + sums[axis] / (region.end - region.first);
-    }
-    itk::Point<double, 3> center;
-    m_Volumes.image->TransformContinuousIndexToPhysicalPoint(mean, center);
-    return center;
-  }
-
-  void
-  MeasureBorder(const StableRegion & region, HeatObject & object) const
-  {
-    const float * const heat = m_Volumes.values[m_Time];
-    std::vector<double> ratios;
-    double              surface = 0.0;
-    double              cut = 0.0;
-    for (Index i = region.first; i < region.end; ++i)
-    {
-      const Index voxel = m_Voxels[i];
-      const auto  place = m_Volumes.grid.Voxel(voxel);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        for (const int step : { -1, 1 })
-        {
-          const int to = place[axis] + step;
-          if (to < 0 || to >= m_Volumes.grid.size[axis])
-          {
-            cut += m_Volumes.faceArea[axis];
-            continue;
-          }
-          const std::size_t neighbor = voxel + step * static_cast<std::ptrdiff_t>(m_Volumes.grid.stride[axis]);
-          if (m_Position[neighbor] < region.first || m_Position[neighbor] >= region.end)
-          {
-            surface += m_Volumes.faceArea[axis];
-            ratios.push_back(std::abs(LogHeat(heat[voxel], m_Greatest) - LogHeat(heat[neighbor], m_Greatest)));
-          }
-        }
-      }
-    }
-    if (!ratios.empty())
-    {
-      object.contrast = UpperMedian(std::move(ratios));
-    }
-    constexpr double perFaces = 2.0 / 3.0; // a ball has 1.5 times its surface as faces of voxels
-    constexpr double ofBall = 36.0 * Pi;   // surface^3 / volume^2
-    const double     whole = perFaces * (surface + cut);
-    object.compactness = ofBall * object.volume * object.volume / (whole * whole * whole);
-    object.cut = cut / (surface + cut);
-  }
-
-  const std::vector<Index> & m_Voxels;
-  const Volumes &            m_Volumes;
-  int                        m_Time;
-  bool                       m_IsWarm;
-  float                      m_Greatest;
-  std::vector<Index>         m_Position;
-};
-
-float
-Greatest(const HeatImage & image)
-{
-  const float * const first = image.GetBufferPointer();
-  const float         greatest = *std::max_element(first, first + image.GetBufferedRegion().GetNumberOfPixels());
+  constexpr float     least = 1e-6F;
+  const float * const values = heat->GetBufferPointer();
+  const std::size_t   voxels = heat->GetBufferedRegion().GetNumberOfPixels();
+  const float         greatest = *std::max_element(values, values + voxels);
   if (!(greatest > 0.0F) || std::isinf(greatest))
   {
     throw InputError("a heat volume needs finite values above 0, not at most " + std::to_string(greatest));
   }
-  return greatest;
+  std::vector<float> logarithms(voxels);
+  ParallelForBlocks(voxels, [&](std::size_t voxel) {
+    const float value = values[voxel];
+    logarithms[voxel] = std::isfinite(value) ? std::log(std::max(value, least * greatest)) : value;
+  });
+  return logarithms;
 }
 
-void
-AddCandidates(const ComponentTree &     tree,
-              const Volumes &           volumes,
-              int                       time,
-              bool                      isWarm,
-              float                     greatest,
-              const HeatObjectOptions & options,
-              std::vector<Candidate> &  candidates)
-{
-  const auto              regions = FindStableRegions(tree, volumes.values[time], greatest, options);
-  const RegionMeasures    measures(tree, volumes, time, isWarm, greatest);
-  std::vector<HeatObject> found(regions.size());
-  ParallelFor(regions.size(), [&](std::size_t i) { found[i] = measures.Measure(regions[i]); });
-  const auto voxels = tree.GetVoxels().begin();
-  for (std::size_t i = 0; i < regions.size(); ++i)
-  {
-    if (found[i].probability >= options.leastProbability)
-    {
-      candidates.push_back({ found[i], { voxels + regions[i].first, voxels + regions[i].end } });
-    }
-  }
-}
-
-/** The objects drawn so far, each over those that contain it. */
-class Nesting
+/** The terms of the regions of a tree. A path leads from a region to its parents, and down to the larger of its parts.
+ */
+class RegionTerms
 {
 public:
-  explicit Nesting(const HeatImage & image) : m_Labels(NewImageOn<HeatObjectList::LabelImage>(&image, true)) {}
-
-  /** The object that contains nearly all voxels of a candidate, or 0. */
-  int
-  Around(const Candidate & candidate) const
+  explicit RegionTerms(const PartitionTree & tree) : m_Regions(tree.GetRegions()), m_LargerPart(m_Regions.size(), none)
   {
-    std::vector<std::size_t> counts(m_Last + 1, 0);
-    for (const Index voxel : candidate.voxels)
+    for (Index region = 0; region < this->Root(); ++region)
     {
-      ++counts[m_Labels->GetBufferPointer()[voxel]];
-    }
-    const auto       most = std::max_element(counts.begin(), counts.end());
-    constexpr double nearlyAll = 0.9; // objects of different times or trees differ by voxels of their borders
-    const bool       isAround = static_cast<double>(*most) >= nearlyAll * static_cast<double>(candidate.voxels.size());
-    return isAround ? static_cast<int>(most - counts.begin()) : 0;
-  }
-
-  void
-  Draw(const Candidate & candidate, std::size_t number)
-  {
-    m_Last = std::max(m_Last, number);
-    for (const Index voxel : candidate.voxels)
-    {
-      m_Labels->GetBufferPointer()[voxel] = static_cast<unsigned short>(number);
+      Index & part = m_LargerPart[m_Regions[region].parent];
+      if (part == none || m_Regions[region].NumberOfVoxels() > m_Regions[part].NumberOfVoxels())
+      {
+        part = region;
+      }
     }
   }
 
-  HeatObjectList::LabelImage *
-  GetLabels() const
+  Index
+  Root() const
   {
-    return m_Labels;
+    return static_cast<Index>(m_Regions.size() - 1);
+  }
+
+  /** Factor by which a region grows when it is merged. */
+  double
+  Growth(Index region) const
+  {
+    const Region & here = m_Regions[region];
+    return static_cast<double>(m_Regions[here.parent].NumberOfVoxels()) / here.NumberOfVoxels();
+  }
+
+  /** HeatObject::range. */
+  double
+  Range(Index region) const
+  {
+    constexpr double factor = 2.0;
+    constexpr double most = 6.0;     // of a region without weaker borders, such as a basin
+    constexpr double weakest = 1e-3; // step of log heat that nobody sees
+    const double     voxels = m_Regions[region].NumberOfVoxels();
+    Index            top = region;
+    while (m_Regions[top].parent != this->Root() && top != this->Root() &&
+           m_Regions[m_Regions[top].parent].NumberOfVoxels() <= factor * voxels)
+    {
+      top = m_Regions[top].parent;
+    }
+    Index bottom = region;
+    while (m_LargerPart[bottom] != none && m_Regions[m_LargerPart[bottom]].NumberOfVoxels() * factor >= voxels)
+    {
+      bottom = m_LargerPart[bottom];
+    }
+    const double strongest = m_Regions[m_Regions[top].parent].strength;
+    return std::min(most,
+                    std::log(std::max(strongest, weakest) / std::max<double>(m_Regions[bottom].strength, weakest)));
+  }
+
+  /** HeatObject::terms of a region with these properties. */
+  Terms
+  Of(Index region, const HeatObject & object) const
+  {
+    constexpr double leastRange = 0.05; // below, objects and noise no longer differ
+    constexpr double mostVoxels = 5000.0;
+    constexpr double leastShare = 0.1;
+    constexpr double mostGrowth = 51.0;
+    constexpr double leastCompactness = 1e-4;
+    constexpr double mostCompactness = 0.1;
+    constexpr double least = 1e-3; // contrast that nobody sees
+    const Region &   here = m_Regions[region];
+    const auto       voxels = static_cast<double>(object.voxels);
+    const double     share = voxels / m_Regions[this->Root()].NumberOfVoxels();
+    const double     isolation = std::log((object.contrast + least) / (m_Regions[here.parent].strength + least));
+    return { { std::log(std::max(object.range, leastRange)),
+               std::log(std::min(voxels, mostVoxels)),
+               std::log(std::max(share, leastShare)),
+               std::log(std::min(this->Growth(region), mostGrowth)),
+               std::clamp(isolation, 0.0, 4.0),
+               std::clamp(std::log(object.contrast + least), -4.0, 1.0),
+               std::log(std::clamp(object.compactness, leastCompactness, mostCompactness)),
+               object.cut } };
   }
 
 private:
-  HeatObjectList::LabelImage::Pointer m_Labels;
-  std::size_t                         m_Last{ 0 }; ///< greatest number drawn
+  static constexpr Index none = std::numeric_limits<Index>::max();
+
+  const std::vector<Region> & m_Regions;
+  std::vector<Index>          m_LargerPart; ///< of each region; none for basins
 };
 
-/** Keeps the more probable of two candidates with nearly the same voxels; the result is sorted by descending size. */
-std::vector<Candidate>
-WithoutTwins(std::vector<Candidate> candidates, const HeatImage & image)
+/** A region that may be an object. */
+struct Candidate
 {
-  const auto isLarger = [](const Candidate & a, const Candidate & b) { return a.voxels.size() > b.voxels.size(); };
-  constexpr double       sameSize = 0.75; // as stable regions of one path, which differ by OtherVolume
-  constexpr std::size_t  most = std::numeric_limits<unsigned short>::max();
-  Nesting                nesting(image);
-  std::vector<Candidate> kept;
-  std::stable_sort(candidates.begin(), candidates.end(), isLarger);
-  for (Candidate & candidate : candidates)
-  {
-    const int  around = nesting.Around(candidate);
-    const bool isTwin = around > 0 && static_cast<double>(candidate.voxels.size()) >=
-                                        sameSize * static_cast<double>(kept[around - 1].voxels.size());
-    if (!isTwin && kept.size() < most)
+  Index      region{ 0 };
+  HeatObject object;
+};
+
+/** What the tree tells about a region; no position and mean heat. */
+HeatObject
+Describe(const RegionTerms & terms, Index number, const Region & region, double voxelVolume)
+{
+  constexpr double perFaces = 2.0 / 3.0; // a ball has 1.5 times its surface as faces of voxels
+  constexpr double ofBall = 36.0 * Pi;   // surface^3 / volume^2
+  const double     faces = region.border + region.cut;
+  const double     surface = perFaces * faces;
+  HeatObject       object;
+  object.voxels = region.NumberOfVoxels();
+  object.volume = voxelVolume * static_cast<double>(object.voxels);
+  object.contrast = region.Contrast();
+  object.range = terms.Range(number);
+  object.compactness = ofBall * object.volume * object.volume / (surface * surface * surface);
+  object.cut = region.cut / faces;
+  object.terms = terms.Of(number, object);
+  object.score = Weighted(ScoreWeights, object.terms);
+  object.probability = 1.0 / (1.0 + std::exp(-ProbabilityConstant - Weighted(ProbabilityWeights, object.terms)));
+  return object;
+}
+
+/** Regions of a suitable size that a person could mean; each follows those that contain it. */
+std::vector<Candidate>
+FindCandidates(const PartitionTree & tree, double voxelVolume, const HeatObjectOptions & options)
+{
+  const RegionTerms       terms(tree);
+  const auto &            regions = tree.GetRegions();
+  const double            most = options.mostShare * static_cast<double>(tree.GetVoxels().size());
+  std::vector<HeatObject> all(regions.size());
+  ParallelForBlocks(terms.Root(), [&](std::size_t i) {
+    const auto region = static_cast<Index>(i);
+    const auto voxels = regions[region].NumberOfVoxels();
+    if (voxels >= options.leastVoxels && voxels <= most && terms.Growth(region) >= 1.0 + LeastGrowth)
     {
-      nesting.Draw(candidate, kept.size() + 1);
-      kept.push_back(std::move(candidate));
+      all[region] = Describe(terms, region, regions[region], voxelVolume);
     }
-    else if (isTwin && candidate.object.probability > kept[around - 1].object.probability)
+  });
+  std::vector<Candidate> candidates;
+  for (Index region = terms.Root(); region-- > 0;)
+  {
+    if (all[region].voxels > 0)
     {
-      nesting.Draw(candidate, around);
-      kept[around - 1] = std::move(candidate);
+      candidates.push_back({ region, all[region] });
     }
   }
-  std::stable_sort(kept.begin(), kept.end(), isLarger);
+  return candidates;
+}
+
+/** The probable candidates that are not inside one of at least their score, by descending size. */
+std::vector<Candidate>
+ProbableObjects(const std::vector<Candidate> & candidates, const PartitionTree & tree, double leastProbability)
+{
+  constexpr double    none = -std::numeric_limits<double>::infinity();
+  const auto &        regions = tree.GetRegions();
+  std::vector<double> scoreAround(regions.size(), none); // greatest score of the region and those that contain it
+  std::vector<bool>   isKept(regions.size(), false);
+  auto                next = candidates.begin();
+  for (auto region = static_cast<Index>(regions.size()); region-- > 0;)
+  {
+    scoreAround[region] = scoreAround[regions[region].parent];
+    if (next != candidates.end() && next->region == region)
+    {
+      isKept[region] = next->object.score > scoreAround[region];
+      scoreAround[region] = std::max(scoreAround[region], next->object.score);
+      ++next;
+    }
+  }
+  std::vector<Candidate> kept;
+  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(kept), [&](const Candidate & candidate) {
+    return isKept[candidate.region] && candidate.object.probability >= leastProbability;
+  });
+  constexpr std::size_t most = std::numeric_limits<HeatObjectList::LabelImage::PixelType>::max();
+  std::stable_sort(kept.begin(), kept.end(), [](const Candidate & a, const Candidate & b) {
+    return a.object.voxels > b.object.voxels;
+  });
+  kept.resize(std::min(kept.size(), most));
   return kept;
 }
 
 std::vector<VoxelRange>
-RangesOf(std::vector<Index> voxels)
+RangesOf(const PartitionTree & tree, const Region & region)
 {
+  std::vector<Index> voxels(tree.GetVoxels().begin() + region.first, tree.GetVoxels().begin() + region.end);
   std::sort(voxels.begin(), voxels.end());
   std::vector<VoxelRange> ranges;
   for (const Index voxel : voxels)
@@ -317,55 +251,73 @@ RangesOf(std::vector<Index> voxels)
   return ranges;
 }
 
+/** Sets the mean position and the mean heat. */
+void
+Measure(const std::vector<VoxelRange> & ranges, const HeatImage * heat, HeatObject & object)
+{
+  const VoxelGrid       grid = GridOf(heat);
+  std::array<double, 3> sums{};
+  double                sumOfHeat = 0.0;
+  for (const VoxelRange & range : ranges)
+  {
+    for (Index voxel = range.begin; voxel < range.end; ++voxel)
+    {
+      const auto place = grid.Voxel(voxel);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        sums[axis] += place[axis];
+      }
+      sumOfHeat += heat->GetBufferPointer()[voxel];
+    }
+  }
+  const auto                      voxels = static_cast<double>(object.voxels);
+  const auto                      first = heat->GetBufferedRegion().GetIndex();
+  itk::ContinuousIndex<double, 3> mean;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    mean[axis] = static_cast<double>(first[axis]) + sums[axis] / voxels;
+  }
+  heat->TransformContinuousIndexToPhysicalPoint(mean, object.center);
+  object.meanHeat = sumOfHeat / voxels;
+}
+
 HeatObjectList
-Nest(std::vector<Candidate> candidates, const HeatImage & image)
+List(const std::vector<Candidate> & candidates, const PartitionTree & tree, const HeatImage * heat)
 {
   HeatObjectList list;
-  Nesting        nesting(image);
-  for (const Candidate & candidate : candidates)
-  {
-    list.objects.push_back(candidate.object);
-    list.objects.back().parent = nesting.Around(candidate);
-    nesting.Draw(candidate, list.objects.size());
-  }
-  list.labels = nesting.GetLabels();
+  list.objects.resize(candidates.size());
   list.ranges.resize(candidates.size());
-  ParallelFor(candidates.size(), [&](std::size_t i) { list.ranges[i] = RangesOf(std::move(candidates[i].voxels)); });
+  list.labels = NewImageOn<HeatObjectList::LabelImage>(heat, true);
+  ParallelFor(candidates.size(), [&](std::size_t i) {
+    list.objects[i] = candidates[i].object;
+    list.ranges[i] = RangesOf(tree, tree.GetRegions()[candidates[i].region]);
+    Measure(list.ranges[i], heat, list.objects[i]);
+  });
+  auto * const labels = list.labels->GetBufferPointer();
+  for (std::size_t i = 0; i < candidates.size(); ++i) // the smaller ones over those that contain them
+  {
+    list.objects[i].parent = labels[list.ranges[i].front().begin];
+    for (const VoxelRange & range : list.ranges[i])
+    {
+      std::fill(labels + range.begin, labels + range.end, static_cast<unsigned short>(i + 1));
+    }
+  }
   return list;
 }
 } // namespace
 
-std::array<double, 4>
-ProbabilityTerms(const HeatObject & object)
-{
-  constexpr double mostRange = 6.0;
-  constexpr double leastGrowth = 0.002;
-  constexpr double mostCompactness = 0.02;
-  constexpr double mostVoxels = 2000.0;
-  return { { std::log(std::min(object.range, mostRange)),
-             std::log(object.growth + leastGrowth),
-             std::log(std::min(object.compactness, mostCompactness)),
-             std::log(std::min(static_cast<double>(object.voxels), mostVoxels)) } };
-}
-
 HeatObjectList
-FindHeatObjects(const std::vector<const HeatImage *> & heats,
-                const HeatObjectOptions &              options,
-                const Progress &                       progress)
+FindHeatObjects(const HeatImage * heat, const HeatObjectOptions & options, const Progress & progress)
 {
   CheckOptions(options);
-  const Volumes          volumes = RequireOneGrid(heats);
-  std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < heats.size(); ++i)
-  {
-    const auto           time = static_cast<int>(i);
-    const float          greatest = Greatest(*heats[i]);
-    const ComponentTrees trees = BuildComponentTrees(volumes.values[i], volumes.grid);
-    AddCandidates(trees.maxTree, volumes, time, true, greatest, options, candidates);
-    AddCandidates(trees.minTree, volumes, time, false, greatest, options, candidates);
-    progress("Finding objects", static_cast<double>(i + 1) / static_cast<double>(heats.size()));
-  }
-  return Nest(WithoutTwins(std::move(candidates), *heats[0]), *heats[0]);
+  const auto spacing = heat->GetSpacing();
+  const auto tree =
+    BuildPartitionTree(LogarithmOf(heat).data(), GridOf(heat), { { spacing[0], spacing[1], spacing[2] } });
+  progress("Finding objects", 0.8); // share of the tree in the time
+  const auto candidates = FindCandidates(tree, spacing[0] * spacing[1] * spacing[2], options);
+  auto       list = List(ProbableObjects(candidates, tree, options.leastProbability), tree, heat);
+  progress("Finding objects", 1.0);
+  return list;
 }
 
 itk::Image<unsigned char, 3>::Pointer

@@ -14,10 +14,7 @@ void
 HeatObjectsImageFilter::GenerateInputRequestedRegion()
 {
   Superclass::GenerateInputRequestedRegion();
-  for (unsigned int i = 0; i < this->GetNumberOfIndexedInputs(); ++i)
-  {
-    const_cast<InputImageType *>(this->GetInput(i))->SetRequestedRegionToLargestPossibleRegion();
-  }
+  const_cast<InputImageType *>(this->GetInput())->SetRequestedRegionToLargestPossibleRegion();
 }
 
 void
@@ -29,12 +26,8 @@ HeatObjectsImageFilter::EnlargeOutputRequestedRegion(itk::DataObject * output)
 void
 HeatObjectsImageFilter::GenerateData()
 {
-  std::vector<const InputImageType *> heats;
-  for (unsigned int i = 0; i < this->GetNumberOfIndexedInputs(); ++i)
-  {
-    heats.push_back(this->GetInput(i));
-  }
-  m_List = FindHeatObjects(heats, m_Options, Progress([this](double share) { ReportProgress(*this, share); }));
+  m_List =
+    FindHeatObjects(this->GetInput(), m_Options, Progress([this](double share) { ReportProgress(*this, share); }));
   this->GraftOutput(m_List.labels);
 }
 } // namespace shapeton

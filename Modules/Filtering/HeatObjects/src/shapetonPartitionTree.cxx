@@ -1,6 +1,5 @@
 #include "shapetonPartitionTree.h"
 
-#include "shapetonDisjointSets.h"
 #include "shapetonExceptions.h"
 #include "shapetonParallelFor.h"
 
@@ -23,11 +22,11 @@ using Region = PartitionTree::Region;
 /** A face between two voxels: 3 times the index of the lower voxel, plus the axis. */
 using Face = std::uint32_t;
 
-/** The faces of a volume and the steps across them. */
-class Faces
+/** The steps across the faces of a volume. */
+class Steps
 {
 public:
-  Faces(const float * values, const VoxelGrid & grid, const std::array<double, 3> & spacing)
+  Steps(const float * values, const VoxelGrid & grid, const std::array<double, 3> & spacing)
     : m_Values(values), m_Grid(grid)
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -36,10 +35,47 @@ public:
     }
   }
 
-  const VoxelGrid &
-  GetGrid() const
+  std::size_t
+  NumberOfVoxels() const
   {
-    return m_Grid;
+    return m_Grid.NumberOfVoxels();
+  }
+
+  /** Calls `inner(neighbor, axis)` for the neighbors of a voxel and `outer(axis)` for its faces on the border of the
+   * volume. */
+  template <typename TInner, typename TOuter>
+  void
+  ForEachFace(Index voxel, const TInner & inner, const TOuter & outer) const
+  {
+    const auto place = m_Grid.Voxel(voxel);
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const auto stride = static_cast<Index>(m_Grid.stride[axis]);
+      place[axis] > 0 ? inner(voxel - stride, axis) : outer(axis);
+      place[axis] + 1 < m_Grid.size[axis] ? inner(voxel + stride, axis) : outer(axis);
+    }
+  }
+
+  double
+  AreaOf(unsigned int axis) const
+  {
+    return m_Area[axis];
+  }
+
+  float
+  Between(Index a, Index b) const
+  {
+    return std::abs(m_Values[a] - m_Values[b]);
+  }
+
+  /** Steps in their order, ties by the face: the bits of a number that is not negative sort like the number. */
+  std::uint64_t
+  OrderOf(Index a, Index b, unsigned int axis) const
+  {
+    const float   step = this->Between(a, b);
+    std::uint32_t bits;
+    std::memcpy(&bits, &step, sizeof bits);
+    return std::uint64_t{ bits } << 32U | (3 * std::min(a, b) + axis);
   }
 
   std::array<Index, 2>
@@ -48,111 +84,33 @@ public:
     return { { face / 3, static_cast<Index>(face / 3 + m_Grid.stride[face % 3]) } };
   }
 
-  double
-  AreaOf(Face face) const
-  {
-    return m_Area[face % 3];
-  }
-
-  float
-  StepAcross(Face face) const
-  {
-    const auto [low, high] = this->VoxelsOf(face);
-    return std::abs(m_Values[high] - m_Values[low]);
-  }
-
-  /** Steps in their order, ties by the face: the bits of a number that is not negative sort like the number. */
-  std::uint64_t
-  OrderOf(Face face) const
-  {
-    const float   step = this->StepAcross(face);
-    std::uint32_t bits;
-    std::memcpy(&bits, &step, sizeof bits);
-    return std::uint64_t{ bits } << 32U | face;
-  }
-
-  /** Calls `body(face)` for all faces between voxels, in parallel by slices. */
-  template <typename TBody>
-  void
-  ForEachInParallel(const TBody & body) const
-  {
-    ParallelFor(static_cast<std::size_t>(m_Grid.size[2]), [&](std::size_t slice) {
-      const int k = static_cast<int>(slice);
-      for (int j = 0; j < m_Grid.size[1]; ++j)
-      {
-        Face face = static_cast<Face>(3 * m_Grid.Index(0, j, k));
-        for (int i = 0; i < m_Grid.size[0]; ++i, face += 3)
-        {
-          if (i + 1 < m_Grid.size[0])
-          {
-            body(face);
-          }
-          if (j + 1 < m_Grid.size[1])
-          {
-            body(face + 1);
-          }
-          if (k + 1 < m_Grid.size[2])
-          {
-            body(face + 2);
-          }
-        }
-      }
-    });
-  }
-
-  /** Area of the faces of a voxel on the border of the volume. */
-  double
-  CutOf(std::size_t voxel) const
-  {
-    const auto place = m_Grid.Voxel(voxel);
-    double     cut = 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      cut += place[axis] == 0 ? m_Area[axis] : 0.0;
-      cut += place[axis] + 1 == m_Grid.size[axis] ? m_Area[axis] : 0.0;
-    }
-    return cut;
-  }
-
 private:
   const float *         m_Values;
   const VoxelGrid &     m_Grid;
   std::array<double, 3> m_Area{};
 };
 
-/** Makes each number point to the end of its path; paths end in numbers that point to themselves. */
-void
-PointToEnds(std::vector<Index> & to)
-{
-  std::vector<Index> further(to.size());
-  std::atomic<bool>  hasMoved{ true };
-  while (hasMoved)
-  {
-    hasMoved = false;
-    ParallelForBlocks(to.size(), [&](std::size_t i) {
-      further[i] = to[to[i]];
-      if (further[i] != to[i])
-      {
-        hasMoved.store(true, std::memory_order_relaxed);
-      }
-    });
-    to.swap(further);
-  }
-}
-
-/** The basins: a label for each voxel. */
+/** The basins: a label for each voxel, and the voxels of each label. */
 class Basins
 {
 public:
-  explicit Basins(const Faces & faces) : m_Faces(faces), m_Labels(faces.GetGrid().NumberOfVoxels())
+  explicit Basins(const Steps & steps) : m_Steps(steps), m_Labels(steps.NumberOfVoxels()), m_Voxels(m_Labels.size())
   {
     std::iota(m_Labels.begin(), m_Labels.end(), Index{ 0 });
+    std::iota(m_Voxels.begin(), m_Voxels.end(), Index{ 0 });
     m_Sizes.assign(m_Labels.size(), 1);
-    for (Index before = 0; before != m_Sizes.size();)
+    for (std::size_t before = 0; before != m_Sizes.size();)
     {
-      before = static_cast<Index>(m_Sizes.size());
+      before = m_Sizes.size();
       this->JoinSmallOnes();
     }
+    this->ListVoxels();
+  }
+
+  std::size_t
+  Number() const
+  {
+    return m_Sizes.size();
   }
 
   const std::vector<Index> &
@@ -161,66 +119,89 @@ public:
     return m_Labels;
   }
 
-  const std::vector<Index> &
-  GetSizes() const
+  Index
+  SizeOf(std::size_t basin) const
   {
-    return m_Sizes;
+    return m_Sizes[basin];
+  }
+
+  /** The first of the voxels of a basin, which are ascending. */
+  const Index *
+  VoxelsOf(std::size_t basin) const
+  {
+    return m_Voxels.data() + m_First[basin];
   }
 
 private:
-  /** Joins each basin that is too small to another one, across its smallest step. */
+  static constexpr auto none = std::numeric_limits<std::uint64_t>::max();
+
+  /** Joins each basin that is too small to another one, across its smallest step. While basins are joined, m_Voxels are
+   * the voxels of those that are too small. */
   void
   JoinSmallOnes()
   {
-    constexpr auto                          none = std::numeric_limits<std::uint64_t>::max();
     std::vector<std::atomic<std::uint64_t>> smallest(m_Sizes.size());
-    ParallelForBlocks(smallest.size(), [&](std::size_t basin) { smallest[basin].store(none); });
-    m_Faces.ForEachInParallel([&](Face face) {
-      const auto [low, high] = m_Faces.VoxelsOf(face);
-      const auto a = m_Labels[low], b = m_Labels[high];
-      if (a != b)
-      {
-        const std::uint64_t order = m_Faces.OrderOf(face);
-        this->Lower(a, order, smallest);
-        this->Lower(b, order, smallest);
-      }
+    ParallelForBlocks(smallest.size(), [&](std::size_t basin) { smallest[basin].store(none, order); });
+    ParallelForBlocks(m_Voxels.size(), [&](std::size_t i) {
+      const Index   voxel = m_Voxels[i];
+      std::uint64_t least = none;
+      m_Steps.ForEachFace(
+        voxel,
+        [&](Index neighbor, unsigned int axis) {
+          const bool isOther = m_Labels[neighbor] != m_Labels[voxel];
+          least = isOther ? std::min(least, m_Steps.OrderOf(voxel, neighbor, axis)) : least;
+        },
+        [](unsigned int) {});
+      std::uint64_t known = smallest[m_Labels[voxel]].load(order);
+      while (least < known && !smallest[m_Labels[voxel]].compare_exchange_weak(known, least, order))
+      {}
     });
-    std::vector<Index> to(m_Sizes.size());
+    std::vector<std::atomic<Index>> to(m_Sizes.size());
     ParallelForBlocks(to.size(), [&](std::size_t basin) {
-      const std::uint64_t order = smallest[basin];
-      to[basin] = order == none ? static_cast<Index>(basin) : this->Across(static_cast<Face>(order), basin);
+      to[basin].store(smallest[basin] == none ? static_cast<Index>(basin) : this->Across(smallest[basin], basin),
+                      order);
     });
-    this->Renumber(this->RootsOf(to));
+    this->Renumber(RootsOf(to));
+    const auto isDone = [&](Index voxel) { return m_Sizes[m_Labels[voxel]] >= PartitionTree::BasinVoxels; };
+    m_Voxels.erase(std::remove_if(m_Voxels.begin(), m_Voxels.end(), isDone), m_Voxels.end());
   }
 
-  void
-  Lower(Index basin, std::uint64_t order, std::vector<std::atomic<std::uint64_t>> & smallest) const
-  {
-    if (m_Sizes[basin] >= PartitionTree::BasinVoxels)
-    {
-      return;
-    }
-    std::uint64_t known = smallest[basin].load(std::memory_order_relaxed);
-    while (order < known && !smallest[basin].compare_exchange_weak(known, order, std::memory_order_relaxed))
-    {}
-  }
-
+  /** The basin on the other side of a face. */
   Index
-  Across(Face face, std::size_t basin) const
+  Across(std::uint64_t step, std::size_t basin) const
   {
-    const auto [low, high] = m_Faces.VoxelsOf(face);
+    const auto [low, high] = m_Steps.VoxelsOf(static_cast<Face>(step));
     return m_Labels[low] == basin ? m_Labels[high] : m_Labels[low];
   }
 
-  /** Two basins may point to each other, across the same face; no longer circle exists. */
+  /** The end of the path from each basin. Two basins may point to each other, across the same face; no longer circle
+   * exists. Shortens the paths meanwhile. */
   static std::vector<Index>
-  RootsOf(const std::vector<Index> & to)
+  RootsOf(std::vector<std::atomic<Index>> & to)
   {
     std::vector<Index> root(to.size());
     ParallelForBlocks(to.size(), [&](std::size_t basin) {
-      root[basin] = to[to[basin]] == basin && basin < to[basin] ? static_cast<Index>(basin) : to[basin];
+      const Index other = to[basin].load(order);
+      root[basin] = basin < other && to[other].load(order) == basin ? 1 : 0;
     });
-    PointToEnds(root);
+    ParallelForBlocks(to.size(), [&](std::size_t basin) {
+      if (root[basin] == 1)
+      {
+        to[basin].store(static_cast<Index>(basin), order);
+      }
+    });
+    ParallelForBlocks(to.size(), [&](std::size_t basin) {
+      auto  here = static_cast<Index>(basin);
+      Index next = to[here].load(order);
+      while (next != here)
+      {
+        const Index further = to[next].load(order);
+        to[here].store(further, order);
+        here = further;
+        next = to[here].load(order);
+      }
+      root[basin] = here;
+    });
     return root;
   }
 
@@ -245,9 +226,26 @@ private:
     m_Sizes = std::move(sizes);
   }
 
-  const Faces &      m_Faces;
+  void
+  ListVoxels()
+  {
+    m_First.assign(m_Sizes.size() + 1, 0);
+    std::partial_sum(m_Sizes.begin(), m_Sizes.end(), m_First.begin() + 1);
+    std::vector<Index> next(m_First);
+    m_Voxels.resize(m_Labels.size());
+    for (std::size_t voxel = 0; voxel < m_Labels.size(); ++voxel)
+    {
+      m_Voxels[next[m_Labels[voxel]]++] = static_cast<Index>(voxel);
+    }
+  }
+
+  static constexpr auto order = std::memory_order_relaxed;
+
+  const Steps &      m_Steps;
   std::vector<Index> m_Labels;
+  std::vector<Index> m_Voxels;
   std::vector<Index> m_Sizes;
+  std::vector<Index> m_First;
 };
 
 /** The common border of two regions. */
@@ -259,54 +257,70 @@ struct Border
   float  strength{ 0.0F };
 };
 
-/** The borders of the basins, by the smaller and then the larger label. */
-std::vector<Border>
-FindBorders(const Faces & faces, const Basins & basins)
+/** The borders of the basins. */
+struct BordersOfBasins
 {
-  const auto &                    labels = basins.GetLabels();
-  const std::size_t               number = basins.GetSizes().size();
-  std::vector<std::atomic<Index>> next(number);
-  const auto                      forEachFace = [&](const auto & body) {
-    faces.ForEachInParallel([&](Face face) {
-      const auto [low, high] = faces.VoxelsOf(face);
-      if (labels[low] != labels[high])
-      {
-        body(std::min(labels[low], labels[high]), std::max(labels[low], labels[high]), face);
-      }
-    });
-  };
-  forEachFace([&](Index a, Index, Face) { next[a].fetch_add(1, std::memory_order_relaxed); });
-  std::vector<Index> first(number + 1, 0);
-  for (std::size_t a = 0; a < number; ++a)
-  {
-    first[a + 1] = first[a] + next[a];
-    next[a] = first[a];
-  }
-  std::vector<std::uint64_t> items(first.back()); // the larger label above, the face below
-  forEachFace([&](Index a, Index b, Face face) {
-    items[next[a].fetch_add(1, std::memory_order_relaxed)] = std::uint64_t{ b } << 32U | face;
-  });
-  std::vector<std::vector<Border>> ofBasin(number);
-  ParallelForBlocks(number, [&](std::size_t a) {
-    std::sort(items.begin() + first[a], items.begin() + first[a + 1]);
-    for (Index i = first[a]; i < first[a + 1]; ++i)
+  std::vector<Border> borders; ///< by the smaller and then the larger label
+  std::vector<double> cut;     ///< area of each basin on the border of the volume
+  std::vector<double> inside;  ///< mean step inside each basin
+};
+
+BordersOfBasins
+FindBorders(const Steps & steps, const Basins & basins)
+{
+  constexpr auto                   none = std::numeric_limits<Index>::max();
+  constexpr std::size_t            atOnce = 64;
+  const auto &                     labels = basins.GetLabels();
+  std::vector<std::vector<Border>> ofBasin(basins.Number());
+  std::vector<std::vector<Index>>  ofWorker(NumberOfThreads()); // the border of a basin with each other one
+  BordersOfBasins                  all;
+  all.cut.assign(basins.Number(), 0.0);
+  all.inside.assign(basins.Number(), 0.0);
+  ParallelForWorkers((basins.Number() + atOnce - 1) / atOnce, [&](std::size_t block, unsigned int worker) {
+    auto & known = ofWorker[worker];
+    known.resize(basins.Number(), none);
+    for (std::size_t a = block * atOnce; a < std::min((block + 1) * atOnce, basins.Number()); ++a)
     {
-      const auto b = static_cast<Index>(items[i] >> 32U);
-      const auto face = static_cast<Face>(items[i]);
-      if (ofBasin[a].empty() || ofBasin[a].back().b != b)
+      auto & borders = ofBasin[a];
+      double areaInside = 0.0;
+      for (const Index * voxel = basins.VoxelsOf(a); voxel < basins.VoxelsOf(a) + basins.SizeOf(a); ++voxel)
       {
-        ofBasin[a].push_back({ static_cast<Index>(a), b, 0.0, 0.0 });
+        steps.ForEachFace(
+          *voxel,
+          [&](Index neighbor, unsigned int axis) {
+            const Index b = labels[neighbor];
+            if (b == a)
+            {
+              all.inside[a] += steps.Between(*voxel, neighbor) * steps.AreaOf(axis); // each face twice
+              areaInside += steps.AreaOf(axis);
+            }
+            if (b <= a)
+            {
+              return;
+            }
+            if (known[b] == none)
+            {
+              known[b] = static_cast<Index>(borders.size());
+              borders.push_back({ static_cast<Index>(a), b, 0.0, 0.0 });
+            }
+            borders[known[b]].steps += steps.Between(*voxel, neighbor) * steps.AreaOf(axis);
+            borders[known[b]].area += steps.AreaOf(axis);
+          },
+          [&](unsigned int axis) { all.cut[a] += steps.AreaOf(axis); });
       }
-      ofBasin[a].back().steps += faces.StepAcross(face) * faces.AreaOf(face);
-      ofBasin[a].back().area += faces.AreaOf(face);
+      all.inside[a] /= std::max(areaInside, std::numeric_limits<double>::min());
+      for (const Border & border : borders)
+      {
+        known[border.b] = none;
+      }
+      std::sort(borders.begin(), borders.end(), [](const Border & x, const Border & y) { return x.b < y.b; });
     }
   });
-  std::vector<Border> borders;
   for (const auto & some : ofBasin)
   {
-    borders.insert(borders.end(), some.begin(), some.end());
+    all.borders.insert(all.borders.end(), some.begin(), some.end());
   }
-  return borders;
+  return all;
 }
 } // namespace
 
@@ -314,20 +328,16 @@ FindBorders(const Faces & faces, const Basins & basins)
 class PartitionTreeBuilder
 {
 public:
-  PartitionTreeBuilder(const Faces & faces, const Basins & basins)
-    : m_Faces(faces)
-    , m_Basins(basins)
-    , m_Borders(FindBorders(faces, basins))
-    , m_BordersOf(basins.GetSizes().size())
-    , m_RegionOf(basins.GetSizes().size())
+  PartitionTreeBuilder(const Steps & steps, const Basins & basins)
+    : m_Basins(basins), m_BordersOf(basins.Number()), m_RegionOf(basins.Number())
   {
     std::iota(m_RegionOf.begin(), m_RegionOf.end(), Index{ 0 });
+    this->AddBasins(FindBorders(steps, basins));
   }
 
   PartitionTree
   Build()
   {
-    this->AddBasins();
     this->MergeRegions();
     this->OrderVoxels();
     return std::move(m_Tree);
@@ -365,15 +375,17 @@ private:
   }
 
   void
-  AddBasins()
+  AddBasins(BordersOfBasins && found)
   {
-    const auto & sizes = m_Basins.GetSizes();
-    m_Tree.m_Regions.reserve(2 * sizes.size());
-    m_Tree.m_Regions.resize(sizes.size());
-    for (std::size_t basin = 0; basin < sizes.size(); ++basin)
+    m_Borders = std::move(found.borders);
+    m_Tree.m_Regions.reserve(2 * m_Basins.Number());
+    m_Tree.m_Regions.resize(m_Basins.Number());
+    for (std::size_t basin = 0; basin < m_Basins.Number(); ++basin)
     {
-      m_Tree.m_Regions[basin].end = sizes[basin]; // the number of voxels, until they are ordered
+      m_Tree.m_Regions[basin].end = m_Basins.SizeOf(basin); // the number of voxels, until they are ordered
       m_Tree.m_Regions[basin].parent = static_cast<Index>(basin);
+      m_Tree.m_Regions[basin].cut = found.cut[basin];
+      m_Tree.m_Regions[basin].strength = static_cast<float>(found.inside[basin]);
     }
     for (std::size_t border = 0; border < m_Borders.size(); ++border)
     {
@@ -383,11 +395,6 @@ private:
         m_Tree.m_Regions[basin].border += m_Borders[border].area;
         m_BordersOf[basin].push_back(static_cast<Index>(border));
       }
-    }
-    const auto & labels = m_Basins.GetLabels();
-    for (std::size_t voxel = 0; voxel < labels.size(); ++voxel)
-    {
-      m_Tree.m_Regions[labels[voxel]].cut += m_Faces.CutOf(voxel);
     }
   }
 
@@ -510,13 +517,11 @@ private:
     }
     m_Tree.m_BasinOfVoxel = m_Basins.GetLabels();
     m_Tree.m_Voxels.resize(m_Tree.m_BasinOfVoxel.size());
-    for (std::size_t voxel = 0; voxel < m_Tree.m_Voxels.size(); ++voxel)
-    {
-      m_Tree.m_Voxels[next[m_Tree.m_BasinOfVoxel[voxel]]++] = static_cast<Index>(voxel);
-    }
+    ParallelForBlocks(m_Basins.Number(), [&](std::size_t basin) {
+      std::copy_n(m_Basins.VoxelsOf(basin), m_Basins.SizeOf(basin), m_Tree.m_Voxels.begin() + regions[basin].first);
+    });
   }
 
-  const Faces &                            m_Faces;
   const Basins &                           m_Basins;
   std::vector<Border>                      m_Borders;
   std::vector<std::vector<Index>>          m_BordersOf; ///< of each label; some have become parts of others
@@ -544,8 +549,8 @@ BuildPartitionTree(const float * values, const VoxelGrid & grid, const std::arra
       throw InputError("voxel " + std::to_string(voxel) + " is not a finite number");
     }
   });
-  const Faces  faces(values, grid, spacing);
-  const Basins basins(faces);
-  return PartitionTreeBuilder(faces, basins).Build();
+  const Steps  steps(values, grid, spacing);
+  const Basins basins(steps);
+  return PartitionTreeBuilder(steps, basins).Build();
 }
 } // namespace shapeton

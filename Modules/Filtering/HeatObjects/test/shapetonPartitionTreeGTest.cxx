@@ -247,6 +247,23 @@ TEST(PartitionTree, BallsInNarrowContactAreTwoRegions)
   EXPECT_GE(BestDice(tree, [&](std::size_t voxel) { return isInBall(voxel, left) || isInBall(voxel, right); }), 0.95);
 }
 
+TEST(PartitionTree, APlateauBetweenALowerAndAHigherNeighborIsARegion)
+{
+  const VoxelGrid    grid(40, 30, 30); // neither {value >= t} nor {value <= t} contains the middle third alone
+  std::vector<float> values(grid.NumberOfVoxels());
+  const auto         isInBar = [&](std::size_t voxel) {
+    const auto [i, j, k] = grid.Voxel(voxel);
+    return j >= 8 && j < 22 && k >= 8 && k < 22;
+  };
+  for (std::size_t voxel = 0; voxel < values.size(); ++voxel)
+  {
+    const int i = grid.Voxel(voxel)[0];
+    values[voxel] = !isInBar(voxel) ? -9.0F : i < 14 ? -3.0F : i < 26 ? -1.6F : -0.2F;
+  }
+  const auto tree = BuildPartitionTree(values.data(), grid, unit);
+  EXPECT_DOUBLE_EQ(BestDice(tree, [&](std::size_t voxel) { return values[voxel] == -1.6F; }), 1.0);
+}
+
 TEST(PartitionTree, ASingleVoxelAndAConstantVolumeAreOneBasinOrMore)
 {
   const float one = 3.0F;

@@ -7,23 +7,15 @@
 #include "shapetonHeatObjects.h"
 #include "shapetonPicture.h"
 
-#include <array>
 #include <string>
 #include <vector>
 
 namespace shapeton
 {
-/** One row per object: object, parent, kind (warm, cold), timeStep, heat, voxels, volume (mm^3), x, y, z (LPS, mm),
- * meanIntensity (of the voxels whose smallest object it is), probability, growth, range, contrast, compactness, cut,
- * and meanHeat_<time step> for each heat volume. `names` are the time steps, or other names of the volumes. For objects
- * of FindWindowObjects(), `windows` contains the window of each volume; then windowLower and windowUpper follow
- * timeStep, and the last column is meanHeat. \ingroup ShapetonHeatTools */
+/** One row per object: object, parent, voxels, volume (mm^3), x, y, z (LPS, mm), meanIntensity (of the voxels whose
+ * smallest object it is), meanHeat, probability, range, contrast, compactness, cut. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT CsvTable
-HeatObjectTable(const HeatObjectList &                     list,
-                const std::vector<int> &                   objects,
-                const itk::Image<float, 3> *               image,
-                const std::vector<std::string> &           names,
-                const std::vector<std::array<double, 2>> & windows = {});
+HeatObjectTable(const HeatObjectList & list, const std::vector<int> & objects, const itk::Image<float, 3> * image);
 
 /** The objects that contain a point, LPS in mm, the smallest first. Throws ParameterError if the point is outside the
  * volume, and InputError if no object contains it. \ingroup ShapetonHeatTools */

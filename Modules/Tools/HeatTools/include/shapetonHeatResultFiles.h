@@ -3,7 +3,6 @@
 
 #include "ShapetonHeatToolsExport.h"
 
-#include "shapetonHeatParameterChoice.h"
 #include "shapetonHeatReport.h"
 #include "shapetonVolumeWriter.h"
 #include "itkImage.h"
@@ -64,20 +63,9 @@ public:
   void
   WriteSnapshot(const itk::Image<float, 3> * heat, std::uint64_t timeStep, const std::string & folder) const;
 
-  /** Writes the heat of a window, numbered from 1, into a folder; see HeatWindowName(). */
-  void
-  WriteWindow(const itk::Image<float, 3> * heat,
-              const HeatParameterChoice &  choice,
-              std::size_t                  number,
-              const std::string &          folder) const;
-
 private:
-  /** `entries` are added to the provenance. */
   void
-  WriteHeat(const itk::Image<float, 3> * heat,
-            std::uint64_t                timeStep,
-            const std::string &          path,
-            const VolumeMetadata &       entries = {}) const;
+  WriteHeat(const itk::Image<float, 3> * heat, std::uint64_t timeStep, const std::string & path) const;
 
   CommandLine &                         m_CommandLine;
   std::string                           m_Heat;

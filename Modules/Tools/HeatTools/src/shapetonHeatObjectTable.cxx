@@ -29,81 +29,45 @@ MeanIntensities(const HeatObjectList & list, const itk::Image<float, 3> * image)
   }
   return sums;
 }
-
-std::vector<std::string>
-Columns(const std::vector<std::string> & names, bool hasWindows)
-{
-  std::vector<std::string> columns{ "object", "parent", "kind", "timeStep" };
-  if (hasWindows)
-  {
-    columns.insert(columns.end(), { "windowLower", "windowUpper" });
-  }
-  columns.insert(columns.end(),
-                 { "heat",
-                   "voxels",
-                   "volume",
-                   "x",
-                   "y",
-                   "z",
-                   "meanIntensity",
-                   "probability",
-                   "growth",
-                   "range",
-                   "contrast",
-                   "compactness",
-                   "cut" });
-  if (hasWindows)
-  {
-    columns.push_back("meanHeat");
-    return columns;
-  }
-  for (const std::string & name : names)
-  {
-    columns.push_back("meanHeat_" + name);
-  }
-  return columns;
-}
 } // namespace
 
 CsvTable
-HeatObjectTable(const HeatObjectList &                     list,
-                const std::vector<int> &                   objects,
-                const itk::Image<float, 3> *               image,
-                const std::vector<std::string> &           names,
-                const std::vector<std::array<double, 2>> & windows)
+HeatObjectTable(const HeatObjectList & list, const std::vector<int> & objects, const itk::Image<float, 3> * image)
 {
-  CsvTable   table(Columns(names, !windows.empty()));
+  CsvTable   table({ "object",
+                     "parent",
+                     "voxels",
+                     "volume",
+                     "x",
+                     "y",
+                     "z",
+                     "meanIntensity",
+                     "meanHeat",
+                     "probability",
+                     "range",
+                     "contrast",
+                     "compactness",
+                     "cut" });
   const auto intensities = MeanIntensities(list, image);
   for (const int number : objects)
   {
     const HeatObject &       object = list.objects.at(number - 1);
-    std::vector<std::string> row{
-      std::to_string(number), std::to_string(object.parent), object.isWarm ? "warm" : "cold", names.at(object.time)
-    };
-    if (!windows.empty())
-    {
-      row.push_back(CsvTable::Number(windows.at(object.time)[0]));
-      row.push_back(CsvTable::Number(windows.at(object.time)[1]));
-    }
-    row.push_back(CsvTable::Number(object.heat));
-    row.push_back(std::to_string(object.voxels));
+    std::vector<std::string> row{ std::to_string(number),
+                                  std::to_string(object.parent),
+                                  std::to_string(object.voxels) };
     for (const double value : { object.volume,
                                 object.center[0],
                                 object.center[1],
                                 object.center[2],
                                 intensities[number],
+                                object.meanHeat,
                                 object.probability,
-                                object.growth,
                                 object.range,
                                 object.contrast,
                                 object.compactness,
                                 object.cut })
     {
       row.push_back(CsvTable::Number(value));
-    }
-    for (const double heat : object.heatCurve)
-    {
-      row.push_back(CsvTable::Number(heat));
     }
     table.AddRow(row);
   }

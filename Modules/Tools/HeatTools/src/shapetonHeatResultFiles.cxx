@@ -83,27 +83,10 @@ HeatResultFiles::WriteSnapshot(const itk::Image<float, 3> * heat,
 }
 
 void
-HeatResultFiles::WriteWindow(const itk::Image<float, 3> * heat,
-                             const HeatParameterChoice &  choice,
-                             std::size_t                  number,
-                             const std::string &          folder) const
-{
-  const auto & window = choice.intensityWindow;
-  this->WriteHeat(heat,
-                  choice.timeSteps,
-                  m_CommandLine.Output(folder + '/' + HeatWindowName(number)),
-                  { { "intensityWindow", CsvTable::Number(window[0]) + ',' + CsvTable::Number(window[1]) } });
-}
-
-void
-HeatResultFiles::WriteHeat(const itk::Image<float, 3> * heat,
-                           std::uint64_t                timeStep,
-                           const std::string &          path,
-                           const VolumeMetadata &       entries) const
+HeatResultFiles::WriteHeat(const itk::Image<float, 3> * heat, std::uint64_t timeStep, const std::string & path) const
 {
   auto metadata = ProvenanceMetadata(m_CommandLine.GetProvenance());
   metadata.emplace_back("timeStep", std::to_string(timeStep));
-  metadata.insert(metadata.end(), entries.begin(), entries.end());
   WriteVolume(heat, path, metadata);
 }
 } // namespace shapeton

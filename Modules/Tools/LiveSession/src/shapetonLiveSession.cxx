@@ -2,9 +2,9 @@
 
 #include "shapetonExceptions.h"
 #include "shapetonExplorerInfo.h"
+#include "shapetonHeatParameterChoice.h"
 #include "shapetonInterruption.h"
 #include "shapetonMappedImage.h"
-#include "shapetonObjectParameters.h"
 #include "shapetonSavedTransferFunction.h"
 #include "shapetonSessionCommands.h"
 #include "shapetonSessionFiles.h"
@@ -307,8 +307,8 @@ struct LiveSession::Impl
     Tell("choosing parameters", 0.0);
     auto settings = HeatSettings();
     settings.intensityWindow.reset();
-    const auto choice =
-      ChooseObjectParameters(view, settings, {}, [this](double part) { Tell("choosing parameters", part); });
+    const auto choice = ChooseHeatParameters(
+      view, settings, {}, volume.modality, [this](double part) { Tell("choosing parameters", part); });
     options.intensityWindow = choice.intensityWindow;
     options.p = choice.p;
     options.smoothing = choice.smoothing;

@@ -272,7 +272,7 @@ SessionFiles::WriteObjects(const SavedResult & result)
     const std::string tableFile = commandLine.OutputOf("table");
     this->AddInput(commandLine);
     commandLine.AddInput("heatVolume", ReadVolume(commandLine.GetString("heatVolume")).identity);
-    HeatObjectTable(*result.objects, numbers, m_Volume.image, { std::to_string(result.timeStep) }).Write(tableFile);
+    HeatObjectTable(*result.objects, numbers, m_Volume.image).Write(tableFile);
     WriteVolume(result.objects->labels.GetPointer(), labelsFile, ProvenanceMetadata(commandLine.GetProvenance()));
   });
   this->NoteCommand("HeatObjects", { heat, labels, table }, m_ReadingArguments);

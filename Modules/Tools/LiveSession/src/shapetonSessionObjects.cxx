@@ -13,7 +13,7 @@ void
 SessionObjects::Find(const HeatType * heat, const Progress & progress)
 {
   this->Clear();
-  m_List = FindHeatObjects({ heat }, {}, progress);
+  m_List = FindHeatObjects(heat, {}, progress);
   m_Heat = heat;
   ++m_Version;
 }

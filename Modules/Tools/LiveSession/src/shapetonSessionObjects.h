@@ -38,7 +38,7 @@ public:
     return m_List ? m_List->objects.size() : 0;
   }
 
-  /** Number, parent, kind, heat, voxels, volume, center and probability of each object; empty if none are found. */
+  /** Number, parent, heat, voxels, volume, center and probability of each object; empty if none are found. */
   Json
   List() const;
 

@@ -545,12 +545,10 @@ TEST(LiveSession, ObjectsAreFoundAndSelected)
   ASSERT_EQ(objects.size(), 2U);
   EXPECT_EQ(fixture.session.GetState()["objects"], objects.size());
 
-  const auto point =
-    fixture.input.PointOf({ { 52, 31, 34 } }); // in the box, the object of 60 above a threshold of about 50
+  const auto point = fixture.input.PointOf({ { 52, 31, 34 } }); // in the box
   const Json command = { { "do", "select" }, { "point", { point[0], point[1], point[2] } } };
-  EXPECT_EQ(fixture.session.Do(command)["selected"], 2);
-  constexpr double box = 18.0 * 24.0 * 27.0;
-  EXPECT_NEAR(objects[1]["voxels"].get<double>(), box, 0.2 * box); // the threshold is closer to it than to 0
+  EXPECT_EQ(fixture.session.Do(command)["selected"], 1);
+  EXPECT_EQ(objects[0]["voxels"], 18 * 24 * 27);
   fixture.Do(R"({"do": "start", "region": "selected"})");
   EXPECT_EQ(fixture.session.GetState()["region"], "selected");
   EXPECT_TRUE(fixture.session.GetState()["objects"].is_null()); // everything is computed again

@@ -5,11 +5,9 @@
 
 #include "itkImage.h"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace shapeton
 {
@@ -19,8 +17,6 @@ struct HeatSnapshot
 {
   std::string                  path;
   std::optional<std::uint64_t> timeStep;
-  /** The intensities mapped to 0 and 1; set by FindHeatWindows() only. */
-  std::optional<std::array<double, 2>> intensityWindow{};
 };
 
 /** Finds a heat volume.
@@ -31,22 +27,6 @@ struct HeatSnapshot
  * snapshots, and ParameterError for a missing time step, listing the available ones. \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT HeatSnapshot
 FindHeatSnapshot(const std::string & path, std::optional<std::uint64_t> timeStep = {});
-
-/** A heat volume, or all snapshots of a folder by ascending time. Throws as FindHeatSnapshot().
- * \ingroup ShapetonHeatViews */
-ShapetonHeatViews_EXPORT std::vector<HeatSnapshot>
-                         FindHeatSnapshots(const std::string & path);
-
-/** The heat volumes of a folder of windows, window-1.nrrd and so on, in this order; empty if `path` is not such a
- * folder. Time step and window are those of the headers (keys `timeStep`, `intensityWindow`). Throws InputError for a
- * header without a window.
- * \ingroup ShapetonHeatViews */
-ShapetonHeatViews_EXPORT std::vector<HeatSnapshot>
-                         FindHeatWindows(const std::string & path);
-
-/** The name of a window in its folder: "window-1.nrrd" for the first one. \ingroup ShapetonHeatViews */
-ShapetonHeatViews_EXPORT std::string
-                         HeatWindowName(std::size_t number);
 
 /** The name of a snapshot in its folder: "heat-000001000.nrrd" for time step 1000.
  * \ingroup ShapetonHeatViews */

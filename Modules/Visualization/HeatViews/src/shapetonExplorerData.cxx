@@ -200,8 +200,7 @@ JsonOf(const std::vector<HeatObject> & objects)
   {
     list.push_back({ { "number", list.size() + 1 },
                      { "parent", object.parent },
-                     { "kind", object.isWarm ? "warm" : "cold" },
-                     { "heat", RoundedJson(object.heat) },
+                     { "heat", RoundedJson(object.meanHeat) },
                      { "voxels", object.voxels },
                      { "volume", RoundedJson(object.volume) },
                      { "center", { object.center[0], object.center[1], object.center[2] } },

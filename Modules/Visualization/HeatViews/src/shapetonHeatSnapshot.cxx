@@ -11,7 +11,6 @@
 #include <charconv>
 #include <filesystem>
 #include <map>
-#include <sstream>
 #include <vector>
 
 namespace shapeton
@@ -133,21 +132,6 @@ TimeStepInHeader(const std::string & path)
   return WholeNumber(ValueInHeader(path, "timeStep"));
 }
 
-/** Two numbers with a comma between them. */
-std::array<double, 2>
-WindowInHeader(const std::string & path)
-{
-  std::istringstream    text(ValueInHeader(path, "intensityWindow"));
-  std::array<double, 2> window{};
-  char                  comma = ' ';
-  text >> window[0] >> comma >> window[1];
-  if (!text || comma != ',')
-  {
-    throw InputError(
-      path + " has no intensityWindow in its header: use a folder of windows written by CumulativeHeatDiffusion");
-  }
-  return window;
-}
 } // namespace
 
 HeatSnapshot
@@ -168,43 +152,6 @@ FindHeatSnapshot(const std::string & path, std::optional<std::uint64_t> timeStep
                          std::to_string(*timeStep) + ": omit the time step, or use a folder of snapshots");
   }
   return { path, stated ? stated : timeStep };
-}
-
-std::vector<HeatSnapshot>
-FindHeatSnapshots(const std::string & path)
-{
-  if (!std::filesystem::is_directory(path))
-  {
-    return { FindHeatSnapshot(path) };
-  }
-  FindInFolder(path, {}); // throws if there is none
-  std::vector<HeatSnapshot> snapshots;
-  for (const auto & [timeStep, file] : SnapshotsIn(path))
-  {
-    snapshots.push_back({ file, timeStep });
-  }
-  return snapshots;
-}
-
-std::vector<HeatSnapshot>
-FindHeatWindows(const std::string & path)
-{
-  std::vector<HeatSnapshot> windows;
-  for (std::size_t number = 1;; ++number)
-  {
-    const std::string file = (std::filesystem::path(path) / HeatWindowName(number)).string();
-    if (!std::filesystem::exists(file))
-    {
-      return windows;
-    }
-    windows.push_back({ file, TimeStepInHeader(file), WindowInHeader(file) });
-  }
-}
-
-std::string
-HeatWindowName(std::size_t number)
-{
-  return "window-" + std::to_string(number) + suffix;
 }
 
 std::string
