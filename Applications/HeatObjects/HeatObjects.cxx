@@ -58,17 +58,26 @@ Find(CommandLine & commandLine, const HeatImage * heat)
   return list;
 }
 
-/** The objects at the selected point, the smallest first; at least one more than --climb. */
-std::vector<int>
-SelectedObjects(const CommandLine & commandLine, const HeatObjectList & list)
+/** The objects at a point, the smallest first, and the chosen one. */
+struct Selection
+{
+  std::vector<int> objects;
+  int              chosen{ 0 };
+};
+
+Selection
+Select(const CommandLine & commandLine, const HeatObjectList & list)
 {
   const auto point = commandLine.GetDoubles("select");
   const auto objects = ObjectsAt(list, itk::Point<double, 3>(point.data()));
-  const auto climb = static_cast<std::size_t>(commandLine.GetInteger("climb"));
-  RequireParameter(climb < objects.size(),
-                   "--climb " + std::to_string(climb) + ": only " + std::to_string(objects.size()) +
-                     " objects contain the point, so it can be at most " + std::to_string(objects.size() - 1));
-  return objects;
+  const auto clicked = std::find(objects.begin(), objects.end(), ObjectOfClick(list, objects.front()));
+  const auto climb = commandLine.GetInteger("climb");
+  const auto least = objects.begin() - clicked;
+  const auto most = objects.end() - clicked - 1;
+  RequireParameter(climb >= least && climb <= most,
+                   "--climb " + std::to_string(climb) + ": with the objects at this point, it can be " +
+                     std::to_string(least) + " to " + std::to_string(most));
+  return { objects, *(clicked + climb) };
 }
 
 /** Reduces the labels to a mask (1) of one object. */
@@ -93,22 +102,22 @@ ListObjects(CommandLine & commandLine)
   const std::string  picture = commandLine.OutputOf("picture");
   HeatObjectExplorer explorer(commandLine);
 
-  const Volume     volume = ReadVolume(commandLine, "inputVolume");
-  const Heat       heat = ReadHeat(commandLine, volume.image);
-  auto             list = Find(commandLine, heat.image);
-  std::vector<int> objects(list.objects.size());
-  std::iota(objects.begin(), objects.end(), 1);
+  const Volume volume = ReadVolume(commandLine, "inputVolume");
+  const Heat   heat = ReadHeat(commandLine, volume.image);
+  auto         list = Find(commandLine, heat.image);
+  Selection    selection{ std::vector<int>(list.objects.size()) };
+  std::iota(selection.objects.begin(), selection.objects.end(), 1);
   if (isSelected)
   {
-    objects = SelectedObjects(commandLine, list);
+    selection = Select(commandLine, list);
   }
-  HeatObjectTable(list, objects, volume.image).Write(table);
+  HeatObjectTable(list, selection.objects, volume.image).Write(table);
   explorer.Write(volume.image, heat.image, heat.file, list);
   if (isSelected)
   {
-    KeepObject(objects[commandLine.GetInteger("climb")], list);
+    KeepObject(selection.chosen, list);
   }
-  const std::string title = isSelected ? "selected object" : std::to_string(objects.size()) + " objects";
+  const std::string title = isSelected ? "selected object" : std::to_string(list.objects.size()) + " objects";
   WriteVolume(list.labels.GetPointer(), labels, ProvenanceMetadata(commandLine.GetProvenance()));
   if (!picture.empty())
   {

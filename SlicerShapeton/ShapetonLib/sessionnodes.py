@@ -24,7 +24,7 @@ def lpsOf(ras):
 class SessionNodes:
     """Nodes are made once and then updated; one that was removed from the scene is made again."""
 
-    columns = ("object", "parent", "warm", "heat", "voxels", "volume_mm3", "probability", "R", "A", "S")
+    columns = ("object", "parent", "heat", "voxels", "volume_mm3", "probability", "R", "A", "S")
 
     def __init__(self):
         self._nodes = {}
@@ -49,12 +49,11 @@ class SessionNodes:
         node.GetDisplayNode().SetAndObserveColorNodeID(self.find("Object colors").GetID())
         centers = [lpsOf(entry["center"]) for entry in objects]
         rows = [
-            (entry["number"], entry["parent"], entry["kind"] == "warm", entry["heat"], entry["voxels"], entry["volume"],
-             entry["probability"], *center)
+            (entry["number"], entry["parent"], entry["heat"], entry["voxels"], entry["volume"], entry["probability"], *center)
             for entry, center in zip(objects, centers)
         ]
         values = numpy.array(rows, float).reshape(-1, len(self.columns))
-        arrays = [values[:, column].astype(int if column < 3 else float) for column in range(len(self.columns))]
+        arrays = [values[:, column].astype(int if column < 2 else float) for column in range(len(self.columns))]
         slicer.util.updateTableFromArray(self._node("vtkMRMLTableNode", "Object table"), arrays, list(self.columns))
         if isNew:
             slicer.util.setSliceViewerLayers(label=node, labelOpacity=0.5)

@@ -340,7 +340,7 @@ Mean(const std::map<int, double> & dice)
          static_cast<double>(dice.size());
 }
 
-/** Dice of each bone with the smallest object at its click. */
+/** Dice of each bone with the object that its click selects. */
 std::map<int, double>
 DiceOfClicks(const HeatObjectList & list, const std::map<int, std::size_t> & clicks, const std::vector<int> & labels)
 {
@@ -350,7 +350,7 @@ DiceOfClicks(const HeatObjectList & list, const std::map<int, std::size_t> & cli
     dice[bone] = 0.0;
     if (const int object = list.labels->GetBufferPointer()[voxel])
     {
-      const auto mask = MaskOfObject(list, object);
+      const auto mask = MaskOfObject(list, ObjectOfClick(list, object));
       double     both = 0.0, sum = 0.0;
       for (std::size_t i = 0; i < labels.size(); ++i)
       {
@@ -385,7 +385,7 @@ ValidateFoot(const ValidationSettings & settings, ValidationReport & report)
                  CsvTable::Number(found.choice.intensityWindow[0]) + " to " +
                  CsvTable::Number(found.choice.intensityWindow[1]) + " and " + std::to_string(found.choice.timeSteps) +
                  " steps; listed are " + std::to_string(found.list.objects.size()) +
-                 " objects. Dice; one click at the deepest voxel of a bone selects the smallest object, without "
+                 " objects. Dice; one click at the deepest voxel of a bone selects an object without "
                  "knowledge of the bones. The others use the best node or region for each bone, chosen with that "
                  "knowledge; the last is a ceiling, because thresholds define the bones.");
   std::vector<std::string> names{ "bone" };

@@ -182,7 +182,7 @@ test('an object in another one is drawn above it, as on the page', async () => {
   const [, small, large] = Object.values(await voxelsOfClasses()); // none, object 1 without the large ball, the large ball
   assert.deepEqual([small, large], [table[0].voxels - table[1].voxels, table[1].voxels]);
   const { objects } = JSON.parse(readFileSync(json, 'utf8'));
-  assert.deepEqual(objects.map(({ number, labels }) => [number, labels]), [[1, [1, 2]], [2, [2]]]);
+  assert.deepEqual(objects.map(({ number, labels }) => [number, labels]), [[1, [1, 2, 4]], [2, [2]]]);
   runWell(DRAW, INPUT, HEAT, `${WORK}/two.vp`, '--from', json, '--objects', LABELS, '--picture', `${WORK}/two.png`);
   writeFileSync(json, readFileSync(json, 'utf8').replace(`"voxels": ${table[1].voxels}`, '"voxels": 3'));
   const { code, stderr } = run(DRAW, INPUT, HEAT, `${WORK}/x.vp`, '--from', json, '--objects', LABELS);

@@ -898,7 +898,7 @@ class HeatHistogram:
 
 
 class HeatObject:
-    """A connected region that changes little over a range of heat."""
+    """A region of heat with a border: a part that a person sees."""
     @property
     def center(self) -> NDArray[Any]:
         """Mean position of its voxels, LPS, mm."""
@@ -909,27 +909,15 @@ class HeatObject:
 
     @property
     def contrast(self) -> float:
-        """Median over its border of the absolute log ratio of the heat on both sides."""
+        """Mean over its border of the absolute log ratio of the heat on both sides."""
 
     @property
     def cut(self) -> float:
         """Share of its border at the border of the volume."""
 
     @property
-    def growth(self) -> float:
-        """Logarithmic change of the volume when the threshold changes by 5 %; 0: none."""
-
-    @property
-    def heat(self) -> float:
-        """The threshold."""
-
-    @property
-    def heat_curve(self) -> List[float]:
-        """Mean of its voxels in each heat image."""
-
-    @property
-    def is_warm(self) -> bool:
-        """Whether its voxels have at least `heat`; otherwise they have at most `heat`."""
+    def mean_heat(self) -> float:
+        """Mean of its voxels."""
 
     @property
     def parent(self) -> int:
@@ -941,15 +929,11 @@ class HeatObject:
 
     @property
     def range(self) -> float:
-        """Range of thresholds with a volume within 20 %, as a natural logarithm."""
+        """Range of border strengths over which its volume changes by less than a factor of 2, as a natural logarithm."""
 
     @property
-    def seed(self) -> Tuple[Any, ...]:
-        """Its warmest, or coldest, voxel, [z, y, x]."""
-
-    @property
-    def time(self) -> int:
-        """From 0: the heat image in which it was found."""
+    def score(self) -> float:
+        """Of two objects of which one contains the other, a person more probably means the one with the greater score."""
 
     @property
     def volume(self) -> float:

@@ -69,15 +69,20 @@ struct HeatObjectList
 
 /** Finds the parts of a heat volume: regions of a PartitionTree of the logarithm of heat.
  *
- * Candidates are the regions that grow by at least 15 % when their weakest border is merged. One is listed if a person
- * would rather mean it than those that contain it (greater score), and it is probable enough. So the smallest object at
- * a voxel is the one that a click selects, and its parents are those to climb to. Values below a millionth of the
- * greatest one count as a millionth. Works for shapeton visits, too. Throws InputError if a value is not a finite
- * number or none is above 0, and ParameterError if an option is out of range. \ingroup ShapetonHeatObjects */
+ * Candidates are the regions that grow by at least 15 % when their weakest border is merged. Of nested ones, a person
+ * means the one with the greatest score; it is listed if it is probable enough. Parts of it, with at most half of its
+ * voxels, are found in the same way. Values below a millionth of the greatest one count as a millionth. Works for
+ * shapeton visits, too. Throws InputError if a value is not a finite number or none is above 0, and ParameterError if
+ * an option is out of range. \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT HeatObjectList
 FindHeatObjects(const itk::Image<float, 3> * heat,
                 const HeatObjectOptions &    options = {},
                 const Progress &             progress = {});
+
+/** The object that a click on a voxel selects, from 1: of the smallest one at the voxel (its label) and those that
+ * contain it, the one with the greatest score. Throws ParameterError. \ingroup ShapetonHeatObjects */
+ShapetonHeatObjects_EXPORT int
+ObjectOfClick(const HeatObjectList & list, int smallest);
 
 /** Mask of one object of the list (numbered from 1), including the objects inside it: 1 inside, 0 outside. Needs no
  * search. Throws ParameterError. \ingroup ShapetonHeatObjects */

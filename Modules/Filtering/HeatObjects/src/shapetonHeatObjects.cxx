@@ -24,6 +24,10 @@ using Terms = std::array<double, HeatObjectTerms>;
 /** Smallest growth of a candidate at its next merge. With 8 to 25 %, the first click is right for as many objects. */
 constexpr double LeastGrowth = 0.15;
 
+/** An object has at least this many times the voxels of an object in it; a larger part is the same object with another
+ * border. */
+constexpr std::uint64_t LeastRatio = 2;
+
 /** Weights of HeatObject::terms in the score: those for which the probability of the right region among those around a
  * voxel is greatest (conditional logit), for 12 voxels of each visible part of 174 random scenes, 14 phantoms, and six
  * scans (foot, tooth, lobster, three CTs), which count three times. */
@@ -202,35 +206,52 @@ FindCandidates(const PartitionTree & tree, double voxelVolume, const HeatObjectO
   return candidates;
 }
 
-/** The probable candidates that are not inside one of at least their score, by descending size. */
+/** What is around a region. */
+struct Surroundings
+{
+  double        bestScore{ -std::numeric_limits<double>::infinity() };   ///< of all candidates
+  double        innerScore{ -std::numeric_limits<double>::infinity() };  ///< of those in the smallest listed object
+  std::uint64_t mostVoxels{ std::numeric_limits<std::uint64_t>::max() }; ///< of a part of the smallest listed object
+};
+
+/** The candidates to list, by descending size. */
 std::vector<Candidate>
 ProbableObjects(const std::vector<Candidate> & candidates, const PartitionTree & tree, double leastProbability)
 {
-  constexpr double    none = -std::numeric_limits<double>::infinity();
-  const auto &        regions = tree.GetRegions();
-  std::vector<double> scoreAround(regions.size(), none); // greatest score of the region and those that contain it
-  std::vector<bool>   isKept(regions.size(), false);
-  auto                next = candidates.begin();
+  const auto &              regions = tree.GetRegions();
+  std::vector<Surroundings> around(regions.size()); // of the parts of each region
+  std::vector<Candidate>    listed;
+  auto                      next = candidates.begin();
   for (auto region = static_cast<Index>(regions.size()); region-- > 0;)
   {
-    scoreAround[region] = scoreAround[regions[region].parent];
-    if (next != candidates.end() && next->region == region)
+    Surroundings & here = around[region];
+    here = around[regions[region].parent];
+    if (next == candidates.end() || next->region != region)
     {
-      isKept[region] = next->object.score > scoreAround[region];
-      scoreAround[region] = std::max(scoreAround[region], next->object.score);
-      ++next;
+      continue;
     }
+    const HeatObject & object = next->object;
+    const bool         isPart = object.voxels <= here.mostVoxels && object.score > here.innerScore;
+    const bool         isMeant = isPart || object.score > here.bestScore;
+    here.bestScore = std::max(here.bestScore, object.score);
+    if (isMeant && object.probability >= leastProbability)
+    {
+      here.innerScore = Surroundings{}.innerScore;
+      here.mostVoxels = object.voxels / LeastRatio;
+      listed.push_back(*next);
+    }
+    else if (isMeant)
+    {
+      here.innerScore = std::max(here.innerScore, object.score);
+    }
+    ++next;
   }
-  std::vector<Candidate> kept;
-  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(kept), [&](const Candidate & candidate) {
-    return isKept[candidate.region] && candidate.object.probability >= leastProbability;
-  });
   constexpr std::size_t most = std::numeric_limits<HeatObjectList::LabelImage::PixelType>::max();
-  std::stable_sort(kept.begin(), kept.end(), [](const Candidate & a, const Candidate & b) {
+  std::stable_sort(listed.begin(), listed.end(), [](const Candidate & a, const Candidate & b) {
     return a.object.voxels > b.object.voxels;
   });
-  kept.resize(std::min(kept.size(), most));
-  return kept;
+  listed.resize(std::min(listed.size(), most));
+  return listed;
 }
 
 std::vector<VoxelRange>
@@ -304,6 +325,14 @@ List(const std::vector<Candidate> & candidates, const PartitionTree & tree, cons
   }
   return list;
 }
+
+void
+RequireObject(const HeatObjectList & list, int object)
+{
+  RequireParameter(object >= 1 && object <= static_cast<int>(list.objects.size()),
+                   "object " + std::to_string(object) + " is not in the list of " +
+                     std::to_string(list.objects.size()) + " objects");
+}
 } // namespace
 
 HeatObjectList
@@ -320,14 +349,22 @@ FindHeatObjects(const HeatImage * heat, const HeatObjectOptions & options, const
   return list;
 }
 
+int
+ObjectOfClick(const HeatObjectList & list, int smallest)
+{
+  RequireObject(list, smallest);
+  int best = smallest;
+  for (int object = smallest; object > 0; object = list.objects[object - 1].parent)
+  {
+    best = list.objects[object - 1].score > list.objects[best - 1].score ? object : best;
+  }
+  return best;
+}
+
 itk::Image<unsigned char, 3>::Pointer
 MaskOfObject(const HeatObjectList & list, int object)
 {
-  if (object < 1 || object > static_cast<int>(list.objects.size()))
-  {
-    throw ParameterError("object " + std::to_string(object) + " is not in the list of " +
-                         std::to_string(list.objects.size()) + " objects");
-  }
+  RequireObject(list, object);
   const auto mask = NewImageOn<itk::Image<unsigned char, 3>>(list.labels, true);
   for (const VoxelRange & range : list.ranges[object - 1])
   {

@@ -12,8 +12,8 @@
 
 namespace shapeton
 {
-/** One row per object: object, parent, voxels, volume (mm^3), x, y, z (LPS, mm), meanIntensity (of the voxels whose
- * smallest object it is), meanHeat, probability, range, contrast, compactness, cut. \ingroup ShapetonHeatTools */
+/** One row per object: object, parent, voxels, volume (mm^3), x, y, z (LPS, mm), meanIntensity, meanHeat, probability,
+ * range, contrast, compactness, cut. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT CsvTable
 HeatObjectTable(const HeatObjectList & list, const std::vector<int> & objects, const itk::Image<float, 3> * image);
 

@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** Mean intensity of the voxels of each label. */
+/** Mean intensity of the voxels of each object. */
 std::vector<double>
 MeanIntensities(const HeatObjectList & list, const itk::Image<float, 3> * image)
 {
@@ -22,6 +22,11 @@ MeanIntensities(const HeatObjectList & list, const itk::Image<float, 3> * image)
     const auto label = list.labels->GetBufferPointer()[voxel];
     sums[label] += image->GetBufferPointer()[voxel];
     counts[label] += 1.0;
+  }
+  for (std::size_t number = list.objects.size(); number > 0; --number) // each follows those that contain it
+  {
+    sums[list.objects[number - 1].parent] += sums[number];
+    counts[list.objects[number - 1].parent] += counts[number];
   }
   for (std::size_t label = 0; label < sums.size(); ++label)
   {

@@ -37,7 +37,7 @@ int
 SessionObjects::ObjectAt(const itk::Point<double, 3> & point) const
 {
   RequireParameter(this->AreFound(), "no objects have been found yet; find them first");
-  return ObjectsAt(*m_List, point).front();
+  return ObjectOfClick(*m_List, ObjectsAt(*m_List, point).front());
 }
 
 void

@@ -46,7 +46,7 @@ public:
   void
   Select(int object);
 
-  /** The smallest object at a point (LPS, mm). Throws ParameterError and InputError. */
+  /** The object that a click on a point (LPS, mm) selects. Throws ParameterError and InputError. */
   int
   ObjectAt(const itk::Point<double, 3> & point) const;
 

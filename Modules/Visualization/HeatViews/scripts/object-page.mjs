@@ -38,10 +38,10 @@ export class PageWithObjects {
   clicked() { if (this.isPicking) this.selectHere(); }
 
   selectHere() {
-    const object = this.labels[this.voxel];
-    if (!object) { this.tell('no object contains the voxel under the crosshair'); return; }
-    this.chain = [];
-    this.select({ object });
+    this.chain = chainOf(this.objects, this.labels[this.voxel]);
+    if (this.chain.length === 0) { this.tell('no object contains the voxel under the crosshair'); return; }
+    const scoreOf = (n) => this.objects[n - 1].score;
+    this.select({ object: this.chain.reduce((best, n) => (scoreOf(n) > scoreOf(best) ? n : best)) });
   }
 
   // Shows only this object; 0: all.

@@ -204,6 +204,7 @@ JsonOf(const std::vector<HeatObject> & objects)
                      { "voxels", object.voxels },
                      { "volume", RoundedJson(object.volume) },
                      { "center", { object.center[0], object.center[1], object.center[2] } },
+                     { "score", RoundedJson(object.score, digits) },
                      { "probability", RoundedJson(object.probability, digits) } });
   }
   return list;
