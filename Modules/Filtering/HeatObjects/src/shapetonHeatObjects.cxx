@@ -28,6 +28,9 @@ constexpr double LeastGrowth = 0.15;
  * border. */
 constexpr std::uint64_t LeastRatio = 2;
 
+/** A step of log heat that nobody sees: 0.1 %. */
+constexpr double LeastStep = 1e-3;
+
 /** Weights of HeatObject::terms in the score: those for which the probability of the right region among those around a
  * voxel is greatest (conditional logit), for 12 voxels of each visible part of 174 random scenes, 14 phantoms, and six
  * scans (foot, tooth, lobster, three CTs), which count three times. */
@@ -100,8 +103,7 @@ public:
   Range(Index region) const
   {
     constexpr double factor = 2.0;
-    constexpr double most = 6.0;     // of a region without weaker borders, such as a basin
-    constexpr double weakest = 1e-3; // step of log heat that nobody sees
+    constexpr double most = 6.0; // of a region without weaker borders, such as a basin
     const double     voxels = m_Regions[region].NumberOfVoxels();
     Index            top = region;
     while (m_Regions[top].parent != this->Root() && top != this->Root() &&
@@ -116,7 +118,7 @@ public:
     }
     const double strongest = m_Regions[m_Regions[top].parent].strength;
     return std::min(most,
-                    std::log(std::max(strongest, weakest) / std::max<double>(m_Regions[bottom].strength, weakest)));
+                    std::log(std::max(strongest, LeastStep) / std::max<double>(m_Regions[bottom].strength, LeastStep)));
   }
 
   /** HeatObject::terms of a region with these properties. */
@@ -129,17 +131,19 @@ public:
     constexpr double mostGrowth = 51.0;
     constexpr double leastCompactness = 1e-4;
     constexpr double mostCompactness = 0.1;
-    constexpr double least = 1e-3; // contrast that nobody sees
+    constexpr double mostIsolation = 4.0; // natural logarithms
+    constexpr double leastContrast = -4.0;
+    constexpr double mostContrast = 1.0;
     const Region &   here = m_Regions[region];
     const auto       voxels = static_cast<double>(object.voxels);
     const double     share = voxels / m_Regions[this->Root()].NumberOfVoxels();
-    const double     isolation = std::log((object.contrast + least) / (m_Regions[here.parent].strength + least));
+    const double isolation = std::log((object.contrast + LeastStep) / (m_Regions[here.parent].strength + LeastStep));
     return { { std::log(std::max(object.range, leastRange)),
                std::log(std::min(voxels, mostVoxels)),
                std::log(std::max(share, leastShare)),
                std::log(std::min(this->Growth(region), mostGrowth)),
-               std::clamp(isolation, 0.0, 4.0),
-               std::clamp(std::log(object.contrast + least), -4.0, 1.0),
+               std::clamp(isolation, 0.0, mostIsolation),
+               std::clamp(std::log(object.contrast + LeastStep), leastContrast, mostContrast),
                std::log(std::clamp(object.compactness, leastCompactness, mostCompactness)),
                object.cut } };
   }
@@ -183,26 +187,22 @@ Describe(const RegionTerms & terms, Index number, const Region & region, double 
 std::vector<Candidate>
 FindCandidates(const PartitionTree & tree, double voxelVolume, const HeatObjectOptions & options)
 {
-  const RegionTerms       terms(tree);
-  const auto &            regions = tree.GetRegions();
-  const double            most = options.mostShare * static_cast<double>(tree.GetVoxels().size());
-  std::vector<HeatObject> all(regions.size());
-  ParallelForBlocks(terms.Root(), [&](std::size_t i) {
-    const auto region = static_cast<Index>(i);
-    const auto voxels = regions[region].NumberOfVoxels();
-    if (voxels >= options.leastVoxels && voxels <= most && terms.Growth(region) >= 1.0 + LeastGrowth)
-    {
-      all[region] = Describe(terms, region, regions[region], voxelVolume);
-    }
-  });
+  const RegionTerms      terms(tree);
+  const auto &           regions = tree.GetRegions();
+  const double           most = options.mostShare * static_cast<double>(tree.GetVoxels().size());
   std::vector<Candidate> candidates;
   for (Index region = terms.Root(); region-- > 0;)
   {
-    if (all[region].voxels > 0)
+    const auto voxels = regions[region].NumberOfVoxels();
+    if (voxels >= options.leastVoxels && voxels <= most && terms.Growth(region) >= 1.0 + LeastGrowth)
     {
-      candidates.push_back({ region, all[region] });
+      candidates.push_back({ region, {} });
     }
   }
+  ParallelForBlocks(candidates.size(), [&](std::size_t i) {
+    const Index region = candidates[i].region;
+    candidates[i].object = Describe(terms, region, regions[region], voxelVolume);
+  });
   return candidates;
 }
 
