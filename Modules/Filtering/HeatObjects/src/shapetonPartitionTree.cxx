@@ -265,60 +265,72 @@ struct BordersOfBasins
   std::vector<double> inside;  ///< mean step inside each basin
 };
 
+/** What one basin adds. */
+struct BordersOfBasin
+{
+  std::vector<Border> borders; ///< with the basins of larger labels
+  double              cut{ 0.0 };
+  double              inside{ 0.0 };
+};
+
+/** `known` contains `none` for each basin, and does so again afterwards. */
+BordersOfBasin
+MeasureBasin(const Steps & steps, const Basins & basins, Index a, Index none, std::vector<Index> & known)
+{
+  BordersOfBasin own;
+  double         areaInside = 0.0;
+  for (const Index * voxel = basins.VoxelsOf(a); voxel < basins.VoxelsOf(a) + basins.SizeOf(a); ++voxel)
+  {
+    const auto measure = [&](Index neighbor, unsigned int axis) {
+      const Index  b = basins.GetLabels()[neighbor];
+      const double area = steps.AreaOf(axis);
+      if (b == a)
+      {
+        own.inside += steps.Between(*voxel, neighbor) * area; // each face twice
+        areaInside += area;
+      }
+      else if (b > a)
+      {
+        if (known[b] == none)
+        {
+          known[b] = static_cast<Index>(own.borders.size());
+          own.borders.push_back({ a, b, 0.0, 0.0 });
+        }
+        own.borders[known[b]].steps += steps.Between(*voxel, neighbor) * area;
+        own.borders[known[b]].area += area;
+      }
+    };
+    steps.ForEachFace(*voxel, measure, [&](unsigned int axis) { own.cut += steps.AreaOf(axis); });
+  }
+  own.inside /= std::max(areaInside, std::numeric_limits<double>::min());
+  for (const Border & border : own.borders)
+  {
+    known[border.b] = none;
+  }
+  std::sort(own.borders.begin(), own.borders.end(), [](const Border & x, const Border & y) { return x.b < y.b; });
+  return own;
+}
+
 BordersOfBasins
 FindBorders(const Steps & steps, const Basins & basins)
 {
-  constexpr auto                   none = std::numeric_limits<Index>::max();
-  constexpr std::size_t            atOnce = 64;
-  const auto &                     labels = basins.GetLabels();
-  std::vector<std::vector<Border>> ofBasin(basins.Number());
-  std::vector<std::vector<Index>>  ofWorker(NumberOfThreads()); // the border of a basin with each other one
-  BordersOfBasins                  all;
-  all.cut.assign(basins.Number(), 0.0);
-  all.inside.assign(basins.Number(), 0.0);
+  constexpr auto                  none = std::numeric_limits<Index>::max();
+  constexpr std::size_t           atOnce = 64; // basins, to make a call worth its time
+  std::vector<BordersOfBasin>     ofBasin(basins.Number());
+  std::vector<std::vector<Index>> ofWorker(NumberOfThreads()); // the border of a basin with each other one
   ParallelForWorkers((basins.Number() + atOnce - 1) / atOnce, [&](std::size_t block, unsigned int worker) {
-    auto & known = ofWorker[worker];
-    known.resize(basins.Number(), none);
+    ofWorker[worker].resize(basins.Number(), none);
     for (std::size_t a = block * atOnce; a < std::min((block + 1) * atOnce, basins.Number()); ++a)
     {
-      auto & borders = ofBasin[a];
-      double areaInside = 0.0;
-      for (const Index * voxel = basins.VoxelsOf(a); voxel < basins.VoxelsOf(a) + basins.SizeOf(a); ++voxel)
-      {
-        steps.ForEachFace(
-          *voxel,
-          [&](Index neighbor, unsigned int axis) {
-            const Index b = labels[neighbor];
-            if (b == a)
-            {
-              all.inside[a] += steps.Between(*voxel, neighbor) * steps.AreaOf(axis); // each face twice
-              areaInside += steps.AreaOf(axis);
-            }
-            if (b <= a)
-            {
-              return;
-            }
-            if (known[b] == none)
-            {
-              known[b] = static_cast<Index>(borders.size());
-              borders.push_back({ static_cast<Index>(a), b, 0.0, 0.0 });
-            }
-            borders[known[b]].steps += steps.Between(*voxel, neighbor) * steps.AreaOf(axis);
-            borders[known[b]].area += steps.AreaOf(axis);
-          },
-          [&](unsigned int axis) { all.cut[a] += steps.AreaOf(axis); });
-      }
-      all.inside[a] /= std::max(areaInside, std::numeric_limits<double>::min());
-      for (const Border & border : borders)
-      {
-        known[border.b] = none;
-      }
-      std::sort(borders.begin(), borders.end(), [](const Border & x, const Border & y) { return x.b < y.b; });
+      ofBasin[a] = MeasureBasin(steps, basins, static_cast<Index>(a), none, ofWorker[worker]);
     }
   });
-  for (const auto & some : ofBasin)
+  BordersOfBasins all;
+  for (const BordersOfBasin & own : ofBasin)
   {
-    all.borders.insert(all.borders.end(), some.begin(), some.end());
+    all.borders.insert(all.borders.end(), own.borders.begin(), own.borders.end());
+    all.cut.push_back(own.cut);
+    all.inside.push_back(own.inside);
   }
   return all;
 }
