@@ -2,6 +2,7 @@
 #define shapetonHeatObjects_h
 
 #include "shapetonHeatObjectOptions.h"
+#include "shapetonPartitionTree.h"
 #include "shapetonProgress.h"
 #include "ShapetonHeatObjectsExport.h"
 
@@ -60,27 +61,85 @@ struct HeatObjectList
 {
   using LabelImage = itk::Image<unsigned short, 3>;
 
-  std::vector<HeatObject> objects; ///< by descending volume, so each follows those that contain it
-  /** The number (starting at 1) of the smallest object at each voxel; 0 for none. */
+  /** By descending volume, so each follows those that contain it; then offers, if they were asked for, also by
+   * descending volume. An offer is the best region for voxels in no object, although it is too improbable to be an
+   * object. */
+  std::vector<HeatObject> objects;
+  std::size_t             numberOfOffers{ 0 };
+  /** The number (starting at 1) of the smallest object, or else of the smallest offer, at each voxel; 0 for none. */
   LabelImage::Pointer labels;
   /** The voxels of each object, including those of the objects inside it; ascending. */
   std::vector<std::vector<VoxelRange>> ranges;
+
+  bool
+  IsOffer(int object) const
+  {
+    return static_cast<std::size_t>(object) > objects.size() - numberOfOffers;
+  }
 };
 
-/** Finds the parts of a heat volume: regions of a PartitionTree of the logarithm of heat.
+/** A region of a tree that may be an object; position and mean heat are not set.
+ * \ingroup ShapetonHeatObjects */
+struct HeatObjectCandidate
+{
+  PartitionTree::Index region{ 0 };
+  HeatObject           object;
+};
+
+/** \class HeatObjectTree
+ * \brief The regions of a heat volume, and those that may be objects.
  *
- * Candidates are the regions that grow by at least 15 % when their weakest border is merged. Of nested ones, a person
- * means the one with the greatest score; it is listed if it is probable enough. Parts of it, with at most half of its
- * voxels, are found in the same way. Values below a millionth of the greatest one count as a millionth. Works for
- * shapeton visits, too. Throws InputError if a value is not a finite number or none is above 0, and ParameterError if
- * an option is out of range. \ingroup ShapetonHeatObjects */
+ * The regions are those of a PartitionTree of the logarithm of heat; values below a millionth of the greatest one count
+ * as a millionth. Candidates are the regions that grow by at least 15 % when their weakest border is merged. Of nested
+ * ones, a person means the one with the greatest score; it is an object if it is probable enough. Parts of it, with at
+ * most half of its voxels, are found in the same way.
+ *
+ * \ingroup ShapetonHeatObjects */
+class ShapetonHeatObjects_EXPORT HeatObjectTree
+{
+public:
+  using MaskImage = itk::Image<unsigned char, 3>;
+
+  /** Works for shapeton visits, too. Throws InputError if a value is not a finite number or none is above 0, and
+   * ParameterError if an option is out of range or the grids differ. \param domain objects consist of its voxels that
+   * are not 0, and its border is a border of the volume; null: all voxels */
+  explicit HeatObjectTree(const itk::Image<float, 3> * heat,
+                          const HeatObjectOptions &    options = {},
+                          const MaskImage *            domain = nullptr,
+                          const Progress &             progress = {});
+
+  const PartitionTree &
+  GetTree() const
+  {
+    return m_Tree;
+  }
+
+  /** Each follows those that contain it. */
+  const std::vector<HeatObjectCandidate> &
+  GetCandidates() const
+  {
+    return m_Candidates;
+  }
+
+  HeatObjectList
+  List(bool withOffers = false) const;
+
+private:
+  itk::Image<float, 3>::ConstPointer m_Heat;
+  HeatObjectOptions                  m_Options;
+  PartitionTree                      m_Tree;
+  std::vector<HeatObjectCandidate>   m_Candidates;
+};
+
+/** HeatObjectTree::List() of a heat volume. \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT HeatObjectList
 FindHeatObjects(const itk::Image<float, 3> * heat,
                 const HeatObjectOptions &    options = {},
                 const Progress &             progress = {});
 
 /** The object that a click on a voxel selects, from 1: of the smallest one at the voxel (its label) and those that
- * contain it, the one with the greatest score. Throws ParameterError. \ingroup ShapetonHeatObjects */
+ * contain it, the one with the greatest score; an offer only if there is no object. Throws ParameterError.
+ * \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT int
 ObjectOfClick(const HeatObjectList & list, int smallest);
 

@@ -155,12 +155,7 @@ private:
   std::vector<Index>          m_LargerPart; ///< of each region; none for basins
 };
 
-/** A region that may be an object. */
-struct Candidate
-{
-  Index      region{ 0 };
-  HeatObject object;
-};
+using Candidate = HeatObjectCandidate;
 
 /** What the tree tells about a region; no position and mean heat. */
 HeatObject
@@ -209,49 +204,77 @@ FindCandidates(const PartitionTree & tree, double voxelVolume, const HeatObjectO
 /** What is around a region. */
 struct Surroundings
 {
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
   double        bestScore{ -std::numeric_limits<double>::infinity() };   ///< of all candidates
   double        innerScore{ -std::numeric_limits<double>::infinity() };  ///< of those in the smallest listed object
   std::uint64_t mostVoxels{ std::numeric_limits<std::uint64_t>::max() }; ///< of a part of the smallest listed object
+  std::size_t   best{ none };                                            ///< the candidate with the best score
+  bool          isListed{ false };                                       ///< whether one of them is listed
 };
 
-/** The candidates to list, by descending size. */
-std::vector<Candidate>
-ProbableObjects(const std::vector<Candidate> & candidates, const PartitionTree & tree, double leastProbability)
+/** Numbers of candidates to list, and of those to offer for voxels in none of these. */
+struct Choice
+{
+  std::vector<std::size_t> listed;
+  std::vector<std::size_t> offers;
+};
+
+Choice
+ChooseObjects(const std::vector<Candidate> & candidates, const PartitionTree & tree, double leastProbability)
 {
   const auto &              regions = tree.GetRegions();
   std::vector<Surroundings> around(regions.size()); // of the parts of each region
-  std::vector<Candidate>    listed;
-  auto                      next = candidates.begin();
+  std::vector<bool>         isOffer(candidates.size(), false);
+  Choice                    choice;
+  std::size_t               next = 0;
   for (auto region = static_cast<Index>(regions.size()); region-- > 0;)
   {
     Surroundings & here = around[region];
     here = around[regions[region].parent];
-    if (next == candidates.end() || next->region != region)
+    if (next < candidates.size() && candidates[next].region == region)
     {
-      continue;
+      const HeatObject & object = candidates[next].object;
+      const bool         isPart = object.voxels <= here.mostVoxels && object.score > here.innerScore;
+      const bool         isBest = object.score > here.bestScore;
+      const bool         isListed = (isPart || isBest) && object.probability >= leastProbability;
+      here.best = isBest ? next : here.best;
+      here.bestScore = std::max(here.bestScore, object.score);
+      here.innerScore = isPart || isBest ? std::max(here.innerScore, object.score) : here.innerScore;
+      if (isListed)
+      {
+        here.innerScore = Surroundings{}.innerScore;
+        here.mostVoxels = object.voxels / LeastRatio;
+        here.isListed = true;
+        choice.listed.push_back(next);
+      }
+      ++next;
     }
-    const HeatObject & object = next->object;
-    const bool         isPart = object.voxels <= here.mostVoxels && object.score > here.innerScore;
-    const bool         isMeant = isPart || object.score > here.bestScore;
-    here.bestScore = std::max(here.bestScore, object.score);
-    if (isMeant && object.probability >= leastProbability)
+    if (tree.IsBasin(region) && !here.isListed && here.best != Surroundings::none)
     {
-      here.innerScore = Surroundings{}.innerScore;
-      here.mostVoxels = object.voxels / LeastRatio;
-      listed.push_back(*next);
+      isOffer[here.best] = true;
     }
-    else if (isMeant)
-    {
-      here.innerScore = std::max(here.innerScore, object.score);
-    }
-    ++next;
   }
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    if (isOffer[i])
+    {
+      choice.offers.push_back(i);
+    }
+  }
+  return choice;
+}
+
+/** These candidates by descending size, at most as many as labels allow. */
+void
+AddBySize(const std::vector<Candidate> & all, std::vector<std::size_t> numbers, std::vector<Candidate> & to)
+{
   constexpr std::size_t most = std::numeric_limits<HeatObjectList::LabelImage::PixelType>::max();
-  std::stable_sort(listed.begin(), listed.end(), [](const Candidate & a, const Candidate & b) {
-    return a.object.voxels > b.object.voxels;
+  std::stable_sort(numbers.begin(), numbers.end(), [&](std::size_t a, std::size_t b) {
+    return all[a].object.voxels > all[b].object.voxels;
   });
-  listed.resize(std::min(listed.size(), most));
-  return listed;
+  numbers.resize(std::min(numbers.size(), most - to.size()));
+  std::transform(numbers.begin(), numbers.end(), std::back_inserter(to), [&](std::size_t i) { return all[i]; });
 }
 
 std::vector<VoxelRange>
@@ -302,20 +325,15 @@ Measure(const std::vector<VoxelRange> & ranges, const HeatImage * heat, HeatObje
   object.meanHeat = sumOfHeat / voxels;
 }
 
-HeatObjectList
-List(const std::vector<Candidate> & candidates, const PartitionTree & tree, const HeatImage * heat)
+/** Sets the labels and parents: objects over offers, the smaller ones over those that contain them. */
+void
+PutLabels(HeatObjectList & list)
 {
-  HeatObjectList list;
-  list.objects.resize(candidates.size());
-  list.ranges.resize(candidates.size());
-  list.labels = NewImageOn<HeatObjectList::LabelImage>(heat, true);
-  ParallelFor(candidates.size(), [&](std::size_t i) {
-    list.objects[i] = candidates[i].object;
-    list.ranges[i] = RangesOf(tree, tree.GetRegions()[candidates[i].region]);
-    Measure(list.ranges[i], heat, list.objects[i]);
-  });
+  std::vector<std::size_t> order(list.objects.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::rotate(order.begin(), order.end() - static_cast<std::ptrdiff_t>(list.numberOfOffers), order.end());
   auto * const labels = list.labels->GetBufferPointer();
-  for (std::size_t i = 0; i < candidates.size(); ++i) // the smaller ones over those that contain them
+  for (const std::size_t i : order)
   {
     list.objects[i].parent = labels[list.ranges[i].front().begin];
     for (const VoxelRange & range : list.ranges[i])
@@ -323,7 +341,6 @@ List(const std::vector<Candidate> & candidates, const PartitionTree & tree, cons
       std::fill(labels + range.begin, labels + range.end, static_cast<unsigned short>(i + 1));
     }
   }
-  return list;
 }
 
 void
@@ -335,16 +352,53 @@ RequireObject(const HeatObjectList & list, int object)
 }
 } // namespace
 
+HeatObjectTree::HeatObjectTree(const HeatImage *         heat,
+                               const HeatObjectOptions & options,
+                               const MaskImage *         domain,
+                               const Progress &          progress)
+  : m_Heat(heat), m_Options(options)
+{
+  CheckOptions(options);
+  RequireParameter(!domain || HaveSameGrid(heat, domain), "the domain of the objects has another grid than the heat");
+  const auto spacing = heat->GetSpacing();
+  m_Tree = BuildPartitionTree(LogarithmOf(heat).data(),
+                              GridOf(heat),
+                              { { spacing[0], spacing[1], spacing[2] } },
+                              domain ? domain->GetBufferPointer() : nullptr);
+  constexpr double shareOfTree = 0.8; // of the time
+  progress("Finding objects", shareOfTree);
+  m_Candidates = FindCandidates(m_Tree, spacing[0] * spacing[1] * spacing[2], options);
+}
+
+HeatObjectList
+HeatObjectTree::List(bool withOffers) const
+{
+  const Choice           choice = ChooseObjects(m_Candidates, m_Tree, m_Options.leastProbability);
+  std::vector<Candidate> chosen;
+  AddBySize(m_Candidates, choice.listed, chosen);
+  const std::size_t listed = chosen.size();
+  if (withOffers)
+  {
+    AddBySize(m_Candidates, choice.offers, chosen);
+  }
+  HeatObjectList list;
+  list.numberOfOffers = chosen.size() - listed;
+  list.objects.resize(chosen.size());
+  list.ranges.resize(chosen.size());
+  list.labels = NewImageOn<HeatObjectList::LabelImage>(m_Heat.GetPointer(), true);
+  ParallelFor(chosen.size(), [&](std::size_t i) {
+    list.objects[i] = chosen[i].object;
+    list.ranges[i] = RangesOf(m_Tree, m_Tree.GetRegions()[chosen[i].region]);
+    Measure(list.ranges[i], m_Heat, list.objects[i]);
+  });
+  PutLabels(list);
+  return list;
+}
+
 HeatObjectList
 FindHeatObjects(const HeatImage * heat, const HeatObjectOptions & options, const Progress & progress)
 {
-  CheckOptions(options);
-  const auto spacing = heat->GetSpacing();
-  const auto tree =
-    BuildPartitionTree(LogarithmOf(heat).data(), GridOf(heat), { { spacing[0], spacing[1], spacing[2] } });
-  progress("Finding objects", 0.8); // share of the tree in the time
-  const auto candidates = FindCandidates(tree, spacing[0] * spacing[1] * spacing[2], options);
-  auto       list = List(ProbableObjects(candidates, tree, options.leastProbability), tree, heat);
+  auto list = HeatObjectTree(heat, options, nullptr, progress).List();
   progress("Finding objects", 1.0);
   return list;
 }
@@ -356,7 +410,8 @@ ObjectOfClick(const HeatObjectList & list, int smallest)
   int best = smallest;
   for (int object = smallest; object > 0; object = list.objects[object - 1].parent)
   {
-    best = list.objects[object - 1].score > list.objects[best - 1].score ? object : best;
+    const bool isBetter = list.objects[object - 1].score > list.objects[best - 1].score;
+    best = isBetter && (list.IsOffer(best) || !list.IsOffer(object)) ? object : best;
   }
   return best;
 }

@@ -22,12 +22,15 @@ using Region = PartitionTree::Region;
 /** A face between two voxels: 3 times the index of the lower voxel, plus the axis. */
 using Face = std::uint32_t;
 
-/** The steps across the faces of a volume. */
+/** The steps across the faces of the voxels of a domain. */
 class Steps
 {
 public:
-  Steps(const float * values, const VoxelGrid & grid, const std::array<double, 3> & spacing)
-    : m_Values(values), m_Grid(grid)
+  Steps(const float *                 values,
+        const VoxelGrid &             grid,
+        const std::array<double, 3> & spacing,
+        const unsigned char *         domain)
+    : m_Values(values), m_Grid(grid), m_Domain(domain)
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
@@ -41,8 +44,14 @@ public:
     return m_Grid.NumberOfVoxels();
   }
 
-  /** Calls `inner(neighbor, axis)` for the neighbors of a voxel and `outer(axis)` for its faces on the border of the
-   * volume. */
+  bool
+  IsInDomain(std::size_t voxel) const
+  {
+    return !m_Domain || m_Domain[voxel] != 0;
+  }
+
+  /** Calls `inner(neighbor, axis)` for the neighbors of a voxel in the domain and `outer(axis)` for its faces on the
+   * border of the domain. */
   template <typename TInner, typename TOuter>
   void
   ForEachFace(Index voxel, const TInner & inner, const TOuter & outer) const
@@ -51,8 +60,10 @@ public:
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
       const auto stride = static_cast<Index>(m_Grid.stride[axis]);
-      place[axis] > 0 ? inner(voxel - stride, axis) : outer(axis);
-      place[axis] + 1 < m_Grid.size[axis] ? inner(voxel + stride, axis) : outer(axis);
+      const bool isBelow = place[axis] > 0 && this->IsInDomain(voxel - stride);
+      const bool isAbove = place[axis] + 1 < m_Grid.size[axis] && this->IsInDomain(voxel + stride);
+      isBelow ? inner(voxel - stride, axis) : outer(axis);
+      isAbove ? inner(voxel + stride, axis) : outer(axis);
     }
   }
 
@@ -87,18 +98,25 @@ public:
 private:
   const float *         m_Values;
   const VoxelGrid &     m_Grid;
+  const unsigned char * m_Domain; ///< null: all voxels
   std::array<double, 3> m_Area{};
 };
 
-/** The basins: a label for each voxel, and the voxels of each label. */
+/** The basins: a label for each voxel of the domain, and the voxels of each label. */
 class Basins
 {
 public:
-  explicit Basins(const Steps & steps) : m_Steps(steps), m_Labels(steps.NumberOfVoxels()), m_Voxels(m_Labels.size())
+  explicit Basins(const Steps & steps) : m_Steps(steps), m_Labels(steps.NumberOfVoxels(), PartitionTree::NoBasin)
   {
-    std::iota(m_Labels.begin(), m_Labels.end(), Index{ 0 });
-    std::iota(m_Voxels.begin(), m_Voxels.end(), Index{ 0 });
-    m_Sizes.assign(m_Labels.size(), 1);
+    for (std::size_t voxel = 0; voxel < m_Labels.size(); ++voxel)
+    {
+      if (steps.IsInDomain(voxel))
+      {
+        m_Labels[voxel] = static_cast<Index>(m_Voxels.size());
+        m_Voxels.push_back(static_cast<Index>(voxel));
+      }
+    }
+    m_Sizes.assign(m_Voxels.size(), 1);
     for (std::size_t before = 0; before != m_Sizes.size();)
     {
       before = m_Sizes.size();
@@ -222,7 +240,10 @@ private:
     {
       sizes[number[root[basin]]] += m_Sizes[basin];
     }
-    ParallelForBlocks(m_Labels.size(), [&](std::size_t voxel) { m_Labels[voxel] = number[root[m_Labels[voxel]]]; });
+    ParallelForBlocks(m_Labels.size(), [&](std::size_t voxel) {
+      Index & label = m_Labels[voxel];
+      label = label == PartitionTree::NoBasin ? label : number[root[label]];
+    });
     m_Sizes = std::move(sizes);
   }
 
@@ -232,10 +253,13 @@ private:
     m_First.assign(m_Sizes.size() + 1, 0);
     std::partial_sum(m_Sizes.begin(), m_Sizes.end(), m_First.begin() + 1);
     std::vector<Index> next(m_First);
-    m_Voxels.resize(m_Labels.size());
+    m_Voxels.resize(m_First.back());
     for (std::size_t voxel = 0; voxel < m_Labels.size(); ++voxel)
     {
-      m_Voxels[next[m_Labels[voxel]]++] = static_cast<Index>(voxel);
+      if (m_Labels[voxel] != PartitionTree::NoBasin)
+      {
+        m_Voxels[next[m_Labels[voxel]]++] = static_cast<Index>(voxel);
+      }
     }
   }
 
@@ -351,6 +375,7 @@ public:
   Build()
   {
     this->MergeRegions();
+    this->JoinTrees();
     this->OrderVoxels();
     return std::move(m_Tree);
   }
@@ -454,7 +479,7 @@ private:
     {
       std::swap(kept, other);
     }
-    this->AddRegion(kept, other, common);
+    m_RegionOf[kept] = this->AddRegion(m_RegionOf[kept], m_RegionOf[other], common);
     m_Between.erase(Pair(kept, other));
     common.area = 0.0;
     for (const Index moved : m_BordersOf[other])
@@ -490,13 +515,14 @@ private:
     return known->second;
   }
 
-  void
-  AddRegion(Index kept, Index other, const Border & common)
+  /** Returns the number of the new region. */
+  Index
+  AddRegion(Index first, Index second, const Border & common)
   {
     auto &     regions = m_Tree.m_Regions;
     const auto number = static_cast<Index>(regions.size());
-    Region &   a = regions[m_RegionOf[kept]];
-    Region &   b = regions[m_RegionOf[other]];
+    Region &   a = regions[first];
+    Region &   b = regions[second];
     Region     both;
     both.end = a.end + b.end;
     both.parent = number;
@@ -505,8 +531,27 @@ private:
     both.border = std::max(0.0, a.border + b.border - 2.0 * common.area);
     both.cut = a.cut + b.cut;
     a.parent = b.parent = number;
-    m_RegionOf[kept] = number;
     regions.push_back(both);
+    return number;
+  }
+
+  /** Regions without a common border, in a domain of several parts, become one in the order of their numbers. */
+  void
+  JoinTrees()
+  {
+    Border nothing{ 0, 0, 0.0, 0.0 };
+    nothing.strength = std::numeric_limits<float>::max();
+    std::vector<Index> roots;
+    for (Index region = 0; region < m_Tree.m_Regions.size(); ++region)
+    {
+      if (m_Tree.m_Regions[region].parent == region)
+      {
+        roots.push_back(region);
+      }
+    }
+    std::accumulate(roots.begin() + 1, roots.end(), roots.front(), [&](Index all, Index next) {
+      return this->AddRegion(all, next, nothing);
+    });
   }
 
   /** Sets the range of each region, from the root down, and lists the voxels. */
@@ -528,7 +573,7 @@ private:
       next[region] = here.first;
     }
     m_Tree.m_BasinOfVoxel = m_Basins.GetLabels();
-    m_Tree.m_Voxels.resize(m_Tree.m_BasinOfVoxel.size());
+    m_Tree.m_Voxels.resize(regions.back().NumberOfVoxels());
     ParallelForBlocks(m_Basins.Number(), [&](std::size_t basin) {
       std::copy_n(m_Basins.VoxelsOf(basin), m_Basins.SizeOf(basin), m_Tree.m_Voxels.begin() + regions[basin].first);
     });
@@ -544,7 +589,10 @@ private:
 };
 
 PartitionTree
-BuildPartitionTree(const float * values, const VoxelGrid & grid, const std::array<double, 3> & spacing)
+BuildPartitionTree(const float *                 values,
+                   const VoxelGrid &             grid,
+                   const std::array<double, 3> & spacing,
+                   const unsigned char *         domain)
 {
   constexpr std::size_t mostVoxels = std::numeric_limits<Face>::max() / 3;
   const std::size_t     voxels = grid.NumberOfVoxels();
@@ -561,8 +609,9 @@ BuildPartitionTree(const float * values, const VoxelGrid & grid, const std::arra
       throw InputError("voxel " + std::to_string(voxel) + " is not a finite number");
     }
   });
-  const Steps  steps(values, grid, spacing);
+  const Steps  steps(values, grid, spacing, domain);
   const Basins basins(steps);
+  RequireParameter(basins.Number() > 0, "the domain of a partition tree has no voxel");
   return PartitionTreeBuilder(steps, basins).Build();
 }
 } // namespace shapeton

@@ -171,6 +171,55 @@ TEST(HeatObjects, ASlopeIsLessProbableThanAPlateau)
   EXPECT_EQ(best - list.objects.begin() + 1, ObjectOfClick(list, list.labels->GetPixel({ { 20, 20, 20 } })));
 }
 
+TEST(HeatObjects, AClickOnNothingSelectsAnOffer)
+{
+  const auto        heat = MakeHeat(Scene);
+  HeatObjectOptions options = AllObjects();
+  const auto        all = FindHeatObjects(heat, options);
+  options.leastProbability = 0.5 * (all.objects[0].probability + all.objects[1].probability); // between ball and box
+  const HeatObjectTree tree(heat, options);
+  const auto           objects = tree.List();
+  const auto           list = tree.List(true);
+  ASSERT_EQ(objects.objects.size(), 1U);
+  ASSERT_GE(list.numberOfOffers, 1U);
+  EXPECT_EQ(list.objects[0].voxels, objects.objects[0].voxels);
+  for (std::size_t voxel = 0; voxel < side * side * side; ++voxel)
+  {
+    const int  label = list.labels->GetBufferPointer()[voxel];
+    const bool isInObject = objects.labels->GetBufferPointer()[voxel] != 0;
+    ASSERT_EQ(isInObject, label != 0 && !list.IsOffer(label));
+    if (label != 0)
+    {
+      ASSERT_EQ(list.IsOffer(ObjectOfClick(list, label)), !isInObject);
+    }
+  }
+  for (int offer = 2; offer <= static_cast<int>(list.objects.size()); ++offer)
+  {
+    EXPECT_LT(list.objects[offer - 1].probability, options.leastProbability);
+  }
+  for (const auto & place : { itk::Index<3>{ { 30, 20, 20 } }, itk::Index<3>{ { 11, 12, 20 } } }) // box and ball
+  {
+    const int of = ObjectOfClick(list, list.labels->GetPixel(place));
+    EXPECT_EQ(list.objects[of - 1].voxels, all.objects[ObjectOfClick(all, all.labels->GetPixel(place)) - 1].voxels);
+  }
+}
+
+TEST(HeatObjects, ObjectsStayInTheDomain)
+{
+  const auto heat = MakeHeat(Scene);
+  const auto domain = basetest::NewImage<HeatObjectTree::MaskImage>(HeatImage::SizeType::Filled(side));
+  for (std::size_t voxel = 0; voxel < side * side * side; ++voxel)
+  {
+    domain->GetBufferPointer()[voxel] = VoxelGrid(side, side, side).Voxel(voxel)[1] != 20 ? 1 : 0; // a plane
+  }
+  const auto   list = HeatObjectTree(heat, AllObjects(), domain).List();
+  const auto & below = list.objects[ObjectOfClick(list, list.labels->GetPixel({ { 30, 17, 20 } })) - 1];
+  const auto & above = list.objects[ObjectOfClick(list, list.labels->GetPixel({ { 30, 23, 20 } })) - 1];
+  EXPECT_EQ(below.voxels, 9U * 6U * 12U); // the plane divides the box
+  EXPECT_EQ(above.voxels, 9U * 5U * 12U);
+  EXPECT_EQ(list.labels->GetPixel({ { 30, 20, 20 } }), 0);
+}
+
 TEST(HeatObjects, AFactorOfHeatDoesNotChangeTheObjects)
 {
   const auto list = FindHeatObjects(MakeHeat(Scene), AllObjects());

@@ -292,8 +292,73 @@ TEST(PartitionTree, TheNumberOfThreadsDoesNotChangeTheResult)
   });
 }
 
+TEST(PartitionTree, ABoxAsDomainHasTheTreeOfTheCroppedVolume)
+{
+  const VoxelGrid            grid(14, 13, 12);
+  const VoxelGrid            box(9, 8, 10);
+  const auto                 values = RandomValues(grid, 1000, 5);
+  std::vector<float>         cropped(box.NumberOfVoxels());
+  std::vector<Index>         inVolume(box.NumberOfVoxels());
+  std::vector<unsigned char> domain(grid.NumberOfVoxels(), 0);
+  for (std::size_t voxel = 0; voxel < cropped.size(); ++voxel)
+  {
+    const auto place = box.Voxel(voxel);
+    inVolume[voxel] = static_cast<Index>(grid.Index(place[0] + 3, place[1] + 2, place[2] + 1));
+    cropped[voxel] = values[inVolume[voxel]];
+    domain[inVolume[voxel]] = 1;
+  }
+  const std::array<double, 3> spacing{ { 1.0, 1.5, 2.0 } };
+  const auto                  whole = BuildPartitionTree(values.data(), grid, spacing, domain.data());
+  const auto                  part = BuildPartitionTree(cropped.data(), box, spacing);
+  ASSERT_EQ(whole.GetRegions().size(), part.GetRegions().size());
+  ASSERT_EQ(whole.GetVoxels().size(), part.GetVoxels().size());
+  for (std::size_t i = 0; i < part.GetVoxels().size(); ++i)
+  {
+    ASSERT_EQ(whole.GetVoxels()[i], inVolume[part.GetVoxels()[i]]);
+  }
+  for (std::size_t region = 0; region < part.GetRegions().size(); ++region)
+  {
+    const Region & a = whole.GetRegions()[region];
+    const Region & b = part.GetRegions()[region];
+    EXPECT_EQ(a.parent, b.parent);
+    EXPECT_EQ(a.strength, b.strength);
+    EXPECT_EQ(a.border, b.border);
+    EXPECT_EQ(a.cut, b.cut);
+  }
+  EXPECT_EQ(std::count(whole.GetBasinOfVoxel().begin(), whole.GetBasinOfVoxel().end(), PartitionTree::NoBasin),
+            static_cast<std::ptrdiff_t>(values.size() - cropped.size()));
+}
+
+TEST(PartitionTree, PartsOfADomainAreJoinedLast)
+{
+  const VoxelGrid            grid(30, 8, 8);
+  const auto                 values = RandomValues(grid, 1000, 6);
+  std::vector<unsigned char> domain(values.size(), 1);
+  for (std::size_t voxel = 0; voxel < domain.size(); ++voxel)
+  {
+    domain[voxel] = grid.Voxel(voxel)[0] == 10 ? 0 : 1; // a plane between two parts
+  }
+  const auto     tree = BuildPartitionTree(values.data(), grid, unit, domain.data());
+  const Region & root = tree.GetRegions().back();
+  EXPECT_EQ(root.NumberOfVoxels(), 29U * 8U * 8U);
+  EXPECT_EQ(root.border, 0.0);
+  EXPECT_EQ(root.strength, std::numeric_limits<float>::max());
+  std::set<Index> parts;
+  for (const Region & region : tree.GetRegions())
+  {
+    if (tree.GetRegions()[region.parent].parent + 1 == tree.GetRegions().size() && region.border == 0.0)
+    {
+      parts.insert(region.NumberOfVoxels());
+    }
+  }
+  EXPECT_EQ(parts, (std::set<Index>{ 10U * 8U * 8U, 19U * 8U * 8U, 29U * 8U * 8U }));
+}
+
 TEST(PartitionTree, RejectsUnsuitableInput)
 {
+  const std::vector<unsigned char> nothing(8, 0);
+  EXPECT_THROW(BuildPartitionTree(std::vector<float>(8, 1.0F).data(), VoxelGrid(2, 2, 2), unit, nothing.data()),
+               ParameterError);
   std::vector<float> values(8, 1.0F);
   EXPECT_THROW(BuildPartitionTree(values.data(), VoxelGrid(0, 2, 2), unit), ParameterError);
   EXPECT_THROW(BuildPartitionTree(values.data(), VoxelGrid(2, 2, 2), { { 1.0, 0.0, 1.0 } }), ParameterError);

@@ -20,10 +20,10 @@ namespace
 using ImageType = itk::Image<float, 3>;
 
 /** Subsampling factor of each axis, chosen so that the page opens within seconds. */
-class VoxelGrid
+class ShownGrid
 {
 public:
-  explicit VoxelGrid(const itk::ImageBase<3> * image, std::size_t greatestNumber = ExplorerVoxels) : m_Image(image)
+  explicit ShownGrid(const itk::ImageBase<3> * image, std::size_t greatestNumber = ExplorerVoxels) : m_Image(image)
   {
     do
     {
@@ -138,7 +138,7 @@ Colors(int number, const TFunction & colorOf)
 void
 PutBins(PageBlocks & blocks, const std::string & name, const ImageType * values)
 {
-  const VoxelGrid grid(values);
+  const ShownGrid grid(values);
   const auto      bins = grid.Values<std::uint16_t>(
     values, [](float value) { return static_cast<std::uint16_t>(HeatHistogram::BinOf(value)); });
   blocks.Put(name, bins, grid.VoxelsOfSlice());
@@ -147,7 +147,7 @@ PutBins(PageBlocks & blocks, const std::string & name, const ImageType * values)
 void
 PutGray(PageBlocks & blocks, const ImageType * gray, const IntensityWindow & window)
 {
-  const VoxelGrid grid(gray);
+  const ShownGrid grid(gray);
   const auto      grayOf = [&window](float intensity) {
     const double share = (intensity - window.lower) / (window.upper - window.lower);
     return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
@@ -158,7 +158,7 @@ PutGray(PageBlocks & blocks, const ImageType * gray, const IntensityWindow & win
 void
 PutLabels(PageBlocks & blocks, const HeatObjectList::LabelImage * labels)
 {
-  const VoxelGrid grid(labels);
+  const ShownGrid grid(labels);
   blocks.Put(
     "labels", grid.Values<std::uint16_t>(labels, [](unsigned short label) { return label; }), grid.VoxelsOfSlice());
 }
@@ -225,7 +225,7 @@ InfoOf(const HeatExplorerContent & content, std::size_t greatestVoxels)
            { "isEqualized", content.scale == HeatScale::Equalized },
            { "heatColors", Colors(heatColors, [](int i) { return HeatColor(i / (heatColors - 1.0)); }) },
            { "lineColors", Colors(lineColors, [](int i) { return ClassColor(i + 1); }) },
-           { "volume", VoxelGrid(content.gray, greatestVoxels).Geometry() },
+           { "volume", ShownGrid(content.gray, greatestVoxels).Geometry() },
            { "ranges", JsonOf(content.ranges) },
            { "window", { window.lower, window.upper } },
            { "planes", planes } };
