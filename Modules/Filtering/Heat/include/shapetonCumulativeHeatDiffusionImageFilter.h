@@ -3,6 +3,7 @@
 
 #include "shapetonCumulativeHeatDiffusionOptionsMethods.h"
 #include "shapetonHeatParameterChoice.h"
+#include "shapetonFilterWithDomain.h"
 #include "shapetonITKCompatibility.h"
 #include "shapetonVolumeDiffusionImageFilter.h"
 
@@ -19,9 +20,9 @@ namespace shapeton
  * (2.4)-(2.6): f_i += dt * sum_j c_ij (f_j - f_i). A few steps reveal local shape (edges, corners), and many steps
  * reveal whole objects: a closed object converges to its mean initial heat, which depends on its shape and size.
  *
- * \par Inputs and Outputs Input: a scalar volume of finite intensities. Output 0: the heat after the last step, in [0,
- * 1], float, on the grid of the input. Output 1: the initial heat. After Update(), GetResult() returns the last step,
- * the heat histogram and the components.
+ * \par Inputs and Outputs Input: a scalar volume of finite intensities. Domain, optional: see FilterWithDomain. Output
+ * 0: the heat after the last step, in [0, 1], float, on the grid of the input. Output 1: the initial heat. After
+ * Update(), GetResult() returns the last step, the heat histogram and the components.
  *
  * \par Parameters The CumulativeHeatDiffusionOptions, and the following. The filter processes the whole volume at once,
  * with ITK's global number of threads. Memory: about 8 single-precision copies of the volume, 13 with a histogram.
@@ -34,7 +35,7 @@ namespace shapeton
 template <typename TInputImage>
 class ITK_TEMPLATE_EXPORT CumulativeHeatDiffusionImageFilter
   : public CumulativeHeatDiffusionOptionsMethods<
-      VolumeDiffusionImageFilter<TInputImage, itk::Image<float, 3>, CumulativeHeatDiffusionSettings>>
+      FilterWithDomain<VolumeDiffusionImageFilter<TInputImage, itk::Image<float, 3>, CumulativeHeatDiffusionSettings>>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(CumulativeHeatDiffusionImageFilter);

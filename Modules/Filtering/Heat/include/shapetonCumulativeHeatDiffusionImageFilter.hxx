@@ -63,7 +63,7 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::GenerateData()
   }
   try
   {
-    VolumeView volume(this->GetInput());
+    VolumeView volume = this->GetVolume();
     const auto settings = this->OptionsFor(volume);
     m_Result = DiffuseCumulativeHeat(
       std::move(volume),

@@ -15,7 +15,8 @@ struct ReducedVolume : VolumeView
 };
 
 /** Reduces a volume to at most 128^3 voxels by averaging over blocks of at least two voxels, which also removes noise.
- * Sides are not reduced below 16 voxels. \ingroup ShapetonHeat */
+ * Sides are not reduced below 16 voxels. In a domain, its voxels only are averaged; the domain of the result are the
+ * blocks of which at least half of the voxels are in it. \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT ReducedVolume
 ReduceVolume(const VolumeView & volume);
 

@@ -2,6 +2,7 @@
 #define shapetonSeededHeatSegmentationImageFilter_h
 
 #include "shapetonExceptions.h"
+#include "shapetonFilterWithDomain.h"
 #include "shapetonITKCompatibility.h"
 #include "shapetonSeededHeatOptionsMethods.h"
 #include "shapetonSeededHeatSegmentationOptionsMethods.h"
@@ -16,16 +17,17 @@ namespace shapeton
 /** \class SeededHeatSegmentationImageFilter
  * \brief Labels each voxel by the seeds with the greatest heat there, using SeededHeatSolver.
  *
- * Inputs: a volume, and Seeds, a label map on the same grid (0: no seed). Outputs: labels and their uncertainty
- * (SeededHeatResult). If only the seeds have changed since the last Update() and probabilities are kept, the solver
- * starts from the last solution, for interactive use. Update() throws InputError (fewer than two labels have seeds) or
- * ParameterError, both derived from itk::ExceptionObject.
+ * Inputs: a volume, Seeds, a label map on the same grid (0: no seed), and optionally a Domain (FilterWithDomain),
+ * outside of which the label is 0. Outputs: labels and their uncertainty (SeededHeatResult). If only the seeds have
+ * changed since the last Update() and probabilities are kept, the solver starts from the last solution, for interactive
+ * use. Update() throws InputError (fewer than two labels have seeds) or ParameterError, both derived from
+ * itk::ExceptionObject.
  *
  * \ingroup ShapetonHeat */
 template <typename TInputImage>
 class ITK_TEMPLATE_EXPORT SeededHeatSegmentationImageFilter
-  : public SeededHeatSegmentationOptionsMethods<SeededHeatOptionsMethods<
-      VolumeGradientImageFilter<TInputImage, itk::Image<unsigned short, 3>, SeededHeatSegmentationOptions>>>
+  : public SeededHeatSegmentationOptionsMethods<SeededHeatOptionsMethods<FilterWithDomain<
+      VolumeGradientImageFilter<TInputImage, itk::Image<unsigned short, 3>, SeededHeatSegmentationOptions>>>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(SeededHeatSegmentationImageFilter);
@@ -90,6 +92,7 @@ private:
   {
     const void *                  pixels;
     itk::ModifiedTimeType         time;
+    itk::ModifiedTimeType         timeOfDomain; ///< 0 without a domain
     SeededHeatSegmentationOptions options;
 
     bool

@@ -32,6 +32,7 @@ SeededHeatSegmentationImageFilter<TInputImage>::Origin::operator==(const Origin 
   const auto all = [](const Origin & o) {
     return std::make_tuple(o.pixels,
                            o.time,
+                           o.timeOfDomain,
                            o.options.p,
                            o.options.intensityWindow,
                            o.options.smoothing,
@@ -48,8 +49,11 @@ void
 SeededHeatSegmentationImageFilter<TInputImage>::PrepareSolver()
 {
   const TInputImage * const input = this->GetInput();
-  const VolumeView          volume(input);
-  const Origin              origin{ input->GetBufferPointer(), input->GetMTime(), this->OptionsFor(volume) };
+  const VolumeView          volume = this->GetVolume();
+  const auto * const        domain = this->GetDomain();
+  const Origin              origin{
+    input->GetBufferPointer(), input->GetMTime(), domain ? domain->GetMTime() : 0, this->OptionsFor(volume)
+  };
   if (m_Solver && m_Origin && *m_Origin == origin)
   {
     return;

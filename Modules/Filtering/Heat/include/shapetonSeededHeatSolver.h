@@ -16,7 +16,8 @@ namespace shapeton
  * \ingroup ShapetonHeat */
 struct SeededHeatResult
 {
-  /** The most probable label; the lowest one for ties. */
+  /** The most probable label; the lowest one for ties; 0 for voxels that no heat reaches, outside the domain of the
+   * volume or in a part of it without a seed. */
   std::vector<unsigned short> labels;
   /** 1 minus the difference between the two greatest probabilities: 0 for a certain label, 1 for a tie. */
   std::vector<float> uncertainty;
@@ -58,7 +59,8 @@ public:
   ~SeededHeatSolver();
 
   /** `seeds`: the label of each voxel, 0 for none, x fastest. With kept probabilities and the labels of the previous
-   * call, the solver starts from the last solution: a few changed seeds then take few iterations. Throws InputError
+   * call, the solver starts from the last solution: a few changed seeds then take few iterations. Seeds outside the
+   * domain have no effect. Throws InputError
    * if fewer than two labels have seeds, or the volume is too large (2^32 voxels with padding). `progress` may
    * throw to abort; the next call then starts from scratch. */
   const SeededHeatResult &
@@ -87,6 +89,10 @@ private:
   SetSeedValues(Batch & batch, const unsigned short * seeds) const;
   void
   Compare(const Batch & batch);
+  const SeededHeatResult &
+  SolveInDomain(const unsigned short * seeds, const Progress & progress);
+  void
+  ExcludeUnreached(const unsigned short * seeds);
   void
   Finish();
   void

@@ -8,6 +8,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
 
 namespace shapeton
 {
@@ -41,7 +44,9 @@ struct ShapetonHeat_EXPORT EdgeVolume
  * the conductance of an edge is weight * (h_min / h_k)^2 (Physical, the default; (2.4) writes a sum instead of a
  * product) or the weight alone (Published). The diffusion uses the conductances; the initial heat uses the weights.
  *
- * The volume is extended by one layer that repeats the border intensities (weight 1) and stays at heat 0.
+ * The volume is extended by one layer that repeats the border intensities (weight 1) and stays at heat 0. The domain of
+ * a volume, if it has one, is insulated: edges to other voxels have conductance 0, and weight 1 in the initial heat, so
+ * the border of the domain is not an edge. Voxels outside have heat 0.
  *
  * Source: Gurijala, Shape-based analysis, chapter 2. The source does not specify the scaling of I; the window is our
  * interpretation.
@@ -100,6 +105,15 @@ public:
   {
     return m_Grid;
   }
+  /** 0 for each voxel outside the domain; null: all voxels are in it. */
+  const std::vector<unsigned char> *
+  GetDomain() const
+  {
+    return m_Domain.get();
+  }
+  /** In the domain. */
+  std::size_t
+  GetNumberOfVoxels() const;
   /** Distance between neighbors along an axis relative to the smallest spacing. */
   double
   GetResolution(unsigned int axis) const
@@ -137,12 +151,20 @@ public:
 private:
   void
   ComputeConductances(const EdgeVolume & edges, const Progress & progress);
+  void
+  InsulateDomain();
+  bool
+  IsInDomain(std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t z) const;
+  /** Number of faces of a voxel of the domain to voxels outside. */
+  float
+  FacesOfDomain(std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t z) const;
 
-  PaddedGrid                 m_Grid;
-  double                     m_LeastWeight;
-  std::array<double, 3>      m_Resolution{};
-  std::array<double, 3>      m_Factors{};
-  std::array<PaddedField, 3> m_Conductances;
+  PaddedGrid                                        m_Grid;
+  std::shared_ptr<const std::vector<unsigned char>> m_Domain; ///< null: all voxels
+  double                                            m_LeastWeight;
+  std::array<double, 3>                             m_Resolution{};
+  std::array<double, 3>                             m_Factors{};
+  std::array<PaddedField, 3>                        m_Conductances;
 };
 } // namespace shapeton
 

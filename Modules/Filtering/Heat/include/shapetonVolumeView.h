@@ -13,7 +13,8 @@ namespace shapeton
 /** \class VolumeView
  * \brief The intensities of a volume as floats, x fastest, with size and spacing.
  *
- * Refers to values that must outlive it, or shares ownership of a copy.
+ * Refers to values that must outlive it, or shares ownership of a copy. The volume may be limited to a domain: nothing
+ * flows to or from the other voxels, and their intensities have no effect.
  *
  * \ingroup ShapetonHeat */
 struct VolumeView
@@ -57,6 +58,11 @@ struct VolumeView
   {
     return size[0] * size[1] * size[2];
   }
+  bool
+  IsInDomain(std::size_t voxel) const
+  {
+    return !domain || (*domain)[voxel] != 0;
+  }
   const float *
   begin() const
   {
@@ -72,6 +78,8 @@ struct VolumeView
   const float *                             values{ nullptr };
   std::array<std::size_t, 3>                size{};
   std::array<double, 3>                     spacing{ { 1.0, 1.0, 1.0 } }; ///< mm
+  /** 0 for each voxel outside the domain; null if all voxels are in it. */
+  std::shared_ptr<const std::vector<unsigned char>> domain;
 };
 } // namespace shapeton
 

@@ -66,12 +66,13 @@ CountHalfGradients(const VolumeView & volume, const std::array<double, 2> & wind
         const std::size_t                voxel = x + y * strides[1] + z * strides[2];
         for (unsigned int axis = 0; axis < 3; ++axis)
         {
-          if (index[axis] + 2 >= size[axis] || index[axis] == 0)
+          const auto isIn = [&](std::size_t i) { return volume.IsInDomain(i) && volume.IsInDomain(i + strides[axis]); };
+          if (index[axis] + 2 >= size[axis] || index[axis] == 0 || !isIn(voxel))
           {
             continue;
           }
           const auto half = [&](std::size_t i) {
-            return std::abs(scaled(i + strides[axis]) - scaled(i)) / resolution[axis];
+            return isIn(i) ? std::abs(scaled(i + strides[axis]) - scaled(i)) / resolution[axis] : 0.0;
           };
           const double value = half(voxel);
           if (!peaksOnly || (value > half(voxel - strides[axis]) && value >= half(voxel + strides[axis])))

@@ -312,7 +312,7 @@ MeasureCoherence(const VolumeGradientOperator & volumeGradient, const float * he
       }
     }
     const auto voxels = static_cast<double>(std::max<std::uint64_t>(1, classes[i].voxels));
-    const auto all = static_cast<double>(volumeGradient.GetGrid().GetNumberOfVoxels());
+    const auto all = static_cast<double>(volumeGradient.GetNumberOfVoxels());
     classes[i].coherence = std::clamp(excess / (conductance * voxels), 0.0, 1.0);
     worth[i] = classes[i].coherence * std::sqrt(std::min(1.0, voxels / (fullShare * all)));
   }

@@ -55,14 +55,14 @@ LobattoNodes(std::uint64_t start, std::uint64_t end)
 
 bool
 IsSteadyBetween(HeatEngine &                            engine,
-                const PaddedGrid &                      grid,
+                std::size_t                             voxels,
                 HeatEngine::Field                       before,
                 HeatEngine::Field                       after,
                 const HeatDiffusionSolver::SteadyRule & rule)
 {
   const std::uint64_t moved =
     engine.CountMoved(before, after, static_cast<float>(rule.change), static_cast<float>(rule.leastHeat));
-  return static_cast<double>(moved) <= rule.voxels * static_cast<double>(grid.GetNumberOfVoxels());
+  return static_cast<double>(moved) <= rule.voxels * static_cast<double>(voxels);
 }
 
 /** Passes all snapshots to a visitor. */
@@ -388,7 +388,7 @@ HeatDiffusionSolver::RunExplicitly(HeatEngine & engine, std::uint64_t lastStep, 
       recorder.Show(HeatEngine::Heat, step);
     }
     m_Steady = check && end >= intervalRatio * start &&
-               IsSteadyBetween(engine, m_VolumeGradient.GetGrid(), before, HeatEngine::Heat, m_SteadyRule);
+               IsSteadyBetween(engine, m_VolumeGradient.GetNumberOfVoxels(), before, HeatEngine::Heat, m_SteadyRule);
   }
   return step;
 }
@@ -419,7 +419,7 @@ HeatDiffusionSolver::RunByExpansion(HeatEngine &                       engine,
     const auto last = HeatEngine::FirstNode + static_cast<HeatEngine::Field>(plan[i].nodes.size()) - 1;
     // A truncated last interval is too short for the check.
     m_Steady = m_StopWhenSteady && plan[i].end >= intervalRatio * plan[i].start &&
-               IsSteadyBetween(engine, m_VolumeGradient.GetGrid(), HeatEngine::Heat, last, m_SteadyRule);
+               IsSteadyBetween(engine, m_VolumeGradient.GetNumberOfVoxels(), HeatEngine::Heat, last, m_SteadyRule);
     engine.Exchange(HeatEngine::Heat, last);
     step = plan[i].end;
   }

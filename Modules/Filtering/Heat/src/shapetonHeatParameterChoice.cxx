@@ -60,7 +60,7 @@ struct Trial
 };
 
 /** Calls `body` with the value of each voxel scaled by the window and those of its next `number` - 1 neighbors along an
- * axis, if all are strictly inside the window, and with the index of the voxel. */
+ * axis, if all are in the domain and strictly inside the window, and with the index of the voxel. */
 template <unsigned int number, typename TBody>
 void
 VisitInside(const VolumeView & volume, const Window & window, unsigned int axis, const TBody & body)
@@ -80,8 +80,9 @@ VisitInside(const VolumeView & volume, const Window & window, unsigned int axis,
     bool                       inside = true;
     for (unsigned int i = 0; i < number; ++i)
     {
-      scaled[i] = (volume.values[voxel + i * strides[axis]] - window[0]) / (window[1] - window[0]);
-      inside &= scaled[i] > 0.0 && scaled[i] < 1.0;
+      const std::size_t at = voxel + i * strides[axis];
+      scaled[i] = (volume.values[at] - window[0]) / (window[1] - window[0]);
+      inside &= scaled[i] > 0.0 && scaled[i] < 1.0 && volume.IsInDomain(at);
     }
     if (inside)
     {
@@ -362,8 +363,9 @@ ChooseHeatParameters(const VolumeView &                     volume,
   {
     return choice;
   }
-  const Spacing spacing = options.ignoreSpacing ? Spacing{ { 1.0, 1.0, 1.0 } } : volume.spacing;
-  Trials        trials(ReduceVolume({ volume.values, volume.size, spacing }), options, given);
+  VolumeView relative(volume);
+  relative.spacing = options.ignoreSpacing ? Spacing{ { 1.0, 1.0, 1.0 } } : volume.spacing;
+  Trials trials(ReduceVolume(relative), options, given);
   choice.windowReason = TryWindows(trials, given, modality, progress);
   const ReducedVolume & copy = trials.GetCopy();
   const Trial &         best = trials.GetBest();

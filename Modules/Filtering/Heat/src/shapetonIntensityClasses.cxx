@@ -13,7 +13,10 @@ SampleIntensities(const VolumeView & volume)
   std::vector<float>    sample;
   for (std::size_t i = 0; i < volume.NumberOfVoxels(); i += step)
   {
-    sample.push_back(volume.values[i]);
+    if (volume.IsInDomain(i))
+    {
+      sample.push_back(volume.values[i]);
+    }
   }
   std::sort(sample.begin(), sample.end());
   return sample;

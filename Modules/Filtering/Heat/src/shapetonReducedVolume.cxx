@@ -40,30 +40,43 @@ Average(const VolumeView & volume, const Size & blocks)
     size[axis] = volume.size[axis] / blocks[axis];
     spacing[axis] = volume.spacing[axis] * static_cast<double>(blocks[axis]);
   }
-  std::vector<float> values(size[0] * size[1] * size[2]);
-  const auto         voxels = static_cast<double>(blocks[0] * blocks[1] * blocks[2]);
+  std::vector<float>         values(size[0] * size[1] * size[2]);
+  std::vector<unsigned char> domain(volume.domain ? values.size() : 0);
+  const std::size_t          voxels = blocks[0] * blocks[1] * blocks[2];
   ParallelFor(size[2], [&](std::size_t z) {
-    std::vector<double> sums(size[0]);
+    std::vector<double>      sums(size[0]);
+    std::vector<std::size_t> counts(size[0]);
     for (std::size_t y = 0; y < size[1]; ++y)
     {
       std::fill(sums.begin(), sums.end(), 0.0);
+      std::fill(counts.begin(), counts.end(), volume.domain ? 0 : voxels);
       for (std::size_t row = 0; row < blocks[1] * blocks[2]; ++row)
       {
-        const std::size_t   inY = y * blocks[1] + row % blocks[1];
-        const std::size_t   inZ = z * blocks[2] + row / blocks[1];
-        const float * const line = volume.values + (inZ * volume.size[1] + inY) * volume.size[0];
+        const std::size_t inY = y * blocks[1] + row % blocks[1];
+        const std::size_t inZ = z * blocks[2] + row / blocks[1];
+        const std::size_t first = (inZ * volume.size[1] + inY) * volume.size[0];
         for (std::size_t x = 0; x < size[0] * blocks[0]; ++x)
         {
-          sums[x / blocks[0]] += line[x];
+          const bool isIn = volume.IsInDomain(first + x);
+          sums[x / blocks[0]] += isIn ? volume.values[first + x] : 0.0;
+          counts[x / blocks[0]] += volume.domain && isIn ? 1 : 0;
         }
       }
-      std::transform(sums.begin(),
-                     sums.end(),
-                     values.begin() + static_cast<std::ptrdiff_t>((z * size[1] + y) * size[0]),
-                     [voxels](double sum) { return static_cast<float>(sum / voxels); });
+      const std::size_t row = (z * size[1] + y) * size[0];
+      for (std::size_t x = 0; x < size[0]; ++x)
+      {
+        values[row + x] = static_cast<float>(sums[x] / static_cast<double>(std::max<std::size_t>(1, counts[x])));
+        if (volume.domain)
+        {
+          domain[row + x] = 2 * counts[x] >= voxels ? 1 : 0;
+        }
+      }
     }
   });
-  return { VolumeView(std::move(values), size, spacing), SmallestSpacing(spacing) / SmallestSpacing(volume.spacing) };
+  ReducedVolume reduced{ VolumeView(std::move(values), size, spacing),
+                         SmallestSpacing(spacing) / SmallestSpacing(volume.spacing) };
+  reduced.domain = volume.domain ? std::make_shared<const std::vector<unsigned char>>(std::move(domain)) : nullptr;
+  return reduced;
 }
 } // namespace
 

@@ -130,6 +130,66 @@ SeededHeatSolver::Compare(const Batch & batch)
   });
 }
 
+/** No label is probable where no path of edges leads to a seed. */
+void
+SeededHeatSolver::ExcludeUnreached(const unsigned short * seeds)
+{
+  const PaddedGrid &         grid = m_VolumeGradient.GetGrid();
+  const auto &               size = grid.GetSize();
+  std::vector<unsigned char> isReached(grid.GetLength(), 1); // outside the volume, so nothing is reached there
+  std::vector<std::size_t>   front;
+  const auto                 placeOf = [&](std::size_t voxel) {
+    const std::size_t row = voxel / size[0];
+    return grid.GetRow(static_cast<std::ptrdiff_t>(row % size[1]), static_cast<std::ptrdiff_t>(row / size[1])) +
+           voxel % size[0];
+  };
+  const auto reach = [&](std::size_t place) {
+    if (isReached[place] == 0)
+    {
+      isReached[place] = 1;
+      front.push_back(place);
+    }
+  };
+  for (std::size_t voxel = 0; voxel < m_Sum.size(); ++voxel)
+  {
+    isReached[placeOf(voxel)] = 0;
+  }
+  for (std::size_t voxel = 0; voxel < m_Sum.size(); ++voxel)
+  {
+    if (seeds[voxel] != 0)
+    {
+      reach(placeOf(voxel));
+    }
+  }
+  while (!front.empty())
+  {
+    const std::size_t place = front.back();
+    front.pop_back();
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const float * const c = m_VolumeGradient.GetConductances(axis);
+      const std::size_t   stride = grid.GetStride(axis);
+      if (c[place] > 0.0F)
+      {
+        reach(place + stride);
+      }
+      if (c[place - stride] > 0.0F)
+      {
+        reach(place - stride);
+      }
+    }
+  }
+  for (std::size_t voxel = 0; voxel < m_Sum.size(); ++voxel)
+  {
+    if (isReached[placeOf(voxel)] == 0)
+    {
+      m_Sum[voxel] = 1.0F; // so that nothing remains for the last label
+      m_Best[voxel] = m_Second[voxel] = 0.0F;
+      m_Result.labels[voxel] = 0;
+    }
+  }
+}
+
 /** The last label gets the remaining probability. */
 void
 SeededHeatSolver::Finish()
@@ -180,6 +240,21 @@ SeededHeatSolver::RemarkOnFewVoxels(const unsigned short * seeds)
 
 const SeededHeatResult &
 SeededHeatSolver::Solve(const unsigned short * seeds, const Progress & progress)
+{
+  const auto * const domain = m_VolumeGradient.GetDomain();
+  if (!domain)
+  {
+    return this->SolveInDomain(seeds, progress);
+  }
+  std::vector<unsigned short> inDomain(domain->size());
+  std::transform(domain->begin(), domain->end(), seeds, inDomain.begin(), [](unsigned char isIn, unsigned short seed) {
+    return isIn != 0 ? seed : static_cast<unsigned short>(0);
+  });
+  return this->SolveInDomain(inDomain.data(), progress);
+}
+
+const SeededHeatResult &
+SeededHeatSolver::SolveInDomain(const unsigned short * seeds, const Progress & progress)
 {
   const PaddedGrid & grid = m_VolumeGradient.GetGrid();
   const std::size_t  number = grid.GetNumberOfVoxels();
@@ -235,6 +310,10 @@ SeededHeatSolver::Solve(const unsigned short * seeds, const Progress & progress)
       batch.potentials = LabelField(0);
     }
     first = end;
+  }
+  if (m_VolumeGradient.GetDomain())
+  {
+    this->ExcludeUnreached(seeds);
   }
   this->Finish();
   this->RemarkOnFewVoxels(seeds);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <stdexcept>
 
 namespace shapeton
@@ -14,6 +15,15 @@ void
 Check(const VolumeView & volume, const VolumeGradientOptions & options)
 {
   CheckOptions(options);
+  if (volume.domain && volume.domain->size() != volume.NumberOfVoxels())
+  {
+    throw std::invalid_argument("the domain has another size than the volume");
+  }
+  if (volume.domain &&
+      std::count(volume.domain->begin(), volume.domain->end(), 0) == static_cast<std::ptrdiff_t>(volume.domain->size()))
+  {
+    throw std::invalid_argument("the domain of the volume has no voxel");
+  }
   const auto & [lower, upper] = *options.intensityWindow;
   if (!std::isfinite(lower) || !std::isfinite(upper))
   {
@@ -37,7 +47,7 @@ Check(const VolumeView & volume, const VolumeGradientOptions & options)
   }
 }
 
-/** Smoothed by a Gaussian before edges are found (Catte et al. 1992). */
+/** Smoothed by a Gaussian before edges are found (Catte et al. 1992). In a domain, its voxels only are averaged. */
 VolumeView
 Smoothed(const VolumeView & volume, double smoothing)
 {
@@ -45,9 +55,31 @@ Smoothed(const VolumeView & volume, double smoothing)
   std::transform(
     volume.spacing.begin(), volume.spacing.end(), sigmas.begin(), [smoothing](double mm) { return smoothing / mm; });
   const auto         side = [&volume](unsigned int axis) { return static_cast<int>(volume.size[axis]); };
+  const VoxelGrid    grid(side(0), side(1), side(2));
   std::vector<float> values(volume.begin(), volume.end());
-  SmoothVoxels({ side(0), side(1), side(2) }, sigmas, values.data());
-  return { std::move(values), volume.size, volume.spacing };
+  if (volume.domain)
+  {
+    std::vector<float> weights(volume.domain->size());
+    std::transform(volume.domain->begin(), volume.domain->end(), weights.begin(), [](unsigned char isIn) {
+      return isIn != 0 ? 1.0F : 0.0F;
+    });
+    for (std::size_t voxel = 0; voxel < values.size(); ++voxel)
+    {
+      values[voxel] = volume.IsInDomain(voxel) ? values[voxel] : 0.0F;
+    }
+    SmoothVoxels(grid, sigmas, weights.data());
+    SmoothVoxels(grid, sigmas, values.data());
+    std::transform(values.begin(), values.end(), weights.begin(), values.begin(), [](float sum, float weight) {
+      return weight > 0.0F ? sum / weight : 0.0F;
+    });
+  }
+  else
+  {
+    SmoothVoxels(grid, sigmas, values.data());
+  }
+  VolumeView smoothed(std::move(values), volume.size, volume.spacing);
+  smoothed.domain = volume.domain;
+  return smoothed;
 }
 
 // One slice of intensities, scaled to [0, 1] and padded by repeating the border.
@@ -55,14 +87,14 @@ class ScaledSlice
 {
 public:
   explicit ScaledSlice(const EdgeVolume & edges)
-    : m_Intensities(edges.volume.values), m_Size(edges.volume.size), m_Values((m_Size[0] + 2) * (m_Size[1] + 2))
+    : m_Volume(edges.volume), m_Size(edges.volume.size), m_Values((m_Size[0] + 2) * (m_Size[1] + 2))
   {
     const auto & [lower, upper] = *edges.options.intensityWindow;
     m_Lower = lower;
     m_Scale = upper > lower ? 1.0 / (upper - lower) : 0.0;
   }
 
-  /** Returns false if an intensity is not finite. */
+  /** Returns false if an intensity in the domain is not finite. */
   bool
   Load(std::ptrdiff_t z)
   {
@@ -70,12 +102,13 @@ public:
     bool       finite = true;
     for (std::ptrdiff_t y = -1; y <= static_cast<std::ptrdiff_t>(m_Size[1]); ++y)
     {
-      const auto    row = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(y, 0, m_Size[1] - 1));
-      const float * source = m_Intensities + (slice * m_Size[1] + row) * m_Size[0];
-      double *      target = this->Row(y);
+      const auto        row = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(y, 0, m_Size[1] - 1));
+      const std::size_t first = (slice * m_Size[1] + row) * m_Size[0];
+      const float *     source = m_Volume.values + first;
+      double *          target = this->Row(y);
       for (std::size_t x = 0; x < m_Size[0]; ++x)
       {
-        finite &= std::isfinite(source[x]);
+        finite &= std::isfinite(source[x]) || !m_Volume.IsInDomain(first + x);
         target[x] = std::clamp((source[x] - m_Lower) * m_Scale, 0.0, 1.0);
       }
       target[-1] = target[0];
@@ -91,7 +124,7 @@ public:
   }
 
 private:
-  const float *              m_Intensities;
+  const VolumeView &         m_Volume;
   std::array<std::size_t, 3> m_Size;
   double                     m_Lower{ 0.0 };
   double                     m_Scale{ 0.0 };
@@ -106,8 +139,16 @@ WindowOf(const VolumeGradientOptions & options, const VolumeView & volume)
   {
     return options.intensityWindow.value_or(std::array<double, 2>{});
   }
-  const auto ends = std::minmax_element(volume.begin(), volume.end());
-  return { { *ends.first, *ends.second } };
+  std::array<double, 2> window{ { std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() } };
+  for (std::size_t voxel = 0; voxel < volume.NumberOfVoxels(); ++voxel)
+  {
+    if (volume.IsInDomain(voxel))
+    {
+      window = { { std::min<double>(window[0], volume.values[voxel]),
+                   std::max<double>(window[1], volume.values[voxel]) } };
+    }
+  }
+  return window;
 }
 
 EdgeVolume::EdgeVolume(const VolumeView & given, const VolumeGradientOptions & givenOptions)
@@ -127,7 +168,7 @@ VolumeGradientOperator::VolumeGradientOperator(const VolumeView &            vol
                                                Conductance                   conductance,
                                                double                        leastWeight,
                                                const Progress &              progress)
-  : m_Grid(volume.size), m_LeastWeight(leastWeight)
+  : m_Grid(volume.size), m_Domain(volume.domain), m_LeastWeight(leastWeight)
 {
   const EdgeVolume edges(volume, options);
   if (!(leastWeight >= 0.0 && leastWeight <= 1.0))
@@ -143,6 +184,55 @@ VolumeGradientOperator::VolumeGradientOperator(const VolumeView &            vol
     progress(0.0); // slow for a large field
   }
   this->ComputeConductances(edges, progress);
+  if (m_Domain)
+  {
+    this->InsulateDomain();
+  }
+}
+
+bool
+VolumeGradientOperator::IsInDomain(std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t z) const
+{
+  const auto & size = m_Grid.GetSize();
+  const auto   inside = [&](std::ptrdiff_t place, unsigned int axis) {
+    return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(place, 0, size[axis] - 1));
+  };
+  return (*m_Domain)[(inside(z, 2) * size[1] + inside(y, 1)) * size[0] + inside(x, 0)] != 0;
+}
+
+/** Removes the edges to and between voxels outside the domain. The layer around the volume repeats its border. */
+void
+VolumeGradientOperator::InsulateDomain()
+{
+  const auto & size = m_Grid.GetSize();
+  const auto   end = [&](unsigned int axis) { return static_cast<std::ptrdiff_t>(size[axis]); };
+  ParallelFor(size[2] + 1, [&](std::size_t slice) {
+    const auto z = static_cast<std::ptrdiff_t>(slice) - 1;
+    for (std::ptrdiff_t y = -1; y < end(1); ++y)
+    {
+      for (std::ptrdiff_t x = -1; x < end(0); ++x)
+      {
+        const bool                isIn = this->IsInDomain(x, y, z);
+        const std::array<bool, 3> isNextIn = {
+          { this->IsInDomain(x + 1, y, z), this->IsInDomain(x, y + 1, z), this->IsInDomain(x, y, z + 1) }
+        };
+        for (unsigned int axis = 0; axis < 3; ++axis)
+        {
+          if (!isIn || !isNextIn[axis])
+          {
+            m_Conductances[axis].GetData()[m_Grid.GetRow(y, z) + x] = 0.0F;
+          }
+        }
+      }
+    }
+  });
+}
+
+std::size_t
+VolumeGradientOperator::GetNumberOfVoxels() const
+{
+  const std::size_t all = m_Grid.GetNumberOfVoxels();
+  return m_Domain ? all - static_cast<std::size_t>(std::count(m_Domain->begin(), m_Domain->end(), 0)) : all;
 }
 
 /** The product of the grid factor of each axis and the intensity factor. \equation{2.4} as a product; the source
@@ -212,6 +302,7 @@ VolumeGradientOperator::ComputeInitialHeat(PaddedField & heat) const
           const float * const c = m_Conductances[axis].GetData();
           sum += (c[i] + c[i - m_Grid.GetStride(axis)]) * inverse[axis];
         }
+        sum += m_Domain ? this->FacesOfDomain(i - row, y, z) : 0.0F;
         heat.GetData()[i] = sum;
         largest[z] = std::max(largest[z], sum);
       }
@@ -225,9 +316,26 @@ VolumeGradientOperator::ComputeInitialHeat(PaddedField & heat) const
       for (std::size_t x = 0; x < size[0]; ++x)
       {
         row[x] = 1.0F - row[x] / maximum; // border edges have weight 1: maximum > 0
+        if (m_Domain && !this->IsInDomain(x, y, z))
+        {
+          row[x] = 0.0F;
+        }
       }
     }
   });
+}
+
+float
+VolumeGradientOperator::FacesOfDomain(std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t z) const
+{
+  float faces = 0.0F;
+  for (const std::ptrdiff_t step : { -1, 1 })
+  {
+    faces += static_cast<float>(!this->IsInDomain(x + step, y, z)) +
+             static_cast<float>(!this->IsInDomain(x, y + step, z)) +
+             static_cast<float>(!this->IsInDomain(x, y, z + step));
+  }
+  return this->IsInDomain(x, y, z) ? faces : 0.0F;
 }
 
 double
