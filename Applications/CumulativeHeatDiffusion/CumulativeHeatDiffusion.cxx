@@ -45,7 +45,7 @@ ChooseParameters(CommandLine & commandLine, const std::string & modality, Filter
   auto       options = filter->GetOptions();
   const auto given = GivenAmong(ReadGivenOptions(commandLine, options), options);
   const auto progress = commandLine.PartOfProgress(0.0, shareOfChoice).Part("Choosing parameters", 0.0, 1.0);
-  const auto choice = ChooseHeatParameters(VolumeView(filter->GetInput()), options, given, modality, progress);
+  const auto choice = ChooseHeatParameters(filter->GetVolume(), options, given, modality, progress);
   filter->UseParameters(choice);
   for (const auto & [name, value] : ChosenValues(choice))
   {
@@ -94,6 +94,7 @@ Diffuse(CommandLine & commandLine)
   CheckOptions(filter->GetOptions());
   const Volume volume = ReadVolume(commandLine, "inputVolume");
   filter->SetInput(volume.image);
+  filter->SetDomain(ReadDomain(commandLine, volume.image));
   const auto choice = ChooseParameters(commandLine, volume.modality, filter);
   filter->SetWantInitialHeat(files.WantInitialHeat());
   filter->SetWantComponents(files.WantClasses());

@@ -1,6 +1,7 @@
 #include "HeatObjectsXML.h"
 
 #include "shapetonCommandLine.h"
+#include "shapetonCsvTable.h"
 #include "shapetonExceptions.h"
 #include "shapetonHeatObjectExplorer.h"
 #include "shapetonHeatObjectTable.h"
@@ -45,58 +46,92 @@ ReadHeat(CommandLine & commandLine, const HeatImage * image)
   return { file, heat.image };
 }
 
-HeatObjectList
-Find(CommandLine & commandLine, const HeatImage * heat)
+HeatObjectTree
+BuildTree(CommandLine & commandLine, const HeatImage * heat)
 {
   HeatObjectOptions options;
   ReadOptions(commandLine, options);
-  auto list = FindHeatObjects(heat, options, commandLine.PartOfProgress(0.2, 0.9).Part("Finding objects", 0.0, 1.0));
-  if (list.objects.empty())
-  {
-    commandLine.Warn("no object was found: diffuse heat with the preset automatic, or reduce --leastProbability");
-  }
-  return list;
+  const auto domain = ReadDomain(commandLine, heat);
+  return HeatObjectTree(heat, options, domain, commandLine.PartOfProgress(0.2, 0.9).Part("Finding objects", 0.0, 1.0));
 }
 
-/** The objects at a point, the smallest first, and the chosen one. */
+/** The objects of the table, and those in the labels. */
 struct Selection
 {
   std::vector<int> objects;
-  int              chosen{ 0 };
+  std::vector<int> chosen;
 };
 
+/** The object that a click on a point selects, and those at the point, the smallest first. */
 Selection
-Select(const CommandLine & commandLine, const HeatObjectList & list)
+SelectAt(const itk::Point<double, 3> & point, std::int64_t climb, const HeatObjectList & list)
 {
-  const auto point = commandLine.GetDoubles("select");
-  const auto objects = ObjectsAt(list, itk::Point<double, 3>(point.data()));
+  auto       objects = ObjectsAt(list, point);
   const auto clicked = std::find(objects.begin(), objects.end(), ObjectOfClick(list, objects.front()));
-  const auto climb = commandLine.GetInteger("climb");
+  if (list.IsOffer(*clicked))
+  {
+    const HeatObject & offer = list.objects[*clicked - 1];
+    throw InputError("no object at " + CsvTable::Number(point[0]) + ',' + CsvTable::Number(point[1]) + ',' +
+                     CsvTable::Number(point[2]) + " mm is probable enough: the best region there has " +
+                     std::to_string(offer.voxels) + " voxels and the probability " +
+                     CsvTable::Number(offer.probability) + "; reduce --leastProbability or choose another point");
+  }
+  const auto isOffer = [&](int object) { return list.IsOffer(object); };
+  objects.erase(std::remove_if(objects.begin(), objects.end(), isOffer), objects.end());
   const auto least = objects.begin() - clicked;
   const auto most = objects.end() - clicked - 1;
   RequireParameter(climb >= least && climb <= most,
                    "--climb " + std::to_string(climb) + ": with the objects at this point, it can be " +
                      std::to_string(least) + " to " + std::to_string(most));
-  return { objects, *(clicked + climb) };
+  return { objects, { *(clicked + climb) } };
 }
 
-/** Reduces the labels to a mask (1) of one object. */
-void
-KeepObject(int object, HeatObjectList & list)
+Selection
+Select(const CommandLine & commandLine, const HeatObjectTree & tree)
 {
-  const auto mask = MaskOfObject(list, object);
-  std::copy_n(mask->GetBufferPointer(), mask->GetBufferedRegion().GetNumberOfPixels(), list.labels->GetBufferPointer());
+  const auto coordinates = commandLine.GetDoubles("select");
+  const auto list = tree.List(true);
+  Selection  all;
+  for (std::size_t i = 0; i < coordinates.size(); i += 3)
+  {
+    const auto one = SelectAt(itk::Point<double, 3>(&coordinates[i]), commandLine.GetInteger("climb"), list);
+    all.chosen.insert(all.chosen.end(), one.chosen.begin(), one.chosen.end());
+    all.objects = coordinates.size() == 3 ? one.objects : all.chosen;
+  }
+  return all;
+}
+
+/** Reduces the labels to a mask (1) of these objects. */
+void
+KeepObjects(const std::vector<int> & objects, HeatObjectList & list)
+{
+  list.labels->FillBuffer(0);
+  for (const int object : objects)
+  {
+    for (const VoxelRange & range : list.ranges[object - 1])
+    {
+      std::fill(list.labels->GetBufferPointer() + range.begin, list.labels->GetBufferPointer() + range.end, 1);
+    }
+  }
+}
+
+void
+CheckSelection(const CommandLine & commandLine)
+{
+  const bool        isSelected = commandLine.IsGiven("select");
+  const std::size_t numbers = commandLine.GetDoubles("select").size();
+  RequireParameter(!isSelected || (numbers > 0 && numbers % 3 == 0),
+                   "--select requires three numbers for each point, in mm (LPS)");
+  RequireParameter(!commandLine.IsGiven("climb") || (isSelected && numbers == 3),
+                   "--climb requires --select and one point");
+  RequireParameter(!isSelected || !commandLine.IsGiven("explorer"), "--explorer shows all objects; remove --select");
 }
 
 void
 ListObjects(CommandLine & commandLine)
 {
   RequireVolumeName(commandLine.GetString("labels"));
-  const bool isSelected = commandLine.IsGiven("select");
-  RequireParameter(!isSelected || commandLine.GetDoubles("select").size() == 3,
-                   "--select requires three numbers, a point in mm (LPS)");
-  RequireParameter(isSelected || !commandLine.IsGiven("climb"), "--climb requires --select");
-  RequireParameter(!isSelected || !commandLine.IsGiven("explorer"), "--explorer shows all objects; remove --select");
+  CheckSelection(commandLine);
   const std::string  labels = commandLine.MainOutput("labels");
   const std::string  table = commandLine.OutputOf("table");
   const std::string  picture = commandLine.OutputOf("picture");
@@ -104,20 +139,27 @@ ListObjects(CommandLine & commandLine)
 
   const Volume volume = ReadVolume(commandLine, "inputVolume");
   const Heat   heat = ReadHeat(commandLine, volume.image);
-  auto         list = Find(commandLine, heat.image);
-  Selection    selection{ std::vector<int>(list.objects.size()) };
+  const auto   tree = BuildTree(commandLine, heat.image);
+  const bool   isSelected = commandLine.IsGiven("select");
+  auto         list = tree.List();
+  if (list.objects.empty())
+  {
+    commandLine.Warn("no object was found: diffuse heat with the preset automatic, or reduce --leastProbability");
+  }
+  Selection selection{ std::vector<int>(list.objects.size()), {} };
   std::iota(selection.objects.begin(), selection.objects.end(), 1);
   if (isSelected)
   {
-    selection = Select(commandLine, list);
+    selection = Select(commandLine, tree);
   }
   HeatObjectTable(list, selection.objects, volume.image).Write(table);
-  explorer.Write(volume.image, heat.image, heat.file, list);
+  explorer.Write(volume.image, heat.image, heat.file, tree);
+  std::string title = std::to_string(list.objects.size()) + " objects";
   if (isSelected)
   {
-    KeepObject(selection.chosen, list);
+    KeepObjects(selection.chosen, list);
+    title = selection.chosen.size() == 1 ? "selected object" : "selected objects";
   }
-  const std::string title = isSelected ? "selected object" : std::to_string(list.objects.size()) + " objects";
   WriteVolume(list.labels.GetPointer(), labels, ProvenanceMetadata(commandLine.GetProvenance()));
   if (!picture.empty())
   {

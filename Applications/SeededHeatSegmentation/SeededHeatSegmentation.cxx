@@ -74,7 +74,7 @@ Configure(CommandLine & commandLine, FilterType * filter)
   filter->SetKeepProbabilities(commandLine.IsGiven("probabilities"));
   if (commandLine.GetFlag("autoParameters"))
   {
-    filter->SetP(ChooseP(VolumeView(filter->GetInput()), filter->GetOptions()).p);
+    filter->SetP(ChooseP(filter->GetVolume(), filter->GetOptions()).p);
     commandLine.AddProvenance("option.p", "automatic");
     commandLine.AddProvenance("chosen.p", CsvTable::Number(filter->GetP()));
   }
@@ -99,6 +99,7 @@ Segment(CommandLine & commandLine)
   const Volume volume = ReadVolume(commandLine, "inputVolume");
   auto         filter = FilterType::New();
   filter->SetInput(volume.image);
+  filter->SetDomain(ReadDomain(commandLine, volume.image));
   filter->SetSeeds(ReadSeeds(commandLine, volume.image));
   Configure(commandLine, filter);
   commandLine.Watch(filter, "Diffusing heat from the seeds", 0.0, 0.95);

@@ -62,8 +62,8 @@ struct HeatObjectList
   using LabelImage = itk::Image<unsigned short, 3>;
 
   /** By descending volume, so each follows those that contain it; then offers, if they were asked for, also by
-   * descending volume. An offer is the best region for voxels in no object, although it is too improbable to be an
-   * object. */
+   * descending volume. An offer is the best region for voxels in no object, with a probability of at least 0.01 that is
+   * too small for an object. */
   std::vector<HeatObject> objects;
   std::size_t             numberOfOffers{ 0 };
   /** The number (starting at 1) of the smallest object, or else of the smallest offer, at each voxel; 0 for none. */

@@ -11,8 +11,8 @@
 namespace shapeton
 {
 /** \class HeatObjectsImageFilter
- * \brief FindHeatObjects() as a filter: the input is a heat volume, and the output is the number of the smallest object
- * at each voxel.
+ * \brief HeatObjectTree::List() as a filter: the input is a heat volume, and the output is the number of the smallest
+ * object at each voxel.
  *
  * Update() throws InputError or ParameterError, both derived from itk::ExceptionObject.
  *
@@ -32,6 +32,10 @@ public:
   shapetonNewMacro(Self);
   itkOverrideGetNameOfClassMacro(HeatObjectsImageFilter);
 
+  /** See HeatObjectTree; optional. */
+  itkSetInputMacro(Domain, HeatObjectTree::MaskImage);
+  itkGetInputMacro(Domain, HeatObjectTree::MaskImage);
+
   /** The objects, by descending volume; valid after Update(). */
   const std::vector<HeatObject> &
   GetObjects() const
@@ -44,7 +48,7 @@ public:
   GetMask(int object) const;
 
 protected:
-  HeatObjectsImageFilter() = default;
+  HeatObjectsImageFilter() { this->AddOptionalInputName("Domain"); }
   ~HeatObjectsImageFilter() override = default;
 
   void

@@ -28,6 +28,10 @@ constexpr double LeastGrowth = 0.15;
  * border. */
 constexpr std::uint64_t LeastRatio = 2;
 
+/** Smallest probability of an offer: below, nothing is there. A volume has hundreds of offers, without this bound
+ * thousands in its noise. */
+constexpr double LeastOffer = 0.01;
+
 /** A step of log heat that nobody sees: 0.1 %. */
 constexpr double LeastStep = 1e-3;
 
@@ -209,8 +213,9 @@ struct Surroundings
   double        bestScore{ -std::numeric_limits<double>::infinity() };   ///< of all candidates
   double        innerScore{ -std::numeric_limits<double>::infinity() };  ///< of those in the smallest listed object
   std::uint64_t mostVoxels{ std::numeric_limits<std::uint64_t>::max() }; ///< of a part of the smallest listed object
-  std::size_t   best{ none };                                            ///< the candidate with the best score
-  bool          isListed{ false };                                       ///< whether one of them is listed
+  double        offerScore{ -std::numeric_limits<double>::infinity() };  ///< of the best offer
+  std::size_t   offer{ none };
+  bool          isListed{ false }; ///< whether a candidate is listed
 };
 
 /** Numbers of candidates to list, and of those to offer for voxels in none of these. */
@@ -238,7 +243,11 @@ ChooseObjects(const std::vector<Candidate> & candidates, const PartitionTree & t
       const bool         isPart = object.voxels <= here.mostVoxels && object.score > here.innerScore;
       const bool         isBest = object.score > here.bestScore;
       const bool         isListed = (isPart || isBest) && object.probability >= leastProbability;
-      here.best = isBest ? next : here.best;
+      if (object.probability >= LeastOffer && object.score > here.offerScore)
+      {
+        here.offerScore = object.score;
+        here.offer = next;
+      }
       here.bestScore = std::max(here.bestScore, object.score);
       here.innerScore = isPart || isBest ? std::max(here.innerScore, object.score) : here.innerScore;
       if (isListed)
@@ -250,9 +259,9 @@ ChooseObjects(const std::vector<Candidate> & candidates, const PartitionTree & t
       }
       ++next;
     }
-    if (tree.IsBasin(region) && !here.isListed && here.best != Surroundings::none)
+    if (tree.IsBasin(region) && !here.isListed && here.offer != Surroundings::none)
     {
-      isOffer[here.best] = true;
+      isOffer[here.offer] = true;
     }
   }
   for (std::size_t i = 0; i < candidates.size(); ++i)

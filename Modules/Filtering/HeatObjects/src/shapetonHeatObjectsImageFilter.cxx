@@ -14,7 +14,13 @@ void
 HeatObjectsImageFilter::GenerateInputRequestedRegion()
 {
   Superclass::GenerateInputRequestedRegion();
-  const_cast<InputImageType *>(this->GetInput())->SetRequestedRegionToLargestPossibleRegion();
+  for (const auto & name : this->GetInputNames())
+  {
+    if (auto * const input = this->ProcessObject::GetInput(name))
+    {
+      input->SetRequestedRegionToLargestPossibleRegion();
+    }
+  }
 }
 
 void
@@ -26,8 +32,8 @@ HeatObjectsImageFilter::EnlargeOutputRequestedRegion(itk::DataObject * output)
 void
 HeatObjectsImageFilter::GenerateData()
 {
-  m_List =
-    FindHeatObjects(this->GetInput(), m_Options, Progress([this](double share) { ReportProgress(*this, share); }));
+  const Progress progress([this](double share) { ReportProgress(*this, share); });
+  m_List = HeatObjectTree(this->GetInput(), m_Options, this->GetDomain(), progress).List();
   this->GraftOutput(m_List.labels);
 }
 } // namespace shapeton

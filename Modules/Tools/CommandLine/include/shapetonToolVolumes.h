@@ -29,6 +29,11 @@ ReadMask(CommandLine & commandLine, const std::string & parameter, const itk::Im
 ShapetonCommandLine_EXPORT itk::Image<unsigned char, 3>::Pointer
 ReadLabelMask(CommandLine & commandLine, const std::string & parameter, const itk::ImageBase<3> * image);
 
+/** The voxels of an image in the label mask of the input `mask` and not in that of the input `barrier`; null if neither
+ * is given. Throws InputError if no voxel is left. \ingroup ShapetonCommandLine */
+ShapetonCommandLine_EXPORT itk::Image<unsigned char, 3>::Pointer
+                           ReadDomain(CommandLine & commandLine, const itk::ImageBase<3> * image);
+
 /** Throws ParameterError unless the option intensityWindow is absent or has two ascending numbers.
  * \ingroup ShapetonCommandLine */
 ShapetonCommandLine_EXPORT void

@@ -1,6 +1,7 @@
 #include "shapetonToolVolumes.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonMappedImage.h"
 #include "shapetonReadOptions.h"
 
 #include <algorithm>
@@ -78,6 +79,36 @@ ReadLabelMask(CommandLine & commandLine, const std::string & parameter, const it
   auto              mask = MaskForImage(volume, path, image);
   RequireLabels(volume, path);
   return mask;
+}
+
+itk::Image<unsigned char, 3>::Pointer
+ReadDomain(CommandLine & commandLine, const itk::ImageBase<3> * image)
+{
+  using Mask = itk::Image<unsigned char, 3>;
+  if (!commandLine.IsGiven("mask") && !commandLine.IsGiven("barrier"))
+  {
+    return nullptr;
+  }
+  const auto   domain = NewImageOn<Mask>(image, true);
+  auto * const first = domain->GetBufferPointer();
+  auto * const end = first + domain->GetBufferedRegion().GetNumberOfPixels();
+  std::fill(first, end, 1);
+  const auto keep = [&](const std::string & parameter, bool isInside) {
+    if (commandLine.IsGiven(parameter))
+    {
+      const auto labels = ReadLabelMask(commandLine, parameter, image);
+      std::transform(first, end, labels->GetBufferPointer(), first, [=](unsigned char isIn, unsigned char label) {
+        return static_cast<unsigned char>(isIn != 0 && (label != 0) == isInside ? 1 : 0);
+      });
+    }
+  };
+  keep("mask", true);
+  keep("barrier", false);
+  if (std::find(first, end, 1) == end)
+  {
+    throw InputError("--mask and --barrier leave no voxel of the volume");
+  }
+  return domain;
 }
 
 void

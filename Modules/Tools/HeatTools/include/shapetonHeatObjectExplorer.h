@@ -30,7 +30,7 @@ public:
   Write(const itk::Image<float, 3> * gray,
         const itk::Image<float, 3> * heat,
         const HeatSnapshot &         file,
-        const HeatObjectList &       list);
+        const HeatObjectTree &       tree);
 
 private:
   std::unique_ptr<HeatExplorer> m_Explorer; ///< null without the parameter

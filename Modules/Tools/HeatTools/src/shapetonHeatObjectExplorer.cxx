@@ -19,7 +19,7 @@ void
 HeatObjectExplorer::Write(const itk::Image<float, 3> * gray,
                           const itk::Image<float, 3> * heat,
                           const HeatSnapshot &         file,
-                          const HeatObjectList &       list)
+                          const HeatObjectTree &       tree)
 {
   if (!m_Explorer)
   {
@@ -29,6 +29,7 @@ HeatObjectExplorer::Write(const itk::Image<float, 3> * gray,
   const auto          visits = VisitsOf(heat, file);
   const ShapeAnalysis shape = visits ? AnalyzeVisits(visits, step, false) : AnalyzeHeat(heat, step, false);
   m_Explorer->AddStep(shape.values, step);
+  const auto          list = tree.List(true);
   HeatExplorerContent content;
   content.title = "Heat objects";
   content.quantity = shape.quantity;

@@ -6,54 +6,43 @@
 
 #include "itkCastImageFilter.h"
 
+#include <numeric>
+
 namespace shapeton
 {
 namespace
 {
-/** Mean intensity of the voxels of each object. */
-std::vector<double>
-MeanIntensities(const HeatObjectList & list, const itk::Image<float, 3> * image)
+double
+MeanIntensity(const std::vector<VoxelRange> & ranges, const itk::Image<float, 3> * image)
 {
-  std::vector<double> sums(list.objects.size() + 1, 0.0);
-  std::vector<double> counts(sums.size(), 0.0);
-  const std::size_t   voxels = image->GetBufferedRegion().GetNumberOfPixels();
-  for (std::size_t voxel = 0; voxel < voxels; ++voxel)
+  double sum = 0.0;
+  double voxels = 0.0;
+  for (const VoxelRange & range : ranges)
   {
-    const auto label = list.labels->GetBufferPointer()[voxel];
-    sums[label] += image->GetBufferPointer()[voxel];
-    counts[label] += 1.0;
+    sum = std::accumulate(image->GetBufferPointer() + range.begin, image->GetBufferPointer() + range.end, sum);
+    voxels += range.end - range.begin;
   }
-  for (std::size_t number = list.objects.size(); number > 0; --number) // each follows those that contain it
-  {
-    sums[list.objects[number - 1].parent] += sums[number];
-    counts[list.objects[number - 1].parent] += counts[number];
-  }
-  for (std::size_t label = 0; label < sums.size(); ++label)
-  {
-    sums[label] /= std::max(1.0, counts[label]);
-  }
-  return sums;
+  return sum / voxels;
 }
 } // namespace
 
 CsvTable
 HeatObjectTable(const HeatObjectList & list, const std::vector<int> & objects, const itk::Image<float, 3> * image)
 {
-  CsvTable   table({ "object",
-                     "parent",
-                     "voxels",
-                     "volume",
-                     "x",
-                     "y",
-                     "z",
-                     "meanIntensity",
-                     "meanHeat",
-                     "probability",
-                     "range",
-                     "contrast",
-                     "compactness",
-                     "cut" });
-  const auto intensities = MeanIntensities(list, image);
+  CsvTable table({ "object",
+                   "parent",
+                   "voxels",
+                   "volume",
+                   "x",
+                   "y",
+                   "z",
+                   "meanIntensity",
+                   "meanHeat",
+                   "probability",
+                   "range",
+                   "contrast",
+                   "compactness",
+                   "cut" });
   for (const int number : objects)
   {
     const HeatObject &       object = list.objects.at(number - 1);
@@ -64,7 +53,7 @@ HeatObjectTable(const HeatObjectList & list, const std::vector<int> & objects, c
                                 object.center[0],
                                 object.center[1],
                                 object.center[2],
-                                intensities[number],
+                                MeanIntensity(list.ranges[number - 1], image),
                                 object.meanHeat,
                                 object.probability,
                                 object.range,

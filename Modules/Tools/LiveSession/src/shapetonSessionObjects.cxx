@@ -30,7 +30,7 @@ SessionObjects::Clear()
 Json
 SessionObjects::List() const
 {
-  return m_List ? JsonOf(m_List->objects) : Json::array();
+  return m_List ? JsonOf(*m_List) : Json::array();
 }
 
 int

@@ -192,14 +192,16 @@ JsonOf(const ShapeTransferFunction & transferFunction)
 }
 
 Json
-JsonOf(const std::vector<HeatObject> & objects)
+JsonOf(const HeatObjectList & objects)
 {
   constexpr int digits = 3;
   Json          list = Json::array();
-  for (const HeatObject & object : objects)
+  for (const HeatObject & object : objects.objects)
   {
-    list.push_back({ { "number", list.size() + 1 },
+    const int number = static_cast<int>(list.size()) + 1;
+    list.push_back({ { "number", number },
                      { "parent", object.parent },
+                     { "isOffer", objects.IsOffer(number) },
                      { "heat", RoundedJson(object.meanHeat) },
                      { "voxels", object.voxels },
                      { "volume", RoundedJson(object.volume) },

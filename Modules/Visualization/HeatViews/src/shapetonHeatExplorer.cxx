@@ -44,7 +44,7 @@ HeatExplorer::Write(const HeatExplorerContent & content)
   if (content.objects)
   {
     PutLabels(m_Blocks, content.objects->labels);
-    info["objects"] = JsonOf(content.objects->objects);
+    info["objects"] = JsonOf(*content.objects);
   }
   m_Blocks.PutJson("info", info);
   WriteExplorerPage(m_OutputPath(m_Folder + "/explorer.html"), DataFolder);
