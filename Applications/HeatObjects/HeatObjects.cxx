@@ -66,7 +66,7 @@ struct Selection
 Selection
 SelectAt(const itk::Point<double, 3> & point, std::int64_t climb, const HeatObjectList & list)
 {
-  auto       objects = ObjectsAt(list, point);
+  const auto objects = ObjectsAt(list, point);
   const auto clicked = std::find(objects.begin(), objects.end(), ObjectOfClick(list, objects.front()));
   if (list.IsOffer(*clicked))
   {
@@ -76,8 +76,6 @@ SelectAt(const itk::Point<double, 3> & point, std::int64_t climb, const HeatObje
                      std::to_string(offer.voxels) + " voxels and the probability " +
                      CsvTable::Number(offer.probability) + "; reduce --leastProbability or choose another point");
   }
-  const auto isOffer = [&](int object) { return list.IsOffer(object); };
-  objects.erase(std::remove_if(objects.begin(), objects.end(), isOffer), objects.end());
   const auto least = objects.begin() - clicked;
   const auto most = objects.end() - clicked - 1;
   RequireParameter(climb >= least && climb <= most,
@@ -87,11 +85,18 @@ SelectAt(const itk::Point<double, 3> & point, std::int64_t climb, const HeatObje
 }
 
 Selection
-Select(const CommandLine & commandLine, const HeatObjectTree & tree)
+Select(const CommandLine & commandLine, const HeatObjectList & list)
 {
   const auto coordinates = commandLine.GetDoubles("select");
-  const auto list = tree.List(true);
   Selection  all;
+  for (const int number : commandLine.GetIntegers("objects"))
+  {
+    RequireParameter(number >= 1 && number <= static_cast<int>(list.objects.size()),
+                     "--objects " + std::to_string(number) + ": there are " + std::to_string(list.objects.size()) +
+                       " objects and offers");
+    all.chosen.push_back(number);
+    all.objects.push_back(number);
+  }
   for (std::size_t i = 0; i < coordinates.size(); i += 3)
   {
     const auto one = SelectAt(itk::Point<double, 3>(&coordinates[i]), commandLine.GetInteger("climb"), list);
@@ -119,12 +124,15 @@ void
 CheckSelection(const CommandLine & commandLine)
 {
   const bool        isSelected = commandLine.IsGiven("select");
+  const bool        isListed = commandLine.IsGiven("objects");
   const std::size_t numbers = commandLine.GetDoubles("select").size();
   RequireParameter(!isSelected || (numbers > 0 && numbers % 3 == 0),
                    "--select requires three numbers for each point, in mm (LPS)");
+  RequireParameter(!isSelected || !isListed, "--select and --objects are two ways to select; use one");
   RequireParameter(!commandLine.IsGiven("climb") || (isSelected && numbers == 3),
                    "--climb requires --select and one point");
-  RequireParameter(!isSelected || !commandLine.IsGiven("explorer"), "--explorer shows all objects; remove --select");
+  RequireParameter(!(isSelected || isListed) || !commandLine.IsGiven("explorer"),
+                   "--explorer shows all objects; remove --select and --objects");
 }
 
 void
@@ -140,9 +148,9 @@ ListObjects(CommandLine & commandLine)
   const Volume volume = ReadVolume(commandLine, "inputVolume");
   const Heat   heat = ReadHeat(commandLine, volume.image);
   const auto   tree = BuildTree(commandLine, heat.image);
-  const bool   isSelected = commandLine.IsGiven("select");
-  auto         list = tree.List();
-  if (list.objects.empty())
+  const bool   isSelected = commandLine.IsGiven("select") || commandLine.IsGiven("objects");
+  auto         list = tree.List(isSelected);
+  if (list.objects.size() == list.numberOfOffers)
   {
     commandLine.Warn("no object was found: diffuse heat with the preset automatic, or reduce --leastProbability");
   }
@@ -150,7 +158,7 @@ ListObjects(CommandLine & commandLine)
   std::iota(selection.objects.begin(), selection.objects.end(), 1);
   if (isSelected)
   {
-    selection = Select(commandLine, tree);
+    selection = Select(commandLine, list);
   }
   HeatObjectTable(list, selection.objects, volume.image).Write(table);
   explorer.Write(volume.image, heat.image, heat.file, tree);

@@ -63,7 +63,7 @@ struct HeatObjectList
 
   /** By descending volume, so each follows those that contain it; then offers, if they were asked for, also by
    * descending volume. An offer is the best region for voxels in no object, with a probability of at least 0.01 that is
-   * too small for an object. */
+   * too small for an object; the parents of offers are offers. */
   std::vector<HeatObject> objects;
   std::size_t             numberOfOffers{ 0 };
   /** The number (starting at 1) of the smallest object, or else of the smallest offer, at each voxel; 0 for none. */
@@ -137,9 +137,8 @@ FindHeatObjects(const itk::Image<float, 3> * heat,
                 const HeatObjectOptions &    options = {},
                 const Progress &             progress = {});
 
-/** The object that a click on a voxel selects, from 1: of the smallest one at the voxel (its label) and those that
- * contain it, the one with the greatest score; an offer only if there is no object. Throws ParameterError.
- * \ingroup ShapetonHeatObjects */
+/** The object that a click on a voxel selects, from 1: of the smallest one at the voxel (its label) and its parents,
+ * the one with the greatest score. Throws ParameterError. \ingroup ShapetonHeatObjects */
 ShapetonHeatObjects_EXPORT int
 ObjectOfClick(const HeatObjectList & list, int smallest);
 

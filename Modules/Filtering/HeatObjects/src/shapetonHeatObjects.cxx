@@ -334,7 +334,8 @@ Measure(const std::vector<VoxelRange> & ranges, const HeatImage * heat, HeatObje
   object.meanHeat = sumOfHeat / voxels;
 }
 
-/** Sets the labels and parents: objects over offers, the smaller ones over those that contain them. */
+/** Sets the labels and parents: objects over offers, which are no parents of objects, and the smaller ones over those
+ * that contain them. */
 void
 PutLabels(HeatObjectList & list)
 {
@@ -344,7 +345,8 @@ PutLabels(HeatObjectList & list)
   auto * const labels = list.labels->GetBufferPointer();
   for (const std::size_t i : order)
   {
-    list.objects[i].parent = labels[list.ranges[i].front().begin];
+    const int around = labels[list.ranges[i].front().begin];
+    list.objects[i].parent = list.IsOffer(around) && !list.IsOffer(static_cast<int>(i + 1)) ? 0 : around;
     for (const VoxelRange & range : list.ranges[i])
     {
       std::fill(labels + range.begin, labels + range.end, static_cast<unsigned short>(i + 1));
@@ -419,8 +421,7 @@ ObjectOfClick(const HeatObjectList & list, int smallest)
   int best = smallest;
   for (int object = smallest; object > 0; object = list.objects[object - 1].parent)
   {
-    const bool isBetter = list.objects[object - 1].score > list.objects[best - 1].score;
-    best = isBetter && (list.IsOffer(best) || !list.IsOffer(object)) ? object : best;
+    best = list.objects[object - 1].score > list.objects[best - 1].score ? object : best;
   }
   return best;
 }
