@@ -92,11 +92,13 @@ class Page {
     return this.send('Input.dispatchMouseEvent', { type, x, y, button: isMove ? 'none' : 'left', clickCount: isMove ? 0 : 1, ...extra });
   }
 
-  async click(x, y) {
-    await this.mouse('mouseMoved', x, y);
-    await this.mouse('mousePressed', x, y);
-    await this.mouse('mouseReleased', x, y);
+  async click(x, y, extra = {}) {
+    await this.move(x, y);
+    await this.mouse('mousePressed', x, y, extra);
+    await this.mouse('mouseReleased', x, y, extra);
   }
+
+  move(x, y) { return this.mouse('mouseMoved', x, y); }
 
   wheel(x, y, deltaY, extra = {}) { return this.mouse('mouseWheel', x, y, { button: 'none', deltaX: 0, deltaY, ...extra }); }
 

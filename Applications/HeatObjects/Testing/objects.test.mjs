@@ -24,7 +24,7 @@ const shot = async (name) => {
 };
 
 // Clicks the voxel of a point in the axial slice through it.
-async function clickAt(point) {
+async function clickAt(point, modifiers = 0) {
   const [x, y] = await page.evaluate((p) => {
     const { origin, axes, spacing } = explorer.volume, [slice] = explorer.slices;
     const index = axes.map((axis, k) => Math.round(axis.reduce((sum, c, i) => sum + c * (p[i] - origin[i]), 0) / spacing[k]));
@@ -32,7 +32,7 @@ async function clickAt(point) {
     const { x: left, y: top } = slice.canvas.getBoundingClientRect(), [a, b] = slice.frame().at(index);
     return [left + a, top + b];
   }, point);
-  await page.click(x, y);
+  await page.click(x, y, { modifiers });
   await idle();
   return [x, y];
 }
@@ -107,7 +107,7 @@ test('opens without errors and without a network, with the objects of the table'
   }
 });
 
-test('a click on a slice selects the smallest object, and the wheel and keys climb', async () => {
+test('a click on a slice selects the most probable object, and the wheel and keys climb', async () => {
   const ball = table.find(({ x, z }) => Math.abs(x - BALL[0]) < 1 && Math.abs(z - BALL[2]) < 1);
   const [x, y] = await clickAt(BALL);
   assert.equal(await selected(), ball.object);
@@ -132,9 +132,37 @@ test('a click on a slice selects the smallest object, and the wheel and keys cli
   assert.equal(await selected(), 3);
   await page.evaluate(() => document.getElementById('all').click());
   assert.equal(await selected(), 0);
-  await clickAt([28, 28, 28]);
-  assert.equal(await selected(), 0);
-  assert.match(await status(), /no object contains the voxel/);
+});
+
+test('the pointer shows the object there, and clicks join objects or exclude them', async () => {
+  const [ball, box] = [table.find(({ object }) => object === 2), table.find(({ parent, object }) => parent === 0 && object > 1)];
+  const [x, y] = await clickAt(BALL);
+  await page.evaluate(() => document.getElementById('all').click());
+  await page.move(5, 5);
+  await page.until(() => explorer.pointed === 0, 5000);
+  await page.move(x + 1, y + 1);
+  await page.until(() => explorer.pointed > 0, 5000);
+  assert.equal(await page.evaluate(() => explorer.pointed), ball.object);
+  assert.match(await status(), new RegExp(`^object ${ball.object}: .*, ${Math.round(100 * ball.probability)} %$`));
+  await clickAt(BALL);
+  await clickAt([box.x, box.y, box.z], CTRL);
+  assert.deepEqual(await page.evaluate(() => explorer.selection), [ball.object, box.object]);
+  assert.match(await status(), new RegExp(`HeatObjects --objects ${ball.object},${box.object}$`));
+  const shown = await voxelsOfClasses();
+  assert.deepEqual(Object.keys(shown).length, 3); // both and the rest
+  await shot('2-joined');
+  runWell(FIND, INPUT, HEAT, `${WORK}/joined.nrrd`, `${WORK}/joined.csv`, '--objects', `${ball.object},${box.object}`);
+  assert.equal(readFileSync(`${WORK}/joined.csv`, 'utf8').trim().split('\n').length, 3);
+  await clickAt([box.x, box.y, box.z], CTRL);
+  assert.deepEqual(await page.evaluate(() => explorer.selection), [ball.object]);
+  await press('x');
+  await clickAt(BALL);
+  assert.equal(await selected(), ball.parent);
+  assert.ok(!(await page.evaluate(() => document.getElementById('objects').textContent)).includes(`${ball.object}: `));
+  await press('z', CTRL);
+  await clickAt(BALL);
+  assert.equal(await selected(), ball.object);
+  await page.evaluate(() => document.getElementById('all').click());
 });
 
 test('a click on the rendering selects the first visible object', async () => {
@@ -160,7 +188,7 @@ test('colors are saved, and the tool draws the same objects', async () => {
   for (const { object } of table) await show(object, false);
   await enter(2, '[type=color]', 'value', '#ff0000');
   await enter(2, '[type=range]', 'value', '1');
-  assert.deepEqual(await page.evaluate(() => explorer.state.styles[1]), { isOn: true, color: '#ff0000', opacity: 1 });
+  assert.deepEqual(await page.evaluate(() => explorer.state.styles[1]), { isOn: true, isExcluded: false, color: '#ff0000', opacity: 1 });
   await shot('3-colored');
   const json = await saved('transfer-function.json', 's', CTRL), { version, lines, objects } = JSON.parse(readFileSync(json, 'utf8'));
   const ball = { number: 2, labels: [2], voxels: table[1].voxels, color: '#ff0000', opacity: 1 };

@@ -40,9 +40,10 @@ export class View {
     c.addEventListener('pointerup', (e) => {
       const { x, y } = at(e);
       if (down?.moved) this.drop({ x, y }, down.button);
-      else if (down?.button === 0 && this.pick(x, y)) this.clicked();
+      else if (down?.button === 0 && this.pick(x, y)) this.clicked(e.ctrlKey || e.metaKey);
       down = null;
     });
+    c.addEventListener('pointerleave', () => this.leave());
     c.addEventListener('pointercancel', () => { down = null; });
     c.addEventListener('wheel', (e) => {
       e.preventDefault();
@@ -55,12 +56,13 @@ export class View {
   get w() { return this.box.clientWidth / View.scale; }
   get h() { return this.box.clientHeight / View.scale; }
   hover(x, y, isShift) { if (isShift) this.pick(x, y); } // as in 3D Slicer
+  leave() {} // the pointer is no longer over the view
   grab() {}  // position where a button was pressed, and whether Shift was pressed
   drag() {}  // by dx, dy with a button, to {x, y, isShift}
   drop() {}  // after a drag
   wheel() {} // wheel: direction, position, whether Ctrl is pressed, amount, and whether Shift is pressed
   pick() { return false; } // moves the crosshair to a pixel; false where nothing is displayed
-  clicked() {}             // after a click that has moved the crosshair
+  clicked() {}             // after a click that has moved the crosshair; true: with Ctrl
 
   // Paints once before the next frame.
   changed() {

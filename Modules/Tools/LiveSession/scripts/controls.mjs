@@ -115,7 +115,7 @@ export class Controls {
     this.objectsShown = state.objects;
   }
 
-  list({ objects, selected }) { fillObjectList(byId('objects'), this.session, objects, selected); }
+  list({ objects }) { fillObjectList(byId('objects'), this.session, objects, this.session.selection); }
 }
 
 function describe({ shown, stage, share, step, isMoving, stepsPerSecond, coverage, heatSteps, quality }) {

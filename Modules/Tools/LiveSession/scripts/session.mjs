@@ -51,7 +51,7 @@ class Session extends HeatExplorer {
   take({ header, take }) {
     const { state } = header, isOther = state.shown !== this.state0.shown || state.changes !== this.state0.changes;
     if (isOther) this.rows = [];
-    Object.assign(this, { state0: state, selected: state.selected });
+    Object.assign(this, { state0: state, selection: state.selected ? [state.selected] : [] });
     this.info.quantity = state.quantity;
     for (const slice of header.slices ?? []) this.takeSlice(slice, take);
     for (const first of header.bricks ?? []) placeBrick(this.bins, this.display.size, first, this.info.brickLength, take);
@@ -139,7 +139,7 @@ class Session extends HeatExplorer {
 
   takeObjects(answer) {
     this.objects = answer.objects;
-    this.noteObject(answer.selected);
+    this.noteSelection(answer.selected ? [answer.selected] : []);
     this.controls.list(answer);
   }
 

@@ -170,6 +170,7 @@ export class HeatExplorer extends PageWithObjects {
   }
 
   repaint() { [this.histogramView, ...this.slices].forEach((view) => view.changed()); }
+  repaintSlices() { this.slices.forEach((slice) => slice.changed()); }
 
   // ---- picking ----
   pickAt(position, reach) {
@@ -287,7 +288,8 @@ export class HeatExplorer extends PageWithObjects {
   }
 
   // ---- crosshair ----
-  get voxel() { const [x, y, z] = this.place, [nx, ny] = this.volume.size; return (z * ny + y) * nx + x; }
+  get voxel() { return this.voxelAt(this.place); }
+  voxelAt([x, y, z]) { const [nx, ny] = this.volume.size; return (z * ny + y) * nx + x; }
   heatHere() { return this.bins ? lowerEdge(this.bins[this.voxel]) : -1; }
 
   moveTo(index) {

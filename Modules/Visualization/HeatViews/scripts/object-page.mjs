@@ -1,12 +1,16 @@
 import { byId, element, notice } from '../../../Core/Pages/scripts/page.mjs';
 import { lowerEdge, NUMBER_OF_BINS } from './lines.mjs';
 import {
-  binsOfObject, chainOf, classesOf, fillObjectList, listenToObjects, MOST_OBJECTS, OBJECT_CONTROLS, rowOfObject, shownObjects,
+  binsOfObject, chainOf, classesOf, fillObjectList, listenToObjects, MOST_OBJECTS, OBJECT_CONTROLS, objectOfClick, rowOfObject, shownObjects,
+  textOf,
 } from './objects.mjs';
 
-// The objects of a heat explorer. labels: the number of the smallest object of each voxel, or null; selected: a number, or 0.
+// The objects of a heat explorer. labels: the number of the smallest object of each voxel, or null; selection: numbers of objects, the last
+// selected one at the end; pointed: the number of the object under the pointer, or 0.
 export class PageWithObjects {
-  constructor(objects) { Object.assign(this, { objects, selected: 0, chain: [], labels: null }); }
+  constructor(objects) { Object.assign(this, { objects, selection: [], pointed: 0, chain: [], labels: null }); }
+
+  get selected() { return this.selection.at(-1) ?? 0; }
 
   listenToObjects() {
     const section = element('section', { id: 'object-panel' }, [element('b', { textContent: 'Objects' })]);
@@ -14,20 +18,26 @@ export class PageWithObjects {
     byId('lines').before(section);
     byId('picking').checked = true;
     listenToObjects(this);
-    if (this.objects.length > MOST_OBJECTS) notice(`Only the ${MOST_OBJECTS} largest of ${this.objects.length} objects are shown.`);
+    const { length } = this.objects.filter((object) => !object.isOffer);
+    if (length > MOST_OBJECTS) notice(`Only the ${MOST_OBJECTS} largest of ${length} objects are shown.`);
   }
 
+  // The objects that are not excluded, and the offers that are selected or shown.
   fillObjects() {
-    const { objects, selected, state: { styles } } = this;
-    fillObjectList(byId('objects'), this, objects, selected, (object) => rowOfObject(object, styles[object.number - 1], this));
+    const { objects, selection, state: { styles } } = this;
+    const isListed = ({ number, isOffer }) => !this.isExcluded(number)
+      && (!isOffer || styles[number - 1].isOn || selection.includes(number));
+    fillObjectList(byId('objects'), this, objects.filter(isListed), selection, (object) => rowOfObject(object, styles[object.number - 1], this));
   }
+
+  isExcluded(number) { return this.state.styles[number - 1].isExcluded; }
 
   // The class of each voxel, which is its own number. Objects take precedence over lines, the smallest first; with a selected
   // object, nothing else is shown.
   classes() {
-    const { objects, labels, bins, lines, selected, state: { styles } } = this;
-    const ofBin = selected ? new Uint8Array(NUMBER_OF_BINS) : this.numbers;
-    const ofLabel = shownObjects(objects, styles, selected).map((n) => (n ? lines.length + n : 0));
+    const { objects, labels, bins, lines, selection, state: { styles } } = this;
+    const ofBin = selection.length ? new Uint8Array(NUMBER_OF_BINS) : this.numbers;
+    const ofLabel = shownObjects(objects, styles, selection).map((n) => (n ? lines.length + n : 0));
     this.ofVoxels ??= new Uint16Array(labels.length);
     const numbers = Uint16Array.from({ length: lines.length + styles.length + 1 }, (_, n) => n);
     return { values: classesOf(labels, ofLabel, bins, ofBin, this.ofVoxels), numbers };
@@ -35,36 +45,66 @@ export class PageWithObjects {
 
   // ---- selection ----
   get isPicking() { return this.labels !== null && byId('picking').checked; }
-  clicked() { if (this.isPicking) this.selectHere(); }
+  clicked(isAdded) { if (this.isPicking) this.selectHere(isAdded); }
+  objectAt(voxel) { return this.labels ? objectOfClick(this.objects, this.labels[voxel], (n) => this.isExcluded(n)) : 0; }
 
-  selectHere() {
+  selectHere(isAdded = false) {
+    const object = this.objectAt(this.voxel);
     this.chain = chainOf(this.objects, this.labels[this.voxel]);
-    if (this.chain.length === 0) { this.tell('no object contains the voxel under the crosshair'); return; }
-    const scoreOf = (n) => this.objects[n - 1].score;
-    this.select({ object: this.chain.reduce((best, n) => (scoreOf(n) > scoreOf(best) ? n : best)) });
+    if (object) this.select({ object, isAdded });
+    else this.tell('no region around the voxel under the crosshair has a probability of 1 % or more');
   }
 
-  // Shows only this object; 0: all.
-  select({ object }) {
-    this.noteObject(object);
+  // Shows only this object; added: also this object, or no longer; 0: all.
+  select({ object, isAdded = false }) {
+    const others = this.selection.filter((n) => n !== object);
+    const isRemoved = isAdded && others.length < this.selection.length;
+    this.noteSelection(isAdded ? [...others, ...(isRemoved ? [] : [object])] : [object].filter(Boolean));
     this.recolor();
     this.fillLists();
-    this.tell();
+    this.tell(this.describeSelection());
   }
 
-  // Later, climb() follows the objects that contain this one, or those that contained the last picked one.
-  noteObject(object) {
-    this.selected = object;
-    if (!this.chain.includes(object)) this.chain = chainOf(this.objects, object);
+  // Later, climb() follows the objects that contain the last one, or those that contained the last picked one.
+  noteSelection(selection) {
+    this.selection = selection;
+    if (!this.chain.includes(this.selected)) this.chain = chainOf(this.objects, this.selected);
+  }
+
+  describeSelection() {
+    const { selection } = this;
+    return selection.length ? `${this.describe()}; selected, as a mask: HeatObjects --objects ${selection.join()}` : null;
+  }
+
+  // Clicks and the list no longer show the selected objects.
+  notThis() {
+    const { selection } = this;
+    if (!selection.length) { this.tell('select an object first'); return; }
+    const styles = this.state.styles.map((style, i) => (selection.includes(i + 1) ? { ...style, isOn: false, isExcluded: true } : style));
+    this.noteSelection([]);
+    this.change({ styles });
+  }
+
+  // The pointer is over a voxel, given by its index; null: over none.
+  pointAt(voxel) {
+    const object = voxel === null ? 0 : this.objectAt(voxel);
+    if (object === this.pointed) return;
+    this.pointed = object;
+    this.repaintSlices();
+    this.tell(object ? `object ${textOf(this.objects[object - 1])}` : this.describeSelection());
   }
 
   climb(by) {
     const next = this.chain[this.chain.indexOf(this.selected) + by];
-    if (next && this.selected) this.select({ object: next });
+    if (!next || !this.selected) return;
+    this.noteSelection([...this.selection.slice(0, -1).filter((n) => n !== next), next]);
+    this.recolor();
+    this.fillLists();
+    this.tell(this.describeSelection());
   }
 
   alterObject(number, part, kind = null) {
-    const styles = this.state.styles.map((style, i) => (i + 1 === number ? { ...style, ...part } : style));
+    const styles = this.state.styles.map((style, i) => (i + 1 === number ? { ...style, ...part, isExcluded: false } : style));
     const isTooMany = styles.filter((style) => style.isOn).length > MOST_OBJECTS;
     if (isTooMany) this.tell(`the maximum is ${MOST_OBJECTS} objects: hide one first`);
     else this.change({ styles }, kind && `${kind} of object ${number}`);

@@ -1,28 +1,34 @@
 import { KeyTable } from '../../../Core/Pages/scripts/keys.mjs';
 import { byId, element, letGo } from '../../../Core/Pages/scripts/page.mjs';
 
-// Objects: {number, parent, voxels, volume, probability}, the largest first; the number counts from 1, and the parent is the smallest
-// object that contains it, or 0. The label of a voxel is the number of the smallest object there.
+// Objects: {number, parent, isOffer, voxels, volume, score, probability}, the largest first; the number counts from 1, and the parent
+// is the smallest object that contains it, or 0. Offers, for voxels in no object, follow; they are too improbable to be objects. The
+// label of a voxel is the number of the smallest object there, or else of the smallest offer.
 export const MOST_OBJECTS = 200; // in a transfer function, as in SavedTransferFunction
 const OPACITY_OF_OBJECT = 0.9, OPACITY_AROUND = 0.3; // the latter of objects that contain others
 
 export const OBJECT_CONTROLS = `
-  <label><input id="picking" type="checkbox"> a click selects</label>
-  <div><button id="larger" title="the next larger object">Larger</button><button id="all">Show all</button></div>
+  <label><input id="picking" type="checkbox"> a click selects, Ctrl + click adds</label>
+  <div><button id="larger" title="the next larger object">Larger</button><button id="not-this"
+    title="clicks and the list no longer show the selected object">Not this</button><button id="all">Show all</button></div>
   <ol id="objects"></ol>`;
 
 // See KeyTable.
 export const objectKeys = new KeyTable([['Objects', [
   ['u', 'U', 'the next larger object; Shift: back to the smaller one', 'climb', 1],
   ['Shift+u', '', '', 'climb', -1],
+  ['x', 'X', 'not this: clicks and the list no longer show the selected object', 'notThis'],
 ]]], [
-  ['click on a slice or the rendering', 'selects the smallest object there, if switched on'],
+  ['pointer over a slice', 'shows the object there, its volume and probability'],
+  ['click on a slice or the rendering', 'selects the most probable object there, if switched on'],
+  ['click with Ctrl', 'adds the object to the selected ones, or removes it'],
   ['wheel over the objects, or with Shift', 'selects the next larger or smaller object'],
 ]);
 
-// page: climb(by), select({object}).
+// page: climb(by), select({object}), notThis().
 export function listenToObjects(page) {
   byId('larger').onclick = (e) => { page.climb(1); letGo(e); };
+  byId('not-this').onclick = (e) => { page.notThis(); letGo(e); };
   byId('all').onclick = (e) => { page.select({ object: 0 }); letGo(e); };
   byId('objects').onwheel = (e) => { e.preventDefault(); page.climb(Math.sign(-e.deltaY)); };
 }
@@ -34,18 +40,29 @@ export function chainOf(objects, number) {
   return chain;
 }
 
+// What a click on a voxel with this label selects: the best of the objects or offers there that are not excluded, as ObjectOfClick(); 0 for none.
+export function objectOfClick(objects, label, isExcluded = () => false) {
+  const chain = chainOf(objects, label).filter((n) => !isExcluded(n));
+  return chain.reduce((best, n) => (best && objects[best - 1].score >= objects[n - 1].score ? best : n), 0);
+}
+
 // The object and those in it, ascending.
 export const labelsOf = (objects, number) => objects.map((o) => o.number).filter((n) => chainOf(objects, n).includes(number));
 
 export const shortVolume = (mm3) => (mm3 < 1000 ? `${Number(mm3.toPrecision(2))} mm³` : `${Number((mm3 / 1000).toPrecision(3))} ml`);
 
-// The list of objects; a click selects one. rowOf: the controls of an object, if any.
-export function fillObjectList(root, page, objects, selected, rowOf = () => []) {
+export function textOf({ number, isOffer, volume, probability }) {
+  return `${number}: ${shortVolume(volume)}, ${Math.round(100 * probability)} %${isOffer ? ', improbable' : ''}`;
+}
+
+// The list of these objects; a click selects one. rowOf: the controls of an object, if any.
+export function fillObjectList(root, page, objects, selection, rowOf = () => []) {
   root.replaceChildren(...objects.map((object) => {
-    const text = `${object.number}: ${shortVolume(object.volume)}, ${Math.round(100 * object.probability)} %`;
-    const head = element('button', { className: 'head', textContent: text, title: 'show only this object' });
-    head.onclick = (e) => { page.select({ object: object.number }); letGo(e); };
-    return element('li', { className: object.number === selected ? 'selected' : '' }, [head, ...rowOf(object)]);
+    const head = element('button', { className: 'head', textContent: textOf(object), title: 'show only this object; with Ctrl: also' });
+    head.onclick = (e) => { page.select({ object: object.number, isAdded: e.ctrlKey || e.metaKey }); letGo(e); };
+    const item = element('li', { className: selection.includes(object.number) ? 'selected' : '' }, [head, ...rowOf(object)]);
+    item.dataset.object = object.number;
+    return item;
   }));
 }
 
@@ -64,17 +81,17 @@ export function rowOfObject({ number }, { isOn, color, opacity }, page) {
   return [element('div', {}, [shown, hue, share, line])];
 }
 
-// The colors with which a page opens: objects that contain others are transparent.
+// The colors with which a page opens: objects that contain others are transparent, offers are hidden.
 export function stylesOf(objects, colors) {
   const outside = new Set(objects.map((o) => o.parent));
-  return objects.map(({ number }, i) => ({
-    isOn: i < MOST_OBJECTS, color: colors[i % colors.length], opacity: outside.has(number) ? OPACITY_AROUND : OPACITY_OF_OBJECT,
+  return objects.map(({ number, isOffer }, i) => ({
+    isOn: i < MOST_OBJECTS && !isOffer, isExcluded: false, color: colors[i % colors.length], opacity: outside.has(number) ? OPACITY_AROUND : OPACITY_OF_OBJECT,
   }));
 }
 
-// The number of the smallest shown object of each label; 0 for none. With a selected object, only this one is shown.
-export function shownObjects(objects, styles, selected) {
-  const isShown = (n) => (selected ? n === selected : styles[n - 1].isOn);
+// The number of the smallest shown object of each label; 0 for none. With selected objects, only these are shown.
+export function shownObjects(objects, styles, selection) {
+  const isShown = (n) => (selection.length ? selection.includes(n) : styles[n - 1].isOn);
   return Uint16Array.from([0, ...objects.map((o) => chainOf(objects, o.number).find(isShown) ?? 0)]);
 }
 
@@ -97,9 +114,9 @@ export function binsOfObject(objects, number, labels, bins) {
   return [first, last];
 }
 
-// The shown objects for savedText().
+// The shown objects for savedText(), without offers, which are not in the files of HeatObjects.
 export function objectsToSave(objects, styles) {
-  return objects.filter(({ number }) => styles[number - 1].isOn).map(({ number, voxels }) => {
+  return objects.filter(({ number, isOffer }) => styles[number - 1].isOn && !isOffer).map(({ number, voxels }) => {
     const { color, opacity } = styles[number - 1];
     return { number, labels: labelsOf(objects, number), voxels, color, opacity };
   });
@@ -112,6 +129,6 @@ export function stylesOfSaved(saved, objects, styles) {
   const found = new Map(saved.map((s) => [s.number, s]));
   return styles.map((style, i) => {
     const { color, opacity } = found.get(i + 1) ?? style;
-    return { color, opacity, isOn: found.has(i + 1) };
+    return { color, opacity, isOn: found.has(i + 1), isExcluded: false };
   });
 }

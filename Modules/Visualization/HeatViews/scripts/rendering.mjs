@@ -271,7 +271,7 @@ export class RenderingView extends View {
   }
 
   drag(dx, dy) { this.turn([-dx / 2, dy / 2]); }
-  clicked() { this.page.clicked(); }
+  clicked(isAdded) { this.page.clicked(isAdded); }
   wheel(d, at, isScaling, amount, isClimbing) { if (isClimbing) this.page.climb(-d); else this.enlarge(1.15 ** -d); }
   enlarge(by) { this.enlarged = clamp(this.enlarged * by, 0.5, 8); this.quickly(); }
 

@@ -1,6 +1,7 @@
 import { clamp } from '../../../Core/Pages/scripts/math.mjs';
 import { View } from '../../../Core/Pages/scripts/view.mjs';
 import { channelsOf } from './lines.mjs';
+import { labelsOf } from './objects.mjs';
 
 const OPACITY = 0.6; // opacity of line colors over the gray values, as in report pictures
 
@@ -48,6 +49,7 @@ export class HeatSliceView extends View {
     this.fill();
     g.imageSmoothingEnabled = true;
     g.drawImage(this.image, f.x0, f.y0, nx * dx * f.s, ny * dy * f.s);
+    this.outline(g, f);
     g.fillStyle = '#ffd';
     g.font = '12px sans-serif';
     g.fillText(plane.left, 4, h / 2);
@@ -57,12 +59,39 @@ export class HeatSliceView extends View {
     this.cross(g, ...f.at(page.place));
   }
 
+  // Index of the voxel of the first pixel, and offsets of the next pixels across and down.
+  layout() {
+    const { plane, page: { volume, place } } = this, [nx, ny] = this.size, strides = [1, volume.size[0], volume.size[0] * volume.size[1]];
+    const across = strides[plane.across] * (plane.flipAcross ? -1 : 1), down = strides[plane.down] * (plane.flipDown ? -1 : 1);
+    const first = place[plane.through] * strides[plane.through] - Math.min(0, across) * (nx - 1) - Math.min(0, down) * (ny - 1);
+    return { first, across, down };
+  }
+
+  // The border of the object under the pointer.
+  outline(g, { x0, y0, s }) {
+    const { page: { labels, pointed, objects } } = this, [nx, ny] = this.size, [dx, dy] = this.steps.map((step) => step * s);
+    if (!pointed) return;
+    const isIn = new Uint8Array(objects.length + 1), { first, across, down } = this.layout();
+    for (const label of labelsOf(objects, pointed)) isIn[label] = 1;
+    const has = (i, j) => i >= 0 && j >= 0 && i < nx && j < ny && isIn[labels[first + i * across + j * down]];
+    g.beginPath();
+    for (let j = 0; j <= ny; j++) {
+      for (let i = 0; i <= nx; i++) {
+        const here = has(i, j), x = x0 + i * dx, y = y0 + j * dy;
+        if (here !== has(i - 1, j)) { g.moveTo(x, y); g.lineTo(x, y + dy); }
+        if (here !== has(i, j - 1)) { g.moveTo(x, y); g.lineTo(x + dx, y); }
+      }
+    }
+    g.strokeStyle = '#fff';
+    g.lineWidth = 1.2;
+    g.stroke();
+  }
+
   // Voxels are classified first: colors are interpolated between voxels, heat is not.
   fill() {
-    const { plane, page: { volume, gray, shown: { values, numbers }, place, paints } } = this, [nx, ny] = this.size;
-    const strides = [1, volume.size[0], volume.size[0] * volume.size[1]], out = new Uint32Array(this.pixels.data.buffer);
-    const across = strides[plane.across] * (plane.flipAcross ? -1 : 1), down = strides[plane.down] * (plane.flipDown ? -1 : 1);
-    let row = place[plane.through] * strides[plane.through] - Math.min(0, across) * (nx - 1) - Math.min(0, down) * (ny - 1);
+    const { page: { gray, shown: { values, numbers }, paints } } = this, [nx, ny] = this.size, out = new Uint32Array(this.pixels.data.buffer);
+    const { first, across, down } = this.layout();
+    let row = first;
     for (let j = 0, o = 0; j < ny; j++, row += down) {
       for (let i = 0, v = row; i < nx; i++, v += across, o++) out[o] = paints[(numbers[values[v]] << 8) | gray[v]];
     }
@@ -70,7 +99,15 @@ export class HeatSliceView extends View {
   }
 
   pick(x, y) { this.page.moveTo(this.frame().back(x, y)); return true; }
-  clicked() { this.page.clicked(); }
+  clicked(isAdded) { this.page.clicked(isAdded); }
+
+  hover(x, y, isShift) {
+    super.hover(x, y, isShift);
+    this.page.pointAt(this.page.voxelAt(this.frame().back(x, y)));
+  }
+
+  leave() { this.page.pointAt(null); }
+
   wheel(d, at, isScaling, amount, isClimbing) {
     if (isClimbing) this.page.climb(-d);
     else if (isScaling) this.scaleBy(1.25 ** -d);

@@ -9,7 +9,7 @@ import {
   binOf, linesOfBins, lowerEdge, NUMBER_OF_BINS, rounded, savedFromText, savedText, volumeProperty, withLine,
 } from '../scripts/lines.mjs';
 import {
-  binsOfObject, chainOf, classesOf, labelsOf, objectsToSave, shortVolume, shownObjects, stylesOf, stylesOfSaved,
+  binsOfObject, chainOf, classesOf, labelsOf, objectOfClick, objectsToSave, shortVolume, shownObjects, stylesOf, stylesOfSaved,
 } from '../scripts/objects.mjs';
 import { contentsOf } from '../scripts/rendering.mjs';
 
@@ -81,13 +81,24 @@ test('objects are climbed, and hold the labels in them', () => {
   assert.deepEqual([181, 999.9, 12345, 1e9].map(shortVolume), ['180 mm³', '1000 mm³', '12.3 ml', '1000000 ml']);
 });
 
+test('a click selects the best object that is not excluded', () => {
+  const scored = [3, 5, 1, 4, 5].map((score, i) => ({ ...objects[i], score, isOffer: i === 2 }));
+  assert.deepEqual([0, 1, 2, 3, 4, 5].map((label) => objectOfClick(scored, label)), [0, 1, 2, 3, 4, 5]);
+  assert.deepEqual([4, 5].map((label) => objectOfClick(scored, label, (n) => n === label)), [1, 2]);
+  assert.equal(objectOfClick(scored, 3, (n) => n === 3), 0);
+  assert.deepEqual(stylesOf(scored, colors).map(({ isOn }) => isOn), [true, true, false, true, true]);
+  const shown = stylesOf(scored, colors).map((style) => ({ ...style, isOn: true }));
+  assert.deepEqual(objectsToSave(scored, shown).map(({ number }) => number), [1, 2, 4, 5]);
+  assert.deepEqual([...shownObjects(scored, shown, [2, 4])], [0, 0, 2, 0, 4, 2]);
+});
+
 test('the smallest shown object colors a voxel, or the selected one only', () => {
   const styles = stylesOf(objects, colors), hide = (...numbers) => styles.map((s, i) => ({ ...s, isOn: !numbers.includes(i + 1) }));
   assert.deepEqual(styles.map(({ color, isOn }) => [color, isOn]), [0, 1, 2, 0, 1].map((i) => [colors[i], true]));
   assert.ok(styles[0].opacity < styles[3].opacity && styles[1].opacity < styles[4].opacity && styles[2].opacity === styles[4].opacity);
-  assert.deepEqual([...shownObjects(objects, styles, 0)], [0, 1, 2, 3, 4, 5]);
-  assert.deepEqual([...shownObjects(objects, hide(2, 3, 5), 0)], [0, 1, 1, 0, 4, 1]);
-  assert.deepEqual([...shownObjects(objects, hide(2), 2)], [0, 0, 2, 0, 0, 2]);
+  assert.deepEqual([...shownObjects(objects, styles, [])], [0, 1, 2, 3, 4, 5]);
+  assert.deepEqual([...shownObjects(objects, hide(2, 3, 5), [])], [0, 1, 1, 0, 4, 1]);
+  assert.deepEqual([...shownObjects(objects, hide(2), [2])], [0, 0, 2, 0, 0, 2]);
   const labels = Uint16Array.of(0, 1, 5, 2, 0), bins = Uint16Array.of(7, 7, 8, 20, 0);
   assert.deepEqual([...classesOf(labels, [0, 0, 0, 0, 0, 9], bins, Array(21).fill(0).fill(1, 7, 9), new Uint16Array(5))], [1, 1, 9, 0, 0]);
   assert.deepEqual([binsOfObject(objects, 2, labels, bins), binsOfObject(objects, 1, labels, bins)], [[8, 20], [7, 20]]);
