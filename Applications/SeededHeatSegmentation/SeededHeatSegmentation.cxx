@@ -5,6 +5,7 @@
 #include "shapetonReadOptions.h"
 #include "shapetonCsvTable.h"
 #include "shapetonExceptions.h"
+#include "shapetonMappedImage.h"
 #include "shapetonSeedFiles.h"
 #include "shapetonSeededHeatSegmentationImageFilter.h"
 #include "shapetonToolSurfaces.h"
@@ -67,6 +68,18 @@ ReadSeeds(CommandLine & commandLine, const ImageType * image)
   return SeedsOfClasses(seeds, choice);
 }
 
+/** Label 1 in a mask and 2 outside; null if no mask is to be corrected. */
+SeedImage::Pointer
+ReadLabelsBefore(CommandLine & commandLine, const ImageType * image)
+{
+  if (!commandLine.IsGiven("refine"))
+  {
+    return nullptr;
+  }
+  const auto mask = ReadLabelMask(commandLine, "refine", image);
+  return MapVoxels<unsigned short>(mask.GetPointer(), [](unsigned char voxel) { return voxel != 0 ? 1 : 2; });
+}
+
 void
 Configure(CommandLine & commandLine, FilterType * filter)
 {
@@ -101,6 +114,7 @@ Segment(CommandLine & commandLine)
   filter->SetInput(volume.image);
   filter->SetDomain(ReadDomain(commandLine, volume.image));
   filter->SetSeeds(ReadSeeds(commandLine, volume.image));
+  filter->SetLabelsBefore(ReadLabelsBefore(commandLine, volume.image));
   Configure(commandLine, filter);
   commandLine.Watch(filter, "Diffusing heat from the seeds", 0.0, 0.95);
   filter->Update();

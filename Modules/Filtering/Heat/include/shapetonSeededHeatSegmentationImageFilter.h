@@ -46,6 +46,10 @@ public:
   itkSetInputMacro(Seeds, LabelImageType);
   itkGetInputMacro(Seeds, LabelImageType);
 
+  /** Labels that the seeds correct, 0 for none, on the grid of the volume; optional: see SeededHeatSolver::Solve(). */
+  itkSetInputMacro(LabelsBefore, LabelImageType);
+  itkGetInputMacro(LabelsBefore, LabelImageType);
+
   /** SeededHeatResult::uncertainty. */
   HeatImageType *
   GetUncertaintyOutput()

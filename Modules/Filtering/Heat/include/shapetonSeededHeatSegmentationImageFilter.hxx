@@ -14,6 +14,7 @@ template <typename TInputImage>
 SeededHeatSegmentationImageFilter<TInputImage>::SeededHeatSegmentationImageFilter()
 {
   this->AddRequiredInputName("Seeds");
+  this->AddOptionalInputName("LabelsBefore");
   this->SetNumberOfRequiredOutputs(2);
   this->SetNthOutput(1, HeatImageType::New());
 }
@@ -73,9 +74,13 @@ SeededHeatSegmentationImageFilter<TInputImage>::GenerateData()
 {
   this->AllocateOutputs();
   const LabelImageType * const seeds = this->GetSeeds();
-  if (seeds->GetBufferedRegion() != this->GetInput()->GetBufferedRegion())
+  const LabelImageType * const before = this->GetLabelsBefore();
+  for (const LabelImageType * const labels : { seeds, before })
   {
-    throw InputError("the sizes of seeds and volume differ; use a label map on the grid of the volume");
+    if (labels && labels->GetBufferedRegion() != this->GetInput()->GetBufferedRegion())
+    {
+      throw InputError("the sizes of seeds and volume differ; use a label map on the grid of the volume");
+    }
   }
   try
   {
@@ -85,8 +90,10 @@ SeededHeatSegmentationImageFilter<TInputImage>::GenerateData()
   {
     throw InputError(error.what());
   }
-  const SeededHeatResult & result =
-    m_Solver->Solve(seeds->GetBufferPointer(), [this](double share) { ReportProgress(*this, share); });
+  const SeededHeatResult & result = m_Solver->Solve(
+    seeds->GetBufferPointer(),
+    [this](double share) { ReportProgress(*this, share); },
+    before ? before->GetBufferPointer() : nullptr);
   std::copy(result.labels.begin(), result.labels.end(), this->GetOutput()->GetBufferPointer());
   std::copy(result.uncertainty.begin(), result.uncertainty.end(), this->GetUncertaintyOutput()->GetBufferPointer());
   m_Grid = HeatImageType::New();

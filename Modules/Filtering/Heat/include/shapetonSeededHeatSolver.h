@@ -54,6 +54,10 @@ struct SeededHeatResult
 class ShapetonHeat_EXPORT SeededHeatSolver
 {
 public:
+  /** Within a region without edges, seeds then change labels up to about 1 / sqrt(0.001) = 30 voxels away, which is
+   * about the radius of the parts that are corrected. */
+  static constexpr float ConductanceToLabelBefore = 1e-3F;
+
   /** The operator must outlive the solver. Throws ParameterError for settings out of range. */
   explicit SeededHeatSolver(const VolumeGradientOperator & volumeGradient, const SeededHeatOptions & settings = {});
   ~SeededHeatSolver();
@@ -61,10 +65,12 @@ public:
   /** `seeds`: the label of each voxel, 0 for none, x fastest. With kept probabilities and the labels of the previous
    * call, the solver starts from the last solution: a few changed seeds then take few iterations. Seeds outside the
    * domain have no effect. Throws InputError
-   * if fewer than two labels have seeds, or the volume is too large (2^32 voxels with padding). `progress` may
-   * throw to abort; the next call then starts from scratch. */
+   * if there are fewer than two labels, or the volume is too large (2^32 voxels with padding). `progress` may
+   * throw to abort; the next call then starts from scratch. With labels `before` (0: none; null: none at all), seeds
+   * correct them: each voxel has an edge of ConductanceToLabelBefore to its label before, as in random walks with
+   * priors (Grady, CVPR 2005), so far from seeds and behind edges, it keeps this label. */
   const SeededHeatResult &
-  Solve(const unsigned short * seeds, const Progress & progress = {});
+  Solve(const unsigned short * seeds, const Progress & progress = {}, const unsigned short * before = nullptr);
 
   const SeededHeatResult &
   GetResult() const
@@ -90,9 +96,9 @@ private:
   void
   Compare(const Batch & batch);
   const SeededHeatResult &
-  SolveInDomain(const unsigned short * seeds, const Progress & progress);
+  SolveInDomain(const unsigned short * seeds, const unsigned short * before, const Progress & progress);
   void
-  ExcludeUnreached(const unsigned short * seeds);
+  ExcludeUnreached(const unsigned short * seeds, const unsigned short * before);
   void
   Finish();
   void

@@ -1,6 +1,7 @@
 #include "shapetonConductanceField.h"
 
 #include "shapetonParallelFor.h"
+#include "shapetonSeededHeatSolver.h"
 
 namespace shapeton
 {
@@ -34,7 +35,9 @@ private:
 };
 } // namespace
 
-ConductanceField::ConductanceField(const VolumeGradientOperator & volumeGradient, const unsigned short * seeds)
+ConductanceField::ConductanceField(const VolumeGradientOperator & volumeGradient,
+                                   const unsigned short *         seeds,
+                                   const unsigned short *         before)
   : grid(volumeGradient.GetGrid()), leak(grid)
 {
   for (unsigned int axis = 0; axis < 3; ++axis)
@@ -54,6 +57,11 @@ ConductanceField::ConductanceField(const VolumeGradientOperator & volumeGradient
       {
         const std::array<std::size_t, 3> voxel{ { x, y, z } };
         const unsigned short             seed = cutter.GetSeed(voxel);
+        const unsigned short             known = seed == 0 && before ? before[(z * size[1] + y) * size[0] + x] : 0;
+        if (known != 0)
+        {
+          edges[z].push_back({ row + x, known, SeededHeatSolver::ConductanceToLabelBefore });
+        }
         for (unsigned int axis = 0; axis < 3; ++axis)
         {
           const float conductance = cutter.GetConductance(voxel, axis, row + x);

@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** An edge from an unseeded voxel to a seed, which supplies heat. */
+/** An edge from an unseeded voxel to a seed, or to the label that it has before, which supplies heat. */
 struct SeedEdge
 {
   std::size_t    voxel; ///< its index on the padded grid
@@ -18,8 +18,9 @@ struct SeedEdge
   float          conductance;
 };
 
-/** The conductances of a volume without the seeded voxels; edges to them become leaks of their neighbors. The border of
- * the volume is insulated. Nodes are indices on the padded grid. */
+/** The conductances of a volume without the seeded voxels; edges to them become leaks of their neighbors, as does a
+ * weak edge to the label that a voxel has before, if it has one. The border of the volume is insulated. Nodes are
+ * indices on the padded grid. */
 struct ConductanceField
 {
   PaddedGrid                 grid;
@@ -28,7 +29,10 @@ struct ConductanceField
   std::array<double, 3>      spacing{}; ///< relative to the smallest one
   std::vector<SeedEdge>      seedEdges;
 
-  ConductanceField(const VolumeGradientOperator & volumeGradient, const unsigned short * seeds);
+  /** \param before the labels before; null: none */
+  ConductanceField(const VolumeGradientOperator & volumeGradient,
+                   const unsigned short *         seeds,
+                   const unsigned short *         before);
 
   // Interface of a level in a hierarchy of graphs, shared by the finest level and all others.
 

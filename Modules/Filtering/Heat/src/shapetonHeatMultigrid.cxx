@@ -267,8 +267,9 @@ Ratio(const std::array<double, VLabels> & numerator, const std::array<double, VL
 
 ConductanceHierarchy::ConductanceHierarchy(const VolumeGradientOperator & volumeGradient,
                                            const unsigned short *         seeds,
+                                           const unsigned short *         before,
                                            const Progress &               progress)
-  : m_Finest(volumeGradient, seeds), m_Aggregates(1)
+  : m_Finest(volumeGradient, seeds, before), m_Aggregates(1)
 {
   progress(0.3);
   m_Graphs.push_back(Coarsen(m_Finest, m_Aggregates[0]));

@@ -15,6 +15,7 @@ class ConductanceHierarchy
 public:
   ConductanceHierarchy(const VolumeGradientOperator & volumeGradient,
                        const unsigned short *         seeds,
+                       const unsigned short *         before,
                        const Progress &               progress);
 
   const ConductanceField &

@@ -15,13 +15,15 @@ namespace
 // The preconditioner estimates the error; measured errors are up to four times larger.
 constexpr double safety = 0.1;
 
+/** The labels of seeds and, unless null, those before. */
 std::vector<unsigned short>
-LabelsOf(const unsigned short * seeds, std::size_t number)
+LabelsOf(const unsigned short * seeds, const unsigned short * before, std::size_t number)
 {
   std::bitset<65536> isSeed;
   for (std::size_t i = 0; i < number; ++i)
   {
     isSeed.set(seeds[i]);
+    isSeed.set(before ? before[i] : 0);
   }
   std::vector<unsigned short> labels;
   for (unsigned int label = 1; label < 65536; ++label)
@@ -132,7 +134,7 @@ SeededHeatSolver::Compare(const Batch & batch)
 
 /** No label is probable where no path of edges leads to a seed. */
 void
-SeededHeatSolver::ExcludeUnreached(const unsigned short * seeds)
+SeededHeatSolver::ExcludeUnreached(const unsigned short * seeds, const unsigned short * before)
 {
   const PaddedGrid &         grid = m_VolumeGradient.GetGrid();
   const auto &               size = grid.GetSize();
@@ -156,7 +158,7 @@ SeededHeatSolver::ExcludeUnreached(const unsigned short * seeds)
   }
   for (std::size_t voxel = 0; voxel < m_Sum.size(); ++voxel)
   {
-    if (seeds[voxel] != 0)
+    if (seeds[voxel] != 0 || (before && before[voxel] != 0))
     {
       reach(placeOf(voxel));
     }
@@ -239,26 +241,30 @@ SeededHeatSolver::RemarkOnFewVoxels(const unsigned short * seeds)
 }
 
 const SeededHeatResult &
-SeededHeatSolver::Solve(const unsigned short * seeds, const Progress & progress)
+SeededHeatSolver::Solve(const unsigned short * seeds, const Progress & progress, const unsigned short * before)
 {
   const auto * const domain = m_VolumeGradient.GetDomain();
   if (!domain)
   {
-    return this->SolveInDomain(seeds, progress);
+    return this->SolveInDomain(seeds, before, progress);
   }
-  std::vector<unsigned short> inDomain(domain->size());
-  std::transform(domain->begin(), domain->end(), seeds, inDomain.begin(), [](unsigned char isIn, unsigned short seed) {
-    return isIn != 0 ? seed : static_cast<unsigned short>(0);
-  });
-  return this->SolveInDomain(inDomain.data(), progress);
+  const auto inDomain = [&](const unsigned short * labels) {
+    std::vector<unsigned short> inside(labels ? domain->size() : 0);
+    for (std::size_t voxel = 0; voxel < inside.size(); ++voxel)
+    {
+      inside[voxel] = (*domain)[voxel] != 0 ? labels[voxel] : 0;
+    }
+    return inside;
+  };
+  return this->SolveInDomain(inDomain(seeds).data(), before ? inDomain(before).data() : nullptr, progress);
 }
 
 const SeededHeatResult &
-SeededHeatSolver::SolveInDomain(const unsigned short * seeds, const Progress & progress)
+SeededHeatSolver::SolveInDomain(const unsigned short * seeds, const unsigned short * before, const Progress & progress)
 {
   const PaddedGrid & grid = m_VolumeGradient.GetGrid();
   const std::size_t  number = grid.GetNumberOfVoxels();
-  const auto         labels = LabelsOf(seeds, number);
+  const auto         labels = LabelsOf(seeds, before, number);
   if (labels.size() < 2)
   {
     throw InputError(labels.empty() ? "no voxel has a seed; add seeds of at least two labels"
@@ -276,7 +282,7 @@ SeededHeatSolver::SolveInDomain(const unsigned short * seeds, const Progress & p
   m_Result = {};
   auto batches = std::move(m_Batches); // an abort invalidates the start solution
   m_Batches.clear();
-  const ConductanceHierarchy hierarchy(m_VolumeGradient, seeds, progress.Part("", 0.0, 0.1));
+  const ConductanceHierarchy hierarchy(m_VolumeGradient, seeds, before, progress.Part("", 0.0, 0.1));
   m_Result.labels.assign(number, labels.front());
   m_Result.uncertainty.assign(number, 0.0F);
   m_Result.labelValues = labels;
@@ -313,10 +319,13 @@ SeededHeatSolver::SolveInDomain(const unsigned short * seeds, const Progress & p
   }
   if (m_VolumeGradient.GetDomain())
   {
-    this->ExcludeUnreached(seeds);
+    this->ExcludeUnreached(seeds, before);
   }
   this->Finish();
-  this->RemarkOnFewVoxels(seeds);
+  if (!before)
+  {
+    this->RemarkOnFewVoxels(seeds);
+  }
   if (m_Settings.keepProbabilities)
   {
     m_Batches = std::move(batches);

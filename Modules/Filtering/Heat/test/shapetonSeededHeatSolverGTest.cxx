@@ -78,7 +78,10 @@ ProbabilitiesOf(const SeededHeatSolver & solver, unsigned short label)
 
 /** The same equations, solved by relaxation in double precision until convergence. */
 std::vector<double>
-SolveByRelaxation(const VolumeGradientOperator & op, const Seeds & seeds, unsigned short label)
+SolveByRelaxation(const VolumeGradientOperator & op,
+                  const Seeds &                  seeds,
+                  unsigned short                 label,
+                  const Seeds &                  before = {})
 {
   const auto          size = op.GetGrid().GetSize();
   const Size          stride{ { 1, size[0], size[0] * size[1] } };
@@ -96,8 +99,8 @@ SolveByRelaxation(const VolumeGradientOperator & op, const Seeds & seeds, unsign
     for (std::size_t i = 0; i < seeds.size(); ++i)
     {
       const Size v{ { i % size[0], i / stride[1] % size[1], i / stride[2] } };
-      double     sum = 0.0;
-      double     total = 0.0;
+      double     total = !before.empty() && before[i] != 0 ? SeededHeatSolver::ConductanceToLabelBefore : 0.0;
+      double     sum = total > 0.0 && before[i] == label ? total : 0.0;
       for (unsigned int axis = 0; axis < 3 && seeds[i] == 0; ++axis)
       {
         Size below = v;
@@ -457,4 +460,35 @@ TEST(SeededHeatSolver, AbortsAndStartsAnew)
                std::runtime_error);
   SeededHeatSolver other(op);
   EXPECT_EQ(solver.Solve(seeds.data()).labels, other.Solve(seeds.data()).labels);
+}
+
+TEST(SeededHeatSolver, SeedsCorrectLabelsBefore)
+{
+  const Size size{ { 24, 20, 18 } };
+  const auto volume = MakeNoisyHalves(size);
+  const auto op = MakeOperator(volume, size, 5.0, { { 1.0, 1.0, 1.0 } });
+  Seeds      seeds(NumberOf(size), 0);
+  Seeds      before(NumberOf(size), 2);
+  for (std::size_t i = 0; i < before.size(); ++i)
+  {
+    before[i] = i % size[0] < 6 ? 0 : i % size[0] < 16 ? 1 : 2; // the edge is at 12: four layers are wrong
+  }
+  seeds[(9 * size[1] + 10) * size[0] + 14] = 2;
+  SeededHeatOptions options;
+  options.keepProbabilities = true;
+  options.tolerance = 1e-5;
+  SeededHeatSolver solver(op, options);
+  const auto &     result = solver.Solve(seeds.data(), {}, before.data());
+  EXPECT_EQ(result.labelValues, (std::vector<unsigned short>{ 1, 2 }));
+  const auto expected = SolveByRelaxation(op, seeds, 1, before);
+  const auto found = ProbabilitiesOf(solver, 1);
+  double     corrected = 0.0;
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    ASSERT_NEAR(found[i], expected[i], 1e-4);
+    corrected += before[i] == 1 && result.labels[i] == 2 ? 1.0 : 0.0;
+    EXPECT_EQ(result.labels[i] == 1, i % size[0] < 12) << i % size[0];
+  }
+  EXPECT_EQ(corrected, 4.0 * size[1] * size[2]);
+  EXPECT_TRUE(result.remarks.empty());
 }

@@ -42,6 +42,7 @@ export class HeatExplorer extends PageWithObjects {
     const state = { step: info.stored.at(-1), lines: shownLines(info.lines), ranges: info.ranges, styles };
     Object.assign(this, { folder, info, volume, gray, isEqualized: info.isEqualized, live: null });
     Object.assign(this, { times: {}, steps: new Map(), chosen: -1, busy: 0, isSaved: true, history: new History(state) });
+    Object.assign(this, { shown: { values: [], numbers: [], colors: [] }, isOutdated: false });
     this.place = volume.size.map((n) => n >> 1);
     this.setHistogram(histogram, axisCounts);
   }
@@ -141,20 +142,30 @@ export class HeatExplorer extends PageWithObjects {
     return steps.get(step);
   }
 
-  // What the views show. values: the bin of each voxel, or its class if there are objects; numbers: the class of each value, which is
-  // a line or an object; colors: the premultiplied color of each value.
+  // Shows the current colors: first in histogram and slices, then, because it takes longer, in the rendering.
   recolor() {
-    const started = performance.now(), { bins, lines } = this, styles = [...lines, ...this.state.styles];
-    const seen = [0, ...styles.map(premultiplied)];
-    this.numbers = linesOfBins(lines);
-    this.paints = paintsOf(styles);
-    const { values, numbers } = this.labels ? this.classes() : { values: bins, numbers: this.numbers };
+    this.numbers = linesOfBins(this.lines);
+    this.paints = paintsOf([...this.lines, ...this.state.styles]);
+    if (this.labels) this.setClasses();
+    this.repaint();
+    if (this.isOutdated) return;
+    this.isOutdated = true;
+    setTimeout(() => { this.isOutdated = false; this.recolorRendering(); });
+  }
+
+  // What the rendering shows. values: the bin of each voxel, or its class if there are objects; numbers: the class of each value, which
+  // is a line or an object; colors: the premultiplied color of each value.
+  recolorRendering() {
+    const started = performance.now(), seen = [0, ...[...this.lines, ...this.state.styles].map(premultiplied)];
+    const { values, numbers } = this.labels ? this.classes() : { values: this.bins, numbers: this.numbers };
     const colors = Uint32Array.from(numbers, (n) => seen[n]);
     this.shown = { values, numbers, colors };
     this.rendering.load(values, numbers, colors);
-    this.repaint();
     this.times.recolor = performance.now() - started;
   }
+
+  // The class of a voxel.
+  classAt(voxel) { return this.labels ? this.ofLabel[this.labels[voxel]] || this.ofBin[this.bins[voxel]] : this.numbers[this.bins[voxel]]; }
 
   fillLists() {
     fillLineList(byId('lines'), this);
@@ -383,7 +394,7 @@ export class HeatExplorer extends PageWithObjects {
   // For tests: resolves when everything requested is painted, at full quality unless a coarse picture suffices.
   async idle(isCoarseEnough = false) {
     do await new Promise((done) => { requestAnimationFrame(() => setTimeout(done)); });
-    while (View.pending || this.busy || (this.rendering.isCoarse && !isCoarseEnough));
+    while (View.pending || this.busy || this.isOutdated || (this.rendering.isCoarse && !isCoarseEnough));
   }
 }
 

@@ -32,12 +32,17 @@ export class PageWithObjects {
 
   isExcluded(number) { return this.state.styles[number - 1].isExcluded; }
 
-  // The class of each voxel, which is its own number. Objects take precedence over lines, the smallest first; with a selected
-  // object, nothing else is shown.
+  // The class of each label and bin. Objects take precedence over lines, the smallest first; with selected objects, nothing else is
+  // shown.
+  setClasses() {
+    const { objects, lines, selection, state: { styles } } = this;
+    this.ofBin = selection.length ? new Uint8Array(NUMBER_OF_BINS) : this.numbers;
+    this.ofLabel = shownObjects(objects, styles, selection).map((n) => (n ? lines.length + n : 0));
+  }
+
+  // The class of each voxel, which is its own number.
   classes() {
-    const { objects, labels, bins, lines, selection, state: { styles } } = this;
-    const ofBin = selection.length ? new Uint8Array(NUMBER_OF_BINS) : this.numbers;
-    const ofLabel = shownObjects(objects, styles, selection).map((n) => (n ? lines.length + n : 0));
+    const { labels, bins, lines, ofBin, ofLabel, state: { styles } } = this;
     this.ofVoxels ??= new Uint16Array(labels.length);
     const numbers = Uint16Array.from({ length: lines.length + styles.length + 1 }, (_, n) => n);
     return { values: classesOf(labels, ofLabel, bins, ofBin, this.ofVoxels), numbers };

@@ -89,11 +89,11 @@ export class HeatSliceView extends View {
 
   // Voxels are classified first: colors are interpolated between voxels, heat is not.
   fill() {
-    const { page: { gray, shown: { values, numbers }, paints } } = this, [nx, ny] = this.size, out = new Uint32Array(this.pixels.data.buffer);
+    const { page, page: { gray, paints } } = this, [nx, ny] = this.size, out = new Uint32Array(this.pixels.data.buffer);
     const { first, across, down } = this.layout();
     let row = first;
     for (let j = 0, o = 0; j < ny; j++, row += down) {
-      for (let i = 0, v = row; i < nx; i++, v += across, o++) out[o] = paints[(numbers[values[v]] << 8) | gray[v]];
+      for (let i = 0, v = row; i < nx; i++, v += across, o++) out[o] = paints[(page.classAt(v) << 8) | gray[v]];
     }
     this.image.getContext('2d').putImageData(this.pixels, 0, 0);
   }
