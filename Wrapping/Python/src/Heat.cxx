@@ -12,12 +12,14 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 
 namespace shapeton::python
 {
 namespace
 {
 using ImageType = itk::Image<float, 3>;
+using MaskType = itk::Image<unsigned char, 3>;
 using FilterType = CumulativeHeatDiffusionImageFilter<ImageType>;
 
 /** Result of diffuse_heat(). */
@@ -46,6 +48,7 @@ ConsumerOf(const py::object & function)
 
 Heat
 Diffuse(const ImageType::Pointer &                    image,
+        const std::optional<MaskType::Pointer> &      domain,
         const Given<CumulativeHeatDiffusionOptions> & given,
         const std::vector<std::string> &              names,
         const std::string &                           presetName,
@@ -63,12 +66,13 @@ Diffuse(const ImageType::Pointer &                    image,
   settings.wantComponents = components;
   const auto filter = FilterType::New();
   filter->SetInput(image);
+  filter->SetDomain(domain.value_or(nullptr));
   filter->SetOptions(settings);
   HeatParameterChoice choice;
   const bool isAutomatic = OptionInfo("preset").Words({ "automatic", "published" }).PositionOf(presetName) == 0;
   if (isAutomatic)
   {
-    choice = ChooseHeatParameters(VolumeView(image.GetPointer()),
+    choice = ChooseHeatParameters(filter->GetVolume(),
                                   settings,
                                   GivenAmong(names, settings),
                                   modality,

@@ -4,16 +4,23 @@
 
 #include "shapetonHeatObjects.h"
 
+#include <optional>
+
 namespace shapeton::python
 {
 namespace
 {
 using ImageType = itk::Image<float, 3>;
+using MaskType = itk::Image<unsigned char, 3>;
 
 HeatObjectList
-FindObjects(const ImageType::Pointer & heat, const Given<HeatObjectOptions> & given, const Progress & progress)
+FindObjects(const ImageType::Pointer &               heat,
+            const std::optional<MaskType::Pointer> & domain,
+            const Given<HeatObjectOptions> &         given,
+            const Progress &                         progress)
 {
-  return FindHeatObjects(heat, given.options, progress.Part("Finding objects", 0.0, 1.0));
+  return HeatObjectTree(heat, given.options, domain.value_or(nullptr), progress.Part("Finding objects", 0.0, 1.0))
+    .List();
 }
 } // namespace
 

@@ -13,12 +13,14 @@
 #include <map>
 #include <mutex>
 #include <thread>
+#include <optional>
 
 namespace shapeton::python
 {
 namespace
 {
 using ImageType = itk::Image<float, 3>;
+using MaskType = itk::Image<unsigned char, 3>;
 using SeedFilter = SeededHeatSegmentationImageFilter<ImageType>;
 
 /** Result of SeededHeat.segment(). */
@@ -35,18 +37,25 @@ struct SeededLabels
 class SeededHeat
 {
 public:
-  SeededHeat(const ImageType::Pointer & image, const Given<SeededHeatSegmentationOptions> & given, bool automaticP)
+  SeededHeat(const ImageType::Pointer &                   image,
+             const std::optional<MaskType::Pointer> &     domain,
+             const Given<SeededHeatSegmentationOptions> & given,
+             bool                                         automaticP)
   {
     m_Filter->SetInput(image);
+    m_Filter->SetDomain(domain.value_or(nullptr));
     m_Filter->SetOptions(given.options);
     if (automaticP)
     {
-      m_Filter->SetP(ChooseP(VolumeView(image.GetPointer()), given.options).p);
+      m_Filter->SetP(ChooseP(m_Filter->GetVolume(), given.options).p);
     }
   }
 
   SeededLabels
-  Segment(const SeedImage::Pointer & seeds, bool wantsProbabilities, const Progress & progress)
+  Segment(const SeedImage::Pointer & seeds,
+          const SeedImage::Pointer & before,
+          bool                       wantsProbabilities,
+          const Progress &           progress)
   {
     RequireParameter(m_Worker != std::this_thread::get_id(),
                      "a progress function called `segment` of the reporting object; create another SeededHeat");
@@ -56,7 +65,12 @@ public:
     {
       throw InputError("the grids of the seeds and of the image differ; use a label map on the grid of the image");
     }
+    if (before && !HaveSameGrid(m_Filter->GetInput(), before))
+    {
+      throw InputError("the grids of the labels before and of the image differ");
+    }
     m_Filter->SetSeeds(seeds);
+    m_Filter->SetLabelsBefore(before);
     UpdateWithProgress(m_Filter.GetPointer(), "Diffusing heat from the seeds", progress);
     SeededLabels result{
       m_Filter->GetOutput(), m_Filter->GetUncertaintyOutput(), {}, m_Filter->GetIterations(), m_Filter->GetRemarks()
@@ -116,12 +130,18 @@ AddSeeds(py::module_ & module)
     .def_readonly("warnings", &SeededLabels::warnings, "Labels that hardly extend beyond their seeds, one per line.");
 
   py::class_<SeededHeat>(module, "_SeededHeat")
-    .def(py::init<const ImageType::Pointer &, const Given<SeededHeatSegmentationOptions> &, bool>())
+    .def(py::init<const ImageType::Pointer &,
+                  const std::optional<MaskType::Pointer> &,
+                  const Given<SeededHeatSegmentationOptions> &,
+                  bool>())
     .def("segment",
-         Reporting(
-           +[](SeededHeat & heat, const SeedImage::Pointer & seeds, bool probabilities, const Progress & progress) {
-             return heat.Segment(seeds, probabilities, progress);
-           }),
+         Reporting(+[](SeededHeat &                              heat,
+                       const SeedImage::Pointer &                seeds,
+                       const std::optional<SeedImage::Pointer> & before,
+                       bool                                      probabilities,
+                       const Progress &                          progress) {
+           return heat.Segment(seeds, before.value_or(nullptr), probabilities, progress);
+         }),
          ReleaseGil());
 
   module.def("seeds_of_classes", &SeedsOf, ReleaseGil());

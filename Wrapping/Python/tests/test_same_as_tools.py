@@ -64,6 +64,39 @@ class SameAsToolsTest(TestCase):
             for name, value in {**dict(zip("xyz", one.center)), **same}.items():
                 self.assertAlmostEqual(float(row[name]), value, delta=1e-9 * abs(value))  # the file rounds the grid
 
+    def test_mask_and_barrier(self):
+        heat, labels, table, mask, barrier = (
+            self.folder / name for name in ("heat.nrrd", "labels.nrrd", "objects.csv", "mask.nrrd", "barrier.nrrd")
+        )
+        inside = np.ones(self.image.array.shape, np.uint8)
+        inside[:3], inside[:, :, inside.shape[2] // 2] = 0, 0  # a wall through the volume
+        shapeton.write_volume(self.image.like(inside), mask)
+        shapeton.write_volume(self.image.like(1 - inside), barrier)
+        domain = self.image.like(inside)
+        found = shapeton.diffuse_heat(self.image, domain=domain).heat
+        self.assertFalse(found.array[inside == 0].any())
+        objects = shapeton.find_objects(found, domain=domain)
+        for name, path in (("--mask", mask), ("--barrier", barrier)):
+            run_tool("CumulativeHeatDiffusion", self.volume, heat, name, path)
+            self.assertSame(found.array, self.read("heat.nrrd"))
+            run_tool("HeatObjects", self.volume, heat, labels, table, name, path)
+            self.assertSame(objects.labels.array.astype(np.float32), self.read("labels.nrrd"))
+
+    def test_refined_mask(self):
+        ball = (self.image.array > self.image.array.mean()).astype(np.uint8)
+        seeds, mask, labels = (self.folder / name for name in ("seeds.nrrd", "mask.nrrd", "refined.nrrd"))
+        voxels = np.zeros(ball.shape, np.uint16)
+        brightest = np.unravel_index(self.image.array.argmax(), voxels.shape)
+        voxels[brightest] = 2  # not this ball
+        shapeton.write_volume(self.image.like(voxels), seeds)
+        shapeton.write_volume(self.image.like(ball), mask)
+        run_tool("SeededHeatSegmentation", self.volume, seeds, labels, "--refine", mask)
+        before = self.image.like(np.where(ball, 1, 2).astype(np.uint16))
+        found = shapes.SeededHeat(self.image).segment(self.image.like(voxels), before=before).labels.array
+        self.assertSame(found.astype(np.float32), self.read("refined.nrrd"))
+        self.assertEqual(found[brightest], 2)
+        self.assertLess((found == 1).sum(), ball.sum())
+
     def test_SeededHeatSegmentation(self):
         voxels = np.zeros(self.image.array.shape, np.uint16)
         brightest = np.unravel_index(self.image.array.argmax(), voxels.shape)
