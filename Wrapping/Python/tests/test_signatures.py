@@ -64,7 +64,7 @@ class SignatureTest(TestCase):
             (colon.FlatColon, ["surface", "pixel_size"]),
             (graphs.Graph, ["nodes", "edges", "names"]),
             (shapes.NamedShape, ["name", "signature"]),
-            (shapes.SeededHeat, ["image", "p", "intensity_window", "least_weight", "tolerance"]),
+            (shapes.SeededHeat, ["image", "domain", "p", "intensity_window", "least_weight", "tolerance"]),
         ):
             self.assertEqual(list(inspect.signature(kind).parameters), names)
 
