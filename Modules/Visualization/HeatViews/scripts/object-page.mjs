@@ -1,8 +1,8 @@
 import { byId, element, notice } from '../../../Core/Pages/scripts/page.mjs';
 import { lowerEdge, NUMBER_OF_BINS } from './lines.mjs';
 import {
-  binsOfObject, chainOf, classesOf, fillObjectList, listenToObjects, MOST_OBJECTS, OBJECT_CONTROLS, objectOfClick, rowOfObject, shownObjects,
-  textOf,
+  binsOfObject, chainOf, classesOf, fillObjectList, listenToObjects, MOST_OBJECTS, OBJECT_CONTROLS, objectOfClick, rowOfObject,
+  shownObjects, textOf,
 } from './objects.mjs';
 
 // The objects of a heat explorer. labels: the number of the smallest object of each voxel, or null; selection: numbers of objects, the last
@@ -27,7 +27,8 @@ export class PageWithObjects {
     const { objects, selection, state: { styles } } = this;
     const isListed = ({ number, isOffer }) => !this.isExcluded(number)
       && (!isOffer || styles[number - 1].isOn || selection.includes(number));
-    fillObjectList(byId('objects'), this, objects.filter(isListed), selection, (object) => rowOfObject(object, styles[object.number - 1], this));
+    const rowOf = (object) => rowOfObject(object, styles[object.number - 1], this);
+    fillObjectList(byId('objects'), this, objects.filter(isListed), selection, rowOf);
   }
 
   isExcluded(number) { return this.state.styles[number - 1].isExcluded; }

@@ -40,7 +40,7 @@ export function chainOf(objects, number) {
   return chain;
 }
 
-// What a click on a voxel with this label selects: the best of the objects or offers there that are not excluded, as ObjectOfClick(); 0 for none.
+// What a click on a voxel with this label selects, as ObjectOfClick(): the best object or offer there that is not excluded; 0: none.
 export function objectOfClick(objects, label, isExcluded = () => false) {
   const chain = chainOf(objects, label).filter((n) => !isExcluded(n));
   return chain.reduce((best, n) => (best && objects[best - 1].score >= objects[n - 1].score ? best : n), 0);
@@ -84,8 +84,9 @@ export function rowOfObject({ number }, { isOn, color, opacity }, page) {
 // The colors with which a page opens: objects that contain others are transparent, offers are hidden.
 export function stylesOf(objects, colors) {
   const outside = new Set(objects.map((o) => o.parent));
+  const opacityOf = (number) => (outside.has(number) ? OPACITY_AROUND : OPACITY_OF_OBJECT);
   return objects.map(({ number, isOffer }, i) => ({
-    isOn: i < MOST_OBJECTS && !isOffer, isExcluded: false, color: colors[i % colors.length], opacity: outside.has(number) ? OPACITY_AROUND : OPACITY_OF_OBJECT,
+    isOn: i < MOST_OBJECTS && !isOffer, isExcluded: false, color: colors[i % colors.length], opacity: opacityOf(number),
   }));
 }
 
