@@ -8,6 +8,7 @@
 #include "shapetonHeatSnapshot.h"
 #include "shapetonReadOptions.h"
 #include "shapetonImageGrid.h"
+#include "shapetonLabelFiles.h"
 #include "shapetonToolVolumes.h"
 #include "shapetonVolumeWriter.h"
 
@@ -113,15 +114,17 @@ ListObjects(CommandLine & commandLine)
   }
   HeatObjectTable(list, selection.objects, volume.image).Write(table);
   explorer.Write(volume.image, heat.image, heat.file, list);
+  std::string title = std::to_string(list.objects.size()) + " objects";
   if (isSelected)
   {
     KeepObject(selection.chosen, list);
+    selection.objects = { selection.chosen };
+    title = "selected object";
   }
-  const std::string title = isSelected ? "selected object" : std::to_string(list.objects.size()) + " objects";
-  WriteVolume(list.labels.GetPointer(), labels, ProvenanceMetadata(commandLine.GetProvenance()));
+  WriteObjectLabels(list.labels, selection.objects, labels, commandLine.GetProvenance());
   if (!picture.empty())
   {
-    WritePng(DrawHeatObjects(volume.image, list.labels, title), picture);
+    WritePng(DrawHeatObjects(volume.image, list.labels, selection.objects, title), picture);
   }
 }
 } // namespace

@@ -22,10 +22,12 @@ HeatObjectTable(const HeatObjectList & list, const std::vector<int> & objects, c
 ShapetonHeatTools_EXPORT std::vector<int>
                          ObjectsAt(const HeatObjectList & list, const itk::Point<double, 3> & point);
 
-/** Three slices with each label in its own color. \ingroup ShapetonHeatTools */
+/** Three slices through most objects, with names and colors: label i shows the object `objects[i - 1]`.
+ * \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT Picture::Pointer
                          DrawHeatObjects(const itk::Image<float, 3> *       image,
                                          const HeatObjectList::LabelImage * labels,
+                                         const std::vector<int> &           objects,
                                          const std::string &                title);
 } // namespace shapeton
 

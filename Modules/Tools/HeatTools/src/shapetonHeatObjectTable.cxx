@@ -1,7 +1,8 @@
 #include "shapetonHeatObjectTable.h"
 
-#include "shapetonColorMap.h"
 #include "shapetonExceptions.h"
+#include "shapetonObjectColors.h"
+#include "shapetonSliceChoice.h"
 #include "shapetonSliceMontage.h"
 
 #include "itkCastImageFilter.h"
@@ -105,6 +106,7 @@ ObjectsAt(const HeatObjectList & list, const itk::Point<double, 3> & point)
 Picture::Pointer
 DrawHeatObjects(const itk::Image<float, 3> *       image,
                 const HeatObjectList::LabelImage * labels,
+                const std::vector<int> &           objects,
                 const std::string &                title)
 {
   const auto cast = itk::CastImageFilter<HeatObjectList::LabelImage, itk::Image<float, 3>>::New();
@@ -112,8 +114,14 @@ DrawHeatObjects(const itk::Image<float, 3> *       image,
   cast->Update();
   SliceMontageOptions options;
   options.title = title;
-  const auto color = [](float label) {
-    return label > 0.0F ? std::optional<RGBColor>(ClassColor(static_cast<unsigned int>(label))) : std::nullopt;
+  options.cut = CutThroughParts(labels);
+  for (const int object : objects)
+  {
+    options.legend.push_back({ ColorOfObject(object), NameOfObject(object) });
+  }
+  const auto color = [&](float label) {
+    return label > 0.0F ? std::optional<RGBColor>(options.legend.at(static_cast<std::size_t>(label) - 1).color)
+                        : std::nullopt;
   };
   return DrawSliceMontage(image, cast->GetOutput(), color, options);
 }

@@ -42,7 +42,7 @@ export class HeatExplorer extends PageWithObjects {
     const state = { step: info.stored.at(-1), lines: shownLines(info.lines), ranges: info.ranges, styles };
     Object.assign(this, { folder, info, volume, gray, isEqualized: info.isEqualized, live: null });
     Object.assign(this, { times: {}, steps: new Map(), chosen: -1, busy: 0, isSaved: true, history: new History(state) });
-    this.place = volume.size.map((n) => n >> 1);
+    this.place = info.place ?? volume.size.map((n) => n >> 1);
     this.setHistogram(histogram, axisCounts);
   }
 
