@@ -62,7 +62,7 @@ ReadVolumes(CommandLine & commandLine, const TransferFunctionChoice & choice)
 ShapeTransferFunction
 LinesOfClasses(CommandLine & commandLine, const ShapeAnalysis & shape)
 {
-  auto transferFunction = ShapeTransferFunction::FromClasses(shape.classes, HeatAxis(shape.axisHistogram));
+  auto transferFunction = ShapeTransferFunction::FromClasses(shape.classes);
   if (transferFunction.GetLines().empty())
   {
     commandLine.Warn("the heat volume contains only background: the transfer function is empty");

@@ -824,8 +824,8 @@ class HeatClass:
         """Fraction of the voxels at the border of the volume, 0 to 1."""
 
     @property
-    def coherence(self) -> float:
-        """Near 1 for a region bounded by edges, near 0 for speckle."""
+    def coherence(self) -> Optional[float]:
+        """Near 1 for a region bounded by edges, near 0 for speckle; None if not measured."""
 
     @property
     def components(self) -> int:

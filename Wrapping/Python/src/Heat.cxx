@@ -162,7 +162,9 @@ AddClasses(py::module_ & module)
     .def_readonly("volume", &HeatClass::volume, "mm^3.")
     .def_readonly(
       "border_share", &HeatClass::borderShare, "Fraction of the voxels at the border of the volume, 0 to 1.")
-    .def_readonly("coherence", &HeatClass::coherence, "Near 1 for a region bounded by edges, near 0 for speckle.")
+    .def_readonly("coherence",
+                  &HeatClass::coherence,
+                  "Near 1 for a region bounded by edges, near 0 for speckle; None if not measured.")
     .def_readonly("components", &HeatClass::components, "Converged closed components in the class.")
     .def_readonly(
       "normalized_heat", &HeatClass::normalizedHeat, "Scale-invariant heat of closed components; 0 without any.");

@@ -52,6 +52,11 @@ MeasureCoherence(const VolumeGradientOperator & volumeGradient, const float * he
 ShapetonHeat_EXPORT itk::Image<unsigned char, 3>::Pointer
                     LabelHeat(const itk::Image<float, 3> * heat, std::vector<HeatClass> & classes);
 
+/** Sets the coherence of the classes from labels alone, for volumes without edge weights: the share of the faces of its
+ * voxels that are between two voxels of the class, minus the share of the others; at least 0. \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT void
+MeasureContiguity(const itk::Image<unsigned char, 3> * labels, std::vector<HeatClass> & classes);
+
 /** Sets components and normalizedHeat of the classes: each closed converged component (heat within 5 % of its
  * convergedHeat) counts in the class of its first voxel.
  * \ingroup ShapetonHeat */

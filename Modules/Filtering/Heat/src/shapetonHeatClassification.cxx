@@ -314,7 +314,7 @@ MeasureCoherence(const VolumeGradientOperator & volumeGradient, const float * he
     const auto voxels = static_cast<double>(std::max<std::uint64_t>(1, classes[i].voxels));
     const auto all = static_cast<double>(volumeGradient.GetNumberOfVoxels());
     classes[i].coherence = std::clamp(excess / (conductance * voxels), 0.0, 1.0);
-    worth[i] = classes[i].coherence * std::sqrt(std::min(1.0, voxels / (fullShare * all)));
+    worth[i] = *classes[i].coherence * std::sqrt(std::min(1.0, voxels / (fullShare * all)));
   }
   std::vector<double> best(number, 0.0);
   for (std::size_t i = 0; i < number; ++i)
@@ -352,6 +352,35 @@ LabelHeat(const itk::Image<float, 3> * heat, std::vector<HeatClass> & classes)
   }
   MeasureBorder(labels, classes);
   return labels;
+}
+
+void
+MeasureContiguity(const itk::Image<unsigned char, 3> * labels, std::vector<HeatClass> & classes)
+{
+  const auto                       size = labels->GetBufferedRegion().GetSize();
+  const std::array<std::size_t, 3> strides = { 1, size[0], size[0] * size[1] };
+  const unsigned char * const      label = labels->GetBufferPointer();
+  std::vector<double>              excess(classes.size(), 0.0); // faces inside minus faces to other classes
+  std::vector<double>              faces(classes.size(), 0.0);
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    for (std::size_t voxel = 0; voxel + strides[axis] < strides[2] * size[2]; ++voxel)
+    {
+      if (voxel / strides[axis] % size[axis] + 1 == size[axis])
+      {
+        continue;
+      }
+      for (const unsigned char end : { label[voxel], label[voxel + strides[axis]] })
+      {
+        excess[end] += label[voxel] == label[voxel + strides[axis]] ? 1.0 : -1.0;
+        faces[end] += 1.0;
+      }
+    }
+  }
+  for (HeatClass & heatClass : classes)
+  {
+    heatClass.coherence = std::max(0.0, excess[heatClass.label] / std::max(1.0, faces[heatClass.label]));
+  }
 }
 
 void

@@ -196,6 +196,36 @@ TEST(HeatClassification, TheSurroundingsHoldTheBorder)
   EXPECT_NEAR(classification.classes[1].borderShare, (border - 36.0) / border, 1e-12);
 }
 
+TEST(HeatClassification, ContiguityIsHighForACubeAndZeroForACheckerboard)
+{
+  constexpr int side = 10;
+  auto          labels = itk::Image<unsigned char, 3>::New();
+  labels->SetRegions(itk::Size<3>{ { 3 * side, 3 * side, 3 * side } });
+  labels->Allocate(true);
+  for (int z = 0; z < side; ++z)
+  {
+    for (int y = 0; y < side; ++y)
+    {
+      for (int x = 0; x < side; ++x)
+      {
+        labels->SetPixel({ { x + 2, y + 2, z + 2 } }, (x + y + z) % 2 == 0 ? 1 : 0);
+        labels->SetPixel({ { x + 2 * side, y + 2 * side, z + 2 * side } },
+                         2); // at the border: three sides without faces
+      }
+    }
+  }
+  std::vector<shapeton::HeatClass> classes(3);
+  for (unsigned int label = 0; label < 3; ++label)
+  {
+    classes[label].label = label;
+  }
+  shapeton::MeasureContiguity(labels, classes);
+  EXPECT_EQ(*classes[1].coherence, 0.0);
+  constexpr double inside = 6.0 * side * side * (side - 1);
+  constexpr double outside = 3.0 * side * side;
+  EXPECT_NEAR(*classes[2].coherence, (inside - outside) / (inside + outside), 1e-12);
+}
+
 TEST(HeatClassification, ConvergedComponentsJoinTheClassOfTheirHeat)
 {
   std::vector<HeatClass> classes(3);

@@ -211,10 +211,10 @@ TEST(ClassCoherence, OfACubeIsTheShareOfItsInnerFaces)
   classes[1].voxels = side * side * side;
   classes[0].voxels = volume.values.size() - classes[1].voxels;
   const double regions = MeasureCoherence(volumeGradient, volume.values.data(), classes); // heat = intensity
-  EXPECT_NEAR(classes[1].coherence, (side - 1.0) / side, 1e-12);
+  EXPECT_NEAR(*classes[1].coherence, (side - 1.0) / side, 1e-12);
   const double outer = 2.0 * (3.0 * 20 * 20 * 19 - 3.0 * side * side * (side - 1) - 6.0 * side * side);
-  EXPECT_NEAR(classes[0].coherence, outer / (6.0 * classes[0].voxels), 1e-12);
-  EXPECT_NEAR(regions, classes[0].coherence + classes[1].coherence, 1e-12);
+  EXPECT_NEAR(*classes[0].coherence, outer / (6.0 * classes[0].voxels), 1e-12);
+  EXPECT_NEAR(regions, *classes[0].coherence + *classes[1].coherence, 1e-12);
 }
 
 TEST(ClassCoherence, CountsBandsAsOneRegionAndSpeckleAsNone)

@@ -37,7 +37,7 @@ class ShapetonHeatObjects_EXPORT PartitionTree
 public:
   using Index = std::uint32_t;
 
-  /** Of voxels outside the domain. */
+  /** The basin of voxels outside the domain. */
   static constexpr Index NoBasin = std::numeric_limits<Index>::max();
 
   /** Smallest basin. With 30 to 200 voxels, the best regions of bones, teeth and organs have the same mean Dice

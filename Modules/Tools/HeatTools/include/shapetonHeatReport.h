@@ -71,10 +71,11 @@ ShapetonHeatTools_EXPORT void
 WriteExplorer(const HeatReportContent & content, HeatExplorer & explorer);
 
 /** The classes as a table: label, lowerHeat, upperHeat, meanHeat, voxels, volume (mm^3), borderShare, components,
- * normalizedHeat, coherence, and the color in pictures ("#rrggbb"; empty for the background). For visits, Density
- * replaces Heat, and meanVisits replaces components, normalizedHeat and coherence. \ingroup ShapetonHeatTools */
+ * normalizedHeat, coherence (empty if not measured), and the color in pictures ("#rrggbb"; empty for the background).
+ * For visits, Density replaces Heat, and meanVisits replaces components and normalizedHeat. \ingroup ShapetonHeatTools
+ */
 ShapetonHeatTools_EXPORT CsvTable
-ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity = {});
+ClassTable(const std::vector<HeatClass> & classes, const ShapeQuantity & quantity = {});
 
 /** The class table of the report. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT CsvTable

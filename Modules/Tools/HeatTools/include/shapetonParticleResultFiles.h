@@ -14,12 +14,18 @@ namespace shapeton
 {
 class CommandLine;
 class DicomMapOutput;
+struct ShapeAnalysis;
 struct Volume;
 
 /** Warnings on a run of shapeton diffusion: trapped shapetons, density that did not reach the requested steady state,
  * few visits. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT std::vector<std::string>
                          ParticleRemarks(const ParticleDiffusionImageFilter<itk::Image<float, 3>> * filter);
+
+/** A warning if the classes of a density do not show objects: there is one class only, or fewer than two are regions
+ * besides the surroundings and the others are speckle; otherwise empty. \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT std::vector<std::string>
+                         PartRemarks(const std::vector<HeatClass> & classes);
 
 /** Parameters and measures of a run as text, with the reasons for the choice. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT HeatReportContent::Facts
@@ -65,7 +71,7 @@ public:
   void
   WriteDensity(const itk::Image<std::uint32_t, 3> * visits, std::uint64_t timeStep) const;
   void
-  WriteLabels(const itk::Image<unsigned char, 3> * labels) const;
+  WriteLabels(const ShapeAnalysis & shape) const;
   ///@}
 
 private:

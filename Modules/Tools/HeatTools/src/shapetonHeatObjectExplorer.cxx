@@ -2,6 +2,7 @@
 
 #include "shapetonReportFolder.h"
 #include "shapetonShapeAnalysis.h"
+#include "shapetonSliceChoice.h"
 
 namespace shapeton
 {
@@ -37,6 +38,7 @@ HeatObjectExplorer::Write(const itk::Image<float, 3> * gray,
   content.axisHistogram = &shape.axisHistogram;
   content.gray = gray;
   content.objects = &list;
+  content.place = CutThroughParts(tree.List().labels);
   m_Explorer->Write(content);
 }
 } // namespace shapeton

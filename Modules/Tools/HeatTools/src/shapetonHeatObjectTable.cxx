@@ -1,7 +1,9 @@
 #include "shapetonHeatObjectTable.h"
 
-#include "shapetonColorMap.h"
 #include "shapetonExceptions.h"
+#include "shapetonMappedImage.h"
+#include "shapetonObjectColors.h"
+#include "shapetonSliceChoice.h"
 #include "shapetonSliceMontage.h"
 
 #include "itkCastImageFilter.h"
@@ -68,6 +70,22 @@ HeatObjectTable(const HeatObjectList & list, const std::vector<int> & objects, c
   return table;
 }
 
+HeatObjectList::LabelImage::Pointer
+LabelsOfObjects(const HeatObjectList & list, const std::vector<int> & objects)
+{
+  const auto labels = NewImageOn<HeatObjectList::LabelImage>(list.labels, true);
+  for (std::size_t i = 0; i < objects.size(); ++i)
+  {
+    for (const VoxelRange & range : list.ranges.at(objects[i] - 1))
+    {
+      std::fill(labels->GetBufferPointer() + range.begin,
+                labels->GetBufferPointer() + range.end,
+                static_cast<HeatObjectList::LabelImage::PixelType>(i + 1));
+    }
+  }
+  return labels;
+}
+
 std::vector<int>
 ObjectsAt(const HeatObjectList & list, const itk::Point<double, 3> & point)
 {
@@ -94,6 +112,7 @@ ObjectsAt(const HeatObjectList & list, const itk::Point<double, 3> & point)
 Picture::Pointer
 DrawHeatObjects(const itk::Image<float, 3> *       image,
                 const HeatObjectList::LabelImage * labels,
+                const std::vector<int> &           objects,
                 const std::string &                title)
 {
   const auto cast = itk::CastImageFilter<HeatObjectList::LabelImage, itk::Image<float, 3>>::New();
@@ -101,8 +120,14 @@ DrawHeatObjects(const itk::Image<float, 3> *       image,
   cast->Update();
   SliceMontageOptions options;
   options.title = title;
-  const auto color = [](float label) {
-    return label > 0.0F ? std::optional<RGBColor>(ClassColor(static_cast<unsigned int>(label))) : std::nullopt;
+  options.cut = CutThroughParts(labels);
+  for (const int object : objects)
+  {
+    options.legend.push_back({ ColorOfObject(object), NameOfObject(object) });
+  }
+  const auto color = [&](float label) {
+    return label > 0.0F ? std::optional<RGBColor>(options.legend.at(static_cast<std::size_t>(label) - 1).color)
+                        : std::nullopt;
   };
   return DrawSliceMontage(image, cast->GetOutput(), color, options);
 }

@@ -5,6 +5,7 @@
 #include "shapetonHeatHistogramPicture.h"
 #include "shapetonHtmlReport.h"
 #include "shapetonJson.h"
+#include "shapetonSliceChoice.h"
 #include "shapetonSliceMontage.h"
 #include "shapetonTransferFunctionPicture.h"
 
@@ -73,43 +74,39 @@ TextOf(const Json & value, int digits)
 /** A column of classes. */
 struct ClassColumn
 {
-  std::string                            name; ///< in report.json and classes.csv; empty: only in the table for readers
-  std::string                            heading; ///< in the table for readers
-  std::function<Json(const HeatClass &)> value;
-  int                                    digits{ 0 }; ///< in classes.csv; 0: all
+  std::string                              name;    ///< in report.json and classes.csv
+  std::string                              heading; ///< in the table for readers
+  std::function<Json(const HeatClass &)>   value;
+  int                                      digits{ 0 }; ///< in classes.csv; 0: all
   std::function<std::string(const Json &)> shown{ [](const Json & value) { return TextOf(value, 4); } };
 };
 using ClassColumns = std::vector<ClassColumn>;
 
 /** The columns, in the order of the table for readers. Components are computed for heat only. */
 ClassColumns
-ColumnsOfClasses(const HeatAxis & axis, const ShapeQuantity & quantity)
+ColumnsOfClasses(const ShapeQuantity & quantity)
 {
   const auto shortly = [](const Json & value) { return TextOf(value, 2); };
   const auto grouped = [](const Json & value) { return GroupedDigits(value); };
   const auto named = [](const Json & label) { return label == 0 ? "background" : TextOf(label, 0); };
   const auto milliliters = [](const Json & volume) { return CsvTable::Rounded(volume.get<double>() / 1000.0, 4); };
   const auto unless0 = [](const Json & value) { return value == 0.0 ? "" : TextOf(value, 4); };
-  const auto colored = [](const HeatClass & c, const RGBColor & color) -> Json {
-    return c.label == 0 ? "" : HexOf(color);
-  };
+  const auto colorOf = [](const HeatClass & c) -> Json { return c.label == 0 ? "" : HexOf(ColorOfClass(c)); };
+  const auto coherence = [](const HeatClass & c) { return c.coherence ? Json(*c.coherence) : Json(""); };
   const std::string title = quantity.GetTitle();
   ClassColumns      columns = {
          { "label", "class", [](const HeatClass & c) { return c.label; }, 0, named },
-    { "", "color", [=](const HeatClass & c) { return colored(c, ClassColor(c.label)); } },
+    { "color", "color", colorOf },
     { "lower" + title, quantity.name + " from", [](const HeatClass & c) { return c.lowerHeat; } },
     { "upper" + title, "to", [](const HeatClass & c) { return c.upperHeat; } },
     { "mean" + title, "mean " + quantity.name, [](const HeatClass & c) { return c.meanHeat; } },
-    { "color",
-      "color of that " + quantity.name,
-      [=, &axis](const HeatClass & c) { return colored(c, axis.ColorOf(c.meanHeat)); } },
     { "voxels", "voxels", [](const HeatClass & c) { return c.voxels; }, 0, grouped },
     { "volume", "volume, ml", [](const HeatClass & c) { return c.volume; }, 0, milliliters },
-    { "borderShare", "share of the border", [](const HeatClass & c) { return c.borderShare; }, 6, shortly }
+    { "borderShare", "share of the border", [](const HeatClass & c) { return c.borderShare; }, 6, shortly },
+    { "coherence", "coherence", coherence, 6, shortly }
   };
   if (quantity.kind == ShapeQuantity::Kind::Heat)
   {
-    columns.push_back({ "coherence", "coherence", [](const HeatClass & c) { return c.coherence; }, 6, shortly });
     columns.push_back({ "components", "closed components", [](const HeatClass & c) { return c.components; } });
     columns.push_back(
       { "normalizedHeat", "scale-normalized heat", [](const HeatClass & c) { return c.normalizedHeat; }, 0, unless0 });
@@ -126,10 +123,9 @@ ColumnsOfClasses(const HeatAxis & axis, const ShapeQuantity & quantity)
 
 /** The columns of a file; those named in `last` are moved to the end. */
 ClassColumns
-FileColumns(const HeatAxis & axis, const ShapeQuantity & quantity, const std::vector<std::string> & last)
+FileColumns(const ShapeQuantity & quantity, const std::vector<std::string> & last)
 {
-  ClassColumns columns = ColumnsOfClasses(axis, quantity);
-  columns.erase(columns.begin() + 1); // without a name
+  ClassColumns columns = ColumnsOfClasses(quantity);
   for (const std::string & name : last)
   {
     std::stable_partition(
@@ -177,16 +173,13 @@ JsonOf(const Facts & facts)
 
 /** The classes, with the named columns, or with all columns if there are no names. */
 Json
-JsonOf(const std::vector<HeatClass> & classes,
-       const HeatAxis &               axis,
-       const ShapeQuantity &          quantity,
-       const std::set<std::string> &  names = {})
+JsonOf(const std::vector<HeatClass> & classes, const ShapeQuantity & quantity, const std::set<std::string> & names = {})
 {
   Json list = Json::array();
   for (const HeatClass & heatClass : classes)
   {
     list.push_back(Json::object());
-    for (const ClassColumn & column : FileColumns(axis, quantity, { "color" }))
+    for (const ClassColumn & column : FileColumns(quantity, { "color" }))
     {
       if (names.empty() || names.count(column.name) > 0)
       {
@@ -209,13 +202,11 @@ struct OpenedRange
 {
   explicit OpenedRange(const HeatReportContent & content)
     : range(content.ranges.back())
-    , axis(AxisOf(content, range))
     , classes(FindClassesInside(*content.histogram, content.histogram->GetNumberOfRows() - 1, range))
-    , lines(ShapeTransferFunction::FromClasses(classes, axis))
+    , lines(ShapeTransferFunction::FromClasses(classes))
   {}
 
   HeatRange              range;
-  HeatAxis               axis;
   std::vector<HeatClass> classes;
   ShapeTransferFunction  lines;
 };
@@ -231,15 +222,13 @@ JsonOfRanges(const HeatReportContent & content)
   {
     ranges.push_back({ range.lower, range.upper });
   }
-  const Json lines = JsonOf(opened.classes,
-                            opened.axis,
-                            content.quantity,
-                            { "label", "lower" + title, "upper" + title, "mean" + title, "voxels", "color" });
+  const Json lines = JsonOf(
+    opened.classes, content.quantity, { "label", "lower" + title, "upper" + title, "mean" + title, "voxels", "color" });
   return { { "ranges", ranges }, { "lines", lines }, { "transferFunction", opened.lines.ToText() } };
 }
 
 Json
-JsonOf(const HeatReportContent & content, const HeatAxis & axis, const ShapeTransferFunction & transferFunction)
+JsonOf(const HeatReportContent & content, const ShapeTransferFunction & transferFunction)
 {
   Json document;
   document["title"] = content.title;
@@ -249,7 +238,7 @@ JsonOf(const HeatReportContent & content, const HeatAxis & axis, const ShapeTran
   {
     document["timeStep"] = *content.timeStep;
   }
-  document["classes"] = JsonOf(content.classes, axis, content.quantity);
+  document["classes"] = JsonOf(content.classes, content.quantity);
   document["transferFunction"] = transferFunction.ToText();
   if (!content.ranges.empty())
   {
@@ -278,15 +267,15 @@ Slices(const HeatReportContent &        content,
        const HeatColoring &             coloring,
        const std::vector<LegendEntry> & legend)
 {
-  SliceMontageOptions options{ title, content.window, {}, legend };
+  const auto          cut = CutThroughParts(content.heat, ShapeTransferFunction::FromClasses(content.classes));
+  SliceMontageOptions options{ title, content.window, cut, legend };
   return DrawSliceMontage(content.gray, content.heat, coloring, options);
 }
 
 ShapeTransferFunction
 ShownLines(const HeatReportContent & content)
 {
-  return content.transferFunction ? *content.transferFunction
-                                  : ShapeTransferFunction::FromClasses(content.classes, AxisOf(content));
+  return content.transferFunction ? *content.transferFunction : ShapeTransferFunction::FromClasses(content.classes);
 }
 
 std::string
@@ -344,12 +333,13 @@ ReadingGuideOfHeat()
     "objects of similar shape. Early time steps (top) show local shape such as edges and corners, late ones (bottom) "
     "whole objects. On the equalized scale, width is proportional to the number of voxels, so distances along the "
     "axis are not heat differences; use the axis labels.",
-    "The color of a heat value is given by its position on the histogram's axis, from blue (lowest) to red (highest), "
-    "also in the rendering: similar values have similar colors. Classes have separate, distinguishable colors: in "
-    "their slices, in the table and in the bars below the histogram. A class is a heat range; two objects "
+    "In the histogram and the slices of heat, colors run from blue (lowest) to red (highest) along the axis. Each "
+    "class has one color in rendering, slices, table, label file and in the bars below the histogram. "
+    "A class is a heat range; two objects "
     "may share a class without being similar otherwise, and one organ may span several classes. The class "
-    "that covers most of the volume's border is the surroundings; the rendering omits it. "
-    "Coherence is near 1 for a class that is a region bounded by edges, and near 0 for speckle. "
+    "that covers most of the volume's border is the surroundings, shown in gray. "
+    "Coherence is near 1 for a class that is a region bounded by edges, and near 0 for speckle and for the voxels of "
+    "edges, which rendering and slices omit. "
     "Heat also depends on size: it is lower for a larger object of the same shape. The scale-normalized heat "
     "of closed components is independent of size."
   };
@@ -365,11 +355,10 @@ ReadingGuideOfVisits()
     "Histogram: time runs downwards, density to the right. A vertical line at the bottom is an object, or several "
     "objects with similar visits. Visits are a sample: n visits have an error of about the square root of n, so "
     "lines are broad if visits are few; more shapetons or steps sharpen them.",
-    "The color of a density is given by its position on the histogram's axis, from blue (fewest visits) to red "
-    "(most), also in the rendering. Classes have separate, distinguishable colors: in their slices, in the table and "
-    "in "
-    "the bars below the histogram. A class is a range of densities; two objects may share a class without being "
-    "similar otherwise.",
+    "In the histogram and the slices of density, colors run from blue (fewest visits) to red (most) along the axis. "
+    "Each class has one color in rendering, slices, table, label file and in the bars below the histogram. A class is "
+    "a range of densities; two objects may share a class without being similar otherwise. Coherence is near 1 for a "
+    "class that is a region, and 0 for scattered voxels, which rendering and slices omit.",
     "As published, only the end point of a step counts: steps longer than a feature pass over it and its walls. If "
     "all six neighbors are cut off by edges, a shapeton is trapped; such voxels have by far the most visits."
   };
@@ -388,10 +377,10 @@ AddReadingGuide(HtmlReport & html, const ShapeQuantity & quantity)
 } // namespace
 
 CsvTable
-ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity)
+ClassTable(const std::vector<HeatClass> & classes, const ShapeQuantity & quantity)
 {
   return TableOf(classes,
-                 FileColumns(axis, quantity, { "coherence", "color" }),
+                 FileColumns(quantity, { "coherence", "color" }),
                  &ClassColumn::name,
                  [](const ClassColumn & column, const Json & value) { return TextOf(value, column.digits); });
 }
@@ -440,7 +429,7 @@ RangeRemarks(const HeatReportContent & content)
 CsvTable
 ClassTable(const HeatReportContent & content)
 {
-  return ClassTable(content.classes, AxisOf(content), content.quantity);
+  return ClassTable(content.classes, content.quantity);
 }
 
 CsvTable
@@ -525,8 +514,7 @@ MakeReportContent(const CumulativeHeatDiffusionResult & result,
 
 namespace
 {
-constexpr double leastCoherence = 0.2; // speckle has at most 0.15 in nine real volumes
-constexpr long   leastRegions = 3;     // surroundings and two objects
+constexpr long leastRegions = 3; // surroundings and two objects
 } // namespace
 
 std::vector<std::string>
@@ -538,8 +526,8 @@ RunRemarks(const CumulativeHeatDiffusionResult & result, bool untilSteady, std::
   {
     remarks.push_back("all voxels have the same intensity in the window: the heat is 0 everywhere");
   }
-  const auto regions = std::count_if(
-    result.classes.begin(), result.classes.end(), [](const HeatClass & c) { return c.coherence >= leastCoherence; });
+  const auto regions =
+    std::count_if(result.classes.begin(), result.classes.end(), [](const HeatClass & c) { return !IsIncoherent(c); });
   if (!result.cold && !result.classes.empty() && regions < leastRegions)
   {
     remarks.push_back(
@@ -564,6 +552,7 @@ WriteExplorer(const HeatReportContent & content, HeatExplorer & explorer)
   explorer.AddStep(content.heat, content.timeStep.value_or(0));
   HeatExplorerContent page = content;
   page.lines = ShownLines(content);
+  page.place = CutThroughParts(content.heat, page.lines);
   explorer.Write(page);
 }
 
@@ -603,13 +592,16 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
   }
   html.AddHeading("Classes");
   const CsvTable classes = TableOf(content.classes,
-                                   ColumnsOfClasses(axis, quantity),
+                                   ColumnsOfClasses(quantity),
                                    &ClassColumn::heading,
                                    [](const ClassColumn & column, const Json & value) { return column.shown(value); });
   html.AddTable(classes, "Classes" + time + ", by " + quantity.name);
   addPicture("slices-classes.png",
-             Slices(content, "Classes" + time, ColorByClass(content.classes), LegendOf(content.classes, quantity)),
-             "Slices of the input, colored by class.");
+             Slices(content,
+                    "Classes" + time,
+                    ColorByLine(ShapeTransferFunction::FromClasses(content.classes)),
+                    LegendOf(content.classes)),
+             "Slices of the input, colored by class. Surroundings and incoherent classes are not colored.");
   addPicture("slices-" + quantity.name + ".png",
              Slices(content, quantity.GetTitle() + time, ColorByHeat(axis), {}),
              "Slices of the input, colored by " + quantity.name + ".");
@@ -632,8 +624,8 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
   html.AddHeading("Provenance");
   html.AddFacts(content.provenance);
 
-  ClassTable(content.classes, axis, quantity).Write(outputPath(folder + "/classes.csv"));
-  WriteJson(JsonOf(content, axis, transferFunction), outputPath(folder + "/report.json"));
+  ClassTable(content.classes, quantity).Write(outputPath(folder + "/classes.csv"));
+  WriteJson(JsonOf(content, transferFunction), outputPath(folder + "/report.json"));
   html.Write(outputPath(folder + "/index.html"));
 }
 } // namespace shapeton

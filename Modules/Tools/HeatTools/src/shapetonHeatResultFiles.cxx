@@ -4,6 +4,7 @@
 #include "shapetonCsvTable.h"
 #include "shapetonDicomMapOutput.h"
 #include "shapetonHeatSnapshot.h"
+#include "shapetonLabelFiles.h"
 #include "shapetonOpenedRanges.h"
 #include "shapetonReportFolder.h"
 #include "shapetonVolumeOutput.h"
@@ -39,7 +40,7 @@ HeatResultFiles::Write(HeatReportContent content, const itk::Image<unsigned char
   m_DicomMap->Write(content.heat, "HEAT", "Cumulative heat");
   if (!m_Labels.empty())
   {
-    WriteVolume(labels, m_Labels, ProvenanceMetadata(m_CommandLine.GetProvenance()));
+    WriteClassLabels(labels, content.classes, content.quantity, m_Labels, m_CommandLine.GetProvenance());
   }
   if (!m_ClassTable.empty())
   {

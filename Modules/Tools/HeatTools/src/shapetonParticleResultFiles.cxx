@@ -3,6 +3,7 @@
 #include "shapetonAxisTicks.h"
 #include "shapetonCommandLine.h"
 #include "shapetonDicomMapOutput.h"
+#include "shapetonLabelFiles.h"
 #include "shapetonOpenedRanges.h"
 #include "shapetonReportFolder.h"
 #include "shapetonShapeAnalysis.h"
@@ -79,6 +80,23 @@ ParticleRemarks(const FilterType * filter)
                       " visits on average, which is hardly above noise: use more shapetons or steps");
   }
   return remarks;
+}
+
+std::vector<std::string>
+PartRemarks(const std::vector<HeatClass> & classes)
+{
+  const auto isPart = [](const HeatClass & c) { return c.label > 0 && !IsSurroundings(c) && !IsIncoherent(c); };
+  const auto parts = std::count_if(classes.begin(), classes.end(), isPart);
+  if (classes.size() <= 2)
+  {
+    return { "all visited voxels are in one class of density: no objects can be distinguished" };
+  }
+  if (parts < 2 && std::any_of(classes.begin(), classes.end(), IsIncoherent))
+  {
+    return { "the density shows " + std::string(parts == 0 ? "no parts" : "one part") +
+             ", its other classes are scattered voxels: CumulativeHeatDiffusion shows more of this volume" };
+  }
+  return {};
 }
 
 HeatReportContent::Facts
@@ -163,11 +181,11 @@ ParticleResultFiles::WriteDensity(const itk::Image<std::uint32_t, 3> * visits, s
 }
 
 void
-ParticleResultFiles::WriteLabels(const itk::Image<unsigned char, 3> * labels) const
+ParticleResultFiles::WriteLabels(const ShapeAnalysis & shape) const
 {
   if (!m_Labels.empty())
   {
-    WriteVolume(labels, m_Labels, ProvenanceMetadata(m_CommandLine.GetProvenance()));
+    WriteClassLabels(shape.labels, shape.classes, shape.quantity, m_Labels, m_CommandLine.GetProvenance());
   }
 }
 
@@ -183,10 +201,7 @@ ParticleResultFiles::Write(const FilterType *              filter,
     return;
   }
   const ShapeAnalysis shape = AnalyzeVisits(filter->GetOutput(), filter->GetMeasures().step);
-  if (shape.classes.size() <= 2)
-  {
-    m_CommandLine.Warn("all visited voxels are in one class of density: no objects can be distinguished");
-  }
+  m_CommandLine.Warn(PartRemarks(shape.classes));
   HeatReportContent content;
   content.title = "Shapeton diffusion";
   content.quantity = shape.quantity;
@@ -202,7 +217,7 @@ ParticleResultFiles::Write(const FilterType *              filter,
   content.timeStep = filter->GetMeasures().step;
   content.classes = shape.classes;
   OpenRanges(m_CommandLine, m_Ranges, content);
-  this->WriteLabels(shape.labels);
+  this->WriteLabels(shape);
   if (!m_ClassTable.empty())
   {
     shapeton::ClassTable(content).Write(m_ClassTable);

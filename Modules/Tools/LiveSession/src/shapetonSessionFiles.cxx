@@ -7,6 +7,7 @@
 #include "shapetonFileBytes.h"
 #include "shapetonHeatObjectTable.h"
 #include "shapetonHeatResultFiles.h"
+#include "shapetonLabelFiles.h"
 #include "shapetonParticleResultFiles.h"
 #include "shapetonOperatingSystem.h"
 #include "shapetonSavedTransferFunction.h"
@@ -209,7 +210,7 @@ SessionFiles::Save(const SavedResult & result, const ParticleDiffusionOptions & 
       ReadMask(commandLine, "mask", m_Volume.image); // for its identity
     }
     files.WriteDensity(visits, result.timeStep);
-    files.WriteLabels(shape.labels);
+    files.WriteLabels(shape);
   });
   this->NoteCommand("ShapetonDiffusion", inResults, arguments);
   if (!result.mask.empty())
@@ -240,7 +241,9 @@ SessionFiles::Save(const SavedResult & result, const ParticleDiffusionOptions & 
     HeatReportContent content;
     content.heat = heat;
     content.timeStep = result.timeStep;
-    files.Write(content, result.wantLabels ? AnalyzeHeat(heat, result.timeStep).labels : nullptr);
+    const auto shape = result.wantLabels ? AnalyzeHeat(heat, result.timeStep) : ShapeAnalysis();
+    content.classes = shape.classes;
+    files.Write(content, shape.labels);
   });
   this->NoteCommand("CumulativeHeatDiffusion", inResults, arguments);
   auto names = VolumeNamesOf(result);
@@ -273,7 +276,7 @@ SessionFiles::WriteObjects(const SavedResult & result)
     this->AddInput(commandLine);
     commandLine.AddInput("heatVolume", ReadVolume(commandLine.GetString("heatVolume")).identity);
     HeatObjectTable(*result.objects, numbers, m_Volume.image).Write(tableFile);
-    WriteVolume(result.objects->labels.GetPointer(), labelsFile, ProvenanceMetadata(commandLine.GetProvenance()));
+    WriteObjectLabels(result.objects->labels, numbers, labelsFile, commandLine.GetProvenance());
   });
   this->NoteCommand("HeatObjects", { heat, labels, table }, m_ReadingArguments);
   return { labels, table };

@@ -229,7 +229,7 @@ SessionPictures::RenewHistogram(const SessionScene & scene)
     classes = FindHeatClasses(m_Histogram, 0);
     m_Axis = m_Histogram;
   }
-  m_Lines = JsonOf(ShapeTransferFunction::FromClasses(classes, HeatAxis(m_Axis)));
+  m_Lines = JsonOf(ShapeTransferFunction::FromClasses(classes));
 }
 
 void

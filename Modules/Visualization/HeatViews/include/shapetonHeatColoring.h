@@ -9,10 +9,21 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace shapeton
 {
+/** Color of a class in pictures, tables and files: ClassColor() of its label, gray for the surroundings.
+ * \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT RGBColor
+ColorOfClass(const HeatClass & heatClass);
+
+/** "class 3: 0.31 to 0.42", the range of its heat; "class 4: incoherent" or "class 1: surroundings" for those that
+ * pictures do not show. \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT std::string
+                         NameOfClass(const HeatClass & heatClass);
+
 /** Color of a voxel by its heat; empty for an uncolored voxel.
  * \ingroup ShapetonHeatViews */
 using HeatColoring = std::function<std::optional<RGBColor>(float)>;
@@ -22,14 +33,7 @@ using HeatColoring = std::function<std::optional<RGBColor>(float)>;
 ShapetonHeatViews_EXPORT HeatColoring
 ColorByHeat(const HeatAxis & axis);
 
-/** Colors each class except the background by ClassColor(). Heat colors do not distinguish the classes: on the
- * equalized axis, the decreasing heat values of early time steps take most of the space, so classes of late steps share
- * one color.
- * \ingroup ShapetonHeatViews */
-ShapetonHeatViews_EXPORT HeatColoring
-ColorByClass(const std::vector<HeatClass> & classes);
-
-/** Colors voxels by the lines of a transfer function.
+/** Colors voxels by the lines of a transfer function that are not transparent.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT HeatColoring
 ColorByLine(const ShapeTransferFunction & transferFunction);

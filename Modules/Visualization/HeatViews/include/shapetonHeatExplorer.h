@@ -14,6 +14,7 @@
 #include "itkImage.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct HeatExplorerContent
   const itk::Image<float, 3> * gray{ nullptr };
   /** Intensity window of the slices. */
   IntensityWindow window;
+  /** Voxel of `gray` initially under the crosshair; by default the middle. */
+  std::optional<itk::Index<3>> place;
   /** Initial lines of the page. */
   ShapeTransferFunction lines;
   /** Initially zoomed ranges; the key B closes the last one. */

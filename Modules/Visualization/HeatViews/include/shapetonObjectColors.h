@@ -13,6 +13,15 @@
 
 namespace shapeton
 {
+/** "object 3" and its color: the same in pictures, on the page of objects and in label files. Numbers count from 1.
+ * \ingroup ShapetonHeatViews */
+///@{
+ShapetonHeatViews_EXPORT std::string
+                         NameOfObject(int number);
+ShapetonHeatViews_EXPORT RGBColor
+ColorOfObject(int number);
+///@}
+
 /** An object in a transfer function: the voxels of a label map that it shows, whatever their heat.
  * \ingroup ShapetonHeatViews */
 struct ObjectColor

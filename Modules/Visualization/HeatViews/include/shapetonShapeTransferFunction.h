@@ -3,7 +3,6 @@
 
 #include "ShapetonHeatViewsExport.h"
 
-#include "shapetonHeatAxis.h"
 #include "shapetonHeatClasses.h"
 #include "shapetonPicture.h"
 
@@ -62,13 +61,11 @@ public:
   static ShapeTransferFunction
   Parse(const std::string & text);
 
-  /** One line per class, except the background and, if there are other classes, the surroundings (borderShare above one
-   * half), which would hide them. The color encodes the mean heat on the axis, so similar classes look similar.
-   * Large classes are more transparent, so small ones inside them stay visible. If there are more than
-   * MaximumNumberOfLines classes, adjacent classes are merged, the closest on the axis first; a merged range includes
-   * the heat values between them. */
+  /** One line per class, in its ColorOfClass(), except the background and, if there are other classes, the
+   * surroundings, which would hide them. Incoherent classes are transparent; of the others, large classes are more
+   * transparent, so small ones inside them stay visible. Throws as the constructor for too many classes. */
   static ShapeTransferFunction
-  FromClasses(const std::vector<HeatClass> & classes, const HeatAxis & axis);
+  FromClasses(const std::vector<HeatClass> & classes);
 
   const std::vector<TransferFunctionLine> &
   GetLines() const

@@ -22,7 +22,7 @@ struct SliceMontageOptions
 {
   std::string     title;
   IntensityWindow window;
-  /** Intersection voxel of the three slices; by default where most colors are visible (see DrawSliceMontage). */
+  /** Intersection voxel of the three slices, for example CutThroughParts(); by default the middle. */
   std::optional<itk::Index<3>> cut{};
   std::vector<LegendEntry>     legend{};
   /** Opacity of the colors over the gray values, in [0, 1]. */
@@ -41,8 +41,7 @@ WindowOf(const itk::Image<float, 3> * gray, const IntensityWindow & window);
  * The slices follow the volume's own axes, in the radiological convention as closely as these axes allow (axial: the
  * patient's right at the left, anterior on top; coronal: right at the left, head on top; sagittal: anterior at the
  * left, head on top), with the true letters at the borders. All three share one scale in mm, independent of the
- * spacing. By default each slice maximizes the number of different colors, then of colored voxels, then closeness to
- * the center.
+ * spacing.
  *
  * Throws std::invalid_argument if the images differ in size, the cut is outside, or the width is too small.
  * \ingroup ShapetonHeatViews */
@@ -52,12 +51,12 @@ ShapetonHeatViews_EXPORT Picture::Pointer
                                           const HeatColoring &         coloring,
                                           const SliceMontageOptions &  options = {});
 
-/** A legend for the classes except the background: ClassColor(), number, mean value.
- * \ingroup ShapetonHeatViews */
+/** A legend for the classes except the background: ColorOfClass() and NameOfClass(), white for those that are
+ * incoherent. \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT std::vector<LegendEntry>
-                         LegendOf(const std::vector<HeatClass> & classes, const ShapeQuantity & quantity = {});
+                         LegendOf(const std::vector<HeatClass> & classes);
 
-/** A legend for the lines of a transfer function: color and name or heat range.
+/** A legend for the lines of a transfer function: color, white if transparent, and name or heat range.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT std::vector<LegendEntry>
                          LegendOf(const ShapeTransferFunction & transferFunction);

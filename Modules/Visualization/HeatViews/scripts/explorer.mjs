@@ -43,7 +43,7 @@ export class HeatExplorer extends PageWithObjects {
     Object.assign(this, { folder, info, volume, gray, isEqualized: info.isEqualized, live: null });
     Object.assign(this, { times: {}, steps: new Map(), chosen: -1, busy: 0, isSaved: true, history: new History(state) });
     Object.assign(this, { shown: { values: [], numbers: [], colors: [] }, isOutdated: false });
-    this.place = volume.size.map((n) => n >> 1);
+    this.place = info.place ?? volume.size.map((n) => n >> 1);
     this.setHistogram(histogram, axisCounts);
   }
 

@@ -26,11 +26,11 @@ export function premultiplied({ color, opacity }) {
   return ((a << 24) | (b << 16) | (g << 8) | r) >>> 0;
 }
 
-// Line number of each bin, counted from 1; 0 for none.
+// Line number of each bin, counted from 1; 0 for none, and for lines that are off or transparent.
 export function linesOfBins(lines) {
   const out = new Uint8Array(NUMBER_OF_BINS);
   lines.forEach((line, i) => {
-    if (!line.isOn) return;
+    if (!line.isOn || line.opacity === 0) return;
     for (let bin = binOf(line.lower); bin < NUMBER_OF_BINS && lowerEdge(bin) < line.upper; bin++) {
       if (lowerEdge(bin) >= line.lower) out[bin] = i + 1;
     }

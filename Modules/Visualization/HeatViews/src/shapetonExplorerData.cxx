@@ -63,6 +63,19 @@ public:
     return values;
   }
 
+  /** The voxel of the subsampled grid at or next to a voxel of the image. */
+  Json
+  PlaceOf(const itk::Index<3> & voxel) const
+  {
+    const auto start = m_Image->GetBufferedRegion().GetIndex();
+    Json       place = Json::array();
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      place.push_back(static_cast<std::size_t>(voxel[axis] - start[axis]) / m_Stride);
+    }
+    return place;
+  }
+
   /** Size, spacing, origin and axes of the subsampled grid. */
   Json
   Geometry() const
@@ -223,14 +236,20 @@ InfoOf(const HeatExplorerContent & content, std::size_t greatestVoxels)
   {
     planes.push_back(PlaneOf(content.gray, plane));
   }
-  return { { "title", content.title },
-           { "isEqualized", content.scale == HeatScale::Equalized },
-           { "heatColors", Colors(heatColors, [](int i) { return HeatColor(i / (heatColors - 1.0)); }) },
-           { "lineColors", Colors(lineColors, [](int i) { return ClassColor(i + 1); }) },
-           { "volume", ShownGrid(content.gray, greatestVoxels).Geometry() },
-           { "ranges", JsonOf(content.ranges) },
-           { "window", { window.lower, window.upper } },
-           { "planes", planes } };
+  const ShownGrid grid(content.gray, greatestVoxels);
+  Json            info{ { "title", content.title },
+             { "isEqualized", content.scale == HeatScale::Equalized },
+             { "heatColors", Colors(heatColors, [](int i) { return HeatColor(i / (heatColors - 1.0)); }) },
+             { "lineColors", Colors(lineColors, [](int i) { return ClassColor(i + 1); }) },
+             { "volume", grid.Geometry() },
+             { "ranges", JsonOf(content.ranges) },
+             { "window", { window.lower, window.upper } },
+             { "planes", planes } };
+  if (content.place)
+  {
+    info["place"] = grid.PlaceOf(*content.place);
+  }
+  return info;
 }
 
 void

@@ -1,10 +1,25 @@
 #include "shapetonHeatColoring.h"
+#include "shapetonAxisTicks.h"
 #include "shapetonColorMap.h"
-
-#include <algorithm>
 
 namespace shapeton
 {
+RGBColor
+ColorOfClass(const HeatClass & heatClass)
+{
+  constexpr unsigned char gray = 128;
+  return IsSurroundings(heatClass) ? MakeColor(gray, gray, gray) : ClassColor(heatClass.label);
+}
+
+std::string
+NameOfClass(const HeatClass & heatClass)
+{
+  return "class " + std::to_string(heatClass.label) + ": " +
+         (IsSurroundings(heatClass) ? "surroundings"
+          : IsIncoherent(heatClass) ? "incoherent"
+                                    : HeatLabel(heatClass.lowerHeat) + " to " + HeatLabel(heatClass.upperHeat));
+}
+
 HeatColoring
 ColorByHeat(const HeatAxis & axis)
 {
@@ -14,35 +29,12 @@ ColorByHeat(const HeatAxis & axis)
 }
 
 HeatColoring
-ColorByClass(const std::vector<HeatClass> & classes)
-{
-  struct Range
-  {
-    double   lower;
-    double   upper;
-    RGBColor color;
-  };
-  std::vector<Range> ranges;
-  for (const HeatClass & heatClass : classes)
-  {
-    if (heatClass.label != 0)
-    {
-      ranges.push_back({ heatClass.lowerHeat, heatClass.upperHeat, ClassColor(heatClass.label) });
-    }
-  }
-  return [ranges](float heat) {
-    const auto found = std::find_if(
-      ranges.begin(), ranges.end(), [&](const Range & range) { return heat >= range.lower && heat < range.upper; });
-    return found == ranges.end() ? std::nullopt : std::optional<RGBColor>(found->color);
-  };
-}
-
-HeatColoring
 ColorByLine(const ShapeTransferFunction & transferFunction)
 {
   return [transferFunction](float heat) {
-    const int line = transferFunction.LineOf(heat);
-    return line < 0 ? std::nullopt : std::optional<RGBColor>(transferFunction.GetLines()[line].color);
+    const int  line = transferFunction.LineOf(heat);
+    const bool isShown = line >= 0 && transferFunction.GetLines()[line].opacity > 0.0;
+    return isShown ? std::optional<RGBColor>(transferFunction.GetLines()[line].color) : std::nullopt;
   };
 }
 } // namespace shapeton

@@ -2,6 +2,7 @@
 
 #include "shapetonAxisTicks.h"
 #include "shapetonColorMap.h"
+#include "shapetonHeatColoring.h"
 #include "shapetonPageColors.h"
 
 #include <algorithm>
@@ -334,7 +335,7 @@ DrawClasses(Picture *                      picture,
     const int left = area.left + static_cast<int>(axis.PositionOf(heatClass.lowerHeat) * (area.width - 1));
     const int right = area.left + static_cast<int>(axis.PositionOf(heatClass.upperHeat) * (area.width - 1));
     const int width = std::max(right - left, 3);
-    FillRectangle(picture, left, top, width, barHeight, ClassColor(heatClass.label));
+    FillRectangle(picture, left, top, width, barHeight, ColorOfClass(heatClass));
     FillRectangle(picture, left, top, 1, barHeight + 3, InkColor);
     FillRectangle(picture, left + width - 1, top, 1, barHeight + 3, InkColor);
     const std::string number = std::to_string(heatClass.label);

@@ -67,7 +67,7 @@ LiveExplorer::WriteState(const ShapeAnalysis & shape, const LiveState & state)
 {
   this->Remember(shape.histogram);
   const HeatHistogram histogram = Joined(m_Rows);
-  const auto          lines = ShapeTransferFunction::FromClasses(shape.classes, HeatAxis(shape.axisHistogram));
+  const auto          lines = ShapeTransferFunction::FromClasses(shape.classes);
   PageBlocks          blocks("", true, m_OutputPath);
   PutBins(blocks, "bins-live", shape.values);
   PutCounts(blocks, "histogram", histogram);

@@ -42,8 +42,8 @@ RequireObjects(const std::vector<std::uint64_t> & counts,
     const auto voxels = std::accumulate(object.labels.begin(), object.labels.end(), std::uint64_t{ 0 }, add);
     if (voxels != object.voxels)
     {
-      throw InputError("object " + std::to_string(object.number) + " has " + std::to_string(voxels) + " voxels in " +
-                       name + ", but " + std::to_string(object.voxels) +
+      throw InputError(NameOfObject(object.number) + " has " + std::to_string(voxels) + " voxels in " + name +
+                       ", but " + std::to_string(object.voxels) +
                        " in the transfer function: use the labels that HeatObjects has written with its page");
     }
   }
@@ -81,12 +81,24 @@ ClassesOf(const ShapeTransferFunction & transferFunction, const std::vector<Obje
     TransferFunctionLine line; // its range comes from OfClasses()
     line.color = object.color;
     line.opacity = object.opacity;
-    line.name = "object " + std::to_string(object.number);
+    line.name = NameOfObject(object.number);
     lines.push_back(line);
   }
   return ShapeTransferFunction::OfClasses(std::move(lines));
 }
 } // namespace
+
+std::string
+NameOfObject(int number)
+{
+  return "object " + std::to_string(number);
+}
+
+RGBColor
+ColorOfObject(int number)
+{
+  return ClassColor(static_cast<unsigned int>(number));
+}
 
 ColoredClasses
 ColorObjects(const ImageType *                heat,

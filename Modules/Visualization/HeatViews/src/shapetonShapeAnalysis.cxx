@@ -35,6 +35,7 @@ AnalyzeVisits(const itk::Image<std::uint32_t, 3> * visits, std::uint64_t timeSte
   if (wantLabels)
   {
     analysis.labels = LabelHeat(analysis.values, analysis.classes);
+    MeasureContiguity(analysis.labels, analysis.classes);
   }
   analysis.axisHistogram = BalanceClasses(analysis.histogram, 0, analysis.classes);
   return analysis;

@@ -3,6 +3,7 @@
 #include "shapetonColorMap.h"
 #include "shapetonCsvTable.h"
 #include "shapetonExceptions.h"
+#include "shapetonHeatColoring.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkPiecewiseFunction.h>
@@ -138,40 +139,19 @@ Check(const TransferFunctionLine & line)
   }
 }
 
-/** Merges the two adjacent classes that are closest on the axis. */
-void
-JoinClosest(std::vector<HeatClass> & classes, const HeatAxis & axis)
-{
-  const auto distance = [&](std::size_t i) {
-    return axis.PositionOf(classes[i + 1].meanHeat) - axis.PositionOf(classes[i].meanHeat);
-  };
-  std::size_t closest = 0;
-  for (std::size_t i = 1; i + 1 < classes.size(); ++i)
-  {
-    closest = distance(i) < distance(closest) ? i : closest;
-  }
-  HeatClass &       joined = classes[closest];
-  const HeatClass & next = classes[closest + 1];
-  const auto        voxels = static_cast<double>(joined.voxels);
-  const auto        nextVoxels = static_cast<double>(next.voxels);
-  if (voxels + nextVoxels > 0.0)
-  {
-    joined.meanHeat = (voxels * joined.meanHeat + nextVoxels * next.meanHeat) / (voxels + nextVoxels);
-  }
-  joined.upperHeat = next.upperHeat;
-  joined.voxels += next.voxels;
-  classes.erase(classes.begin() + static_cast<std::ptrdiff_t>(closest) + 1);
-}
-
-/** 0.9 for classes up to the median voxel count. For larger classes, 0.9 (median / voxel count)^(2/3), at least 0.03,
- * so a class that fills much of the volume becomes a veil. */
+/** 0 for incoherent classes; 0.9 up to the median voxel count of the coherent ones. For larger classes,
+ * 0.9 (median / voxel count)^(2/3), at least 0.03, so a class that fills much of the volume becomes a veil. */
 double
-OpacityFor(std::uint64_t voxels, std::uint64_t middleVoxels)
+OpacityFor(const HeatClass & heatClass, std::uint64_t middleVoxels)
 {
+  if (IsIncoherent(heatClass))
+  {
+    return 0.0;
+  }
   constexpr double most = 0.9;
   constexpr double least = 0.03;
   const double     root = std::cbrt(static_cast<double>(std::max<std::uint64_t>(middleVoxels, 1)) /
-                                static_cast<double>(std::max<std::uint64_t>(voxels, 1)));
+                                static_cast<double>(std::max<std::uint64_t>(heatClass.voxels, 1)));
   return std::round(100.0 * std::clamp(most * root * root, least, most)) / 100.0;
 }
 
@@ -181,7 +161,10 @@ MiddleNumberOfVoxels(const std::vector<HeatClass> & classes)
   std::vector<std::uint64_t> voxels;
   for (const HeatClass & heatClass : classes)
   {
-    voxels.push_back(heatClass.voxels);
+    if (!IsIncoherent(heatClass))
+    {
+      voxels.push_back(heatClass.voxels);
+    }
   }
   std::sort(voxels.begin(), voxels.end());
   return voxels.empty() ? 0 : voxels[(voxels.size() - 1) / 2];
@@ -311,32 +294,23 @@ ShapeTransferFunction::Parse(const std::string & text)
 }
 
 ShapeTransferFunction
-ShapeTransferFunction::FromClasses(const std::vector<HeatClass> & classes, const HeatAxis & axis)
+ShapeTransferFunction::FromClasses(const std::vector<HeatClass> & classes)
 {
   std::vector<HeatClass> objects;
   std::copy_if(classes.begin(), classes.end(), std::back_inserter(objects), [](const HeatClass & heatClass) {
     return heatClass.label != 0 && heatClass.upperHeat - heatClass.lowerHeat >= narrowestLine;
   });
-  const auto surroundings = std::find_if(
-    objects.begin(), objects.end(), [](const HeatClass & heatClass) { return heatClass.borderShare > 0.5; });
+  const auto surroundings = std::find_if(objects.begin(), objects.end(), IsSurroundings);
   if (surroundings != objects.end() && objects.size() > 1)
   {
     objects.erase(surroundings);
-  }
-  std::sort(
-    objects.begin(), objects.end(), [](const HeatClass & a, const HeatClass & b) { return a.lowerHeat < b.lowerHeat; });
-  while (objects.size() > MaximumNumberOfLines)
-  {
-    JoinClosest(objects, axis);
   }
   const std::uint64_t               middle = MiddleNumberOfVoxels(objects);
   std::vector<TransferFunctionLine> lines;
   for (const HeatClass & object : objects)
   {
-    lines.push_back({ object.lowerHeat,
-                      std::min(object.upperHeat, 1.0),
-                      axis.ColorOf(object.meanHeat),
-                      OpacityFor(object.voxels, middle) });
+    const double upper = std::min(object.upperHeat, 1.0);
+    lines.push_back({ object.lowerHeat, upper, ColorOfClass(object), OpacityFor(object, middle), NameOfClass(object) });
   }
   return ShapeTransferFunction(std::move(lines));
 }

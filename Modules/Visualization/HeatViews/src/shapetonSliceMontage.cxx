@@ -7,10 +7,7 @@
 #include "shapetonQuantiles.h"
 
 #include <algorithm>
-#include <array>
-#include <bitset>
 #include <cmath>
-#include <tuple>
 #include <stdexcept>
 
 namespace shapeton
@@ -26,65 +23,19 @@ constexpr int margin = 16;
 constexpr int gap = 14;
 constexpr int titleHeight = 40;
 constexpr int captionHeight = 26;
-constexpr int legendWidth = 190;
+constexpr int legendWidth = 225;
 constexpr int greatestPanelHeight = 460;
 constexpr int footHeight = 24;
 
-/** Number of (coarsely quantized) colors and of colored voxels of a slice. */
-struct SliceScore
-{
-  std::bitset<4096> colors;
-  std::size_t       voxels{ 0 };
-};
-
-/** The default cut of DrawSliceMontage(), from every n-th voxel of each axis, at most a few million voxels. */
 itk::Index<3>
-MostColorfulCut(const ImageType * heat, const HeatColoring & coloring)
+MiddleOf(const itk::ImageBase<3> * image)
 {
-  const ImageType::RegionType            region = heat->GetBufferedRegion();
-  const ImageType::SizeType              size = region.GetSize();
-  const double                           voxels = static_cast<double>(region.GetNumberOfPixels());
-  const auto                             stride = std::max<itk::SizeValueType>(std::lround(std::cbrt(voxels / 4e6)), 1);
-  std::array<std::vector<SliceScore>, 3> scores;
+  itk::Index<3> middle = image->GetBufferedRegion().GetIndex();
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    scores[axis].resize(size[axis]);
+    middle[axis] += static_cast<itk::IndexValueType>(image->GetBufferedRegion().GetSize(axis) / 2);
   }
-  const float * const heats = heat->GetBufferPointer();
-  for (itk::SizeValueType z = stride / 2; z < size[2]; z += stride)
-  {
-    for (itk::SizeValueType y = stride / 2; y < size[1]; y += stride)
-    {
-      for (itk::SizeValueType x = stride / 2; x < size[0]; x += stride)
-      {
-        const auto color = coloring(heats[(z * size[1] + y) * size[0] + x]);
-        if (color)
-        {
-          const unsigned int coarse = ((*color)[0] >> 4) << 8 | ((*color)[1] >> 4) << 4 | (*color)[2] >> 4;
-          for (SliceScore * score : { &scores[0][x], &scores[1][y], &scores[2][z] })
-          {
-            score->colors.set(coarse);
-            ++score->voxels;
-          }
-        }
-      }
-    }
-  }
-  itk::Index<3> cut;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    const auto rank = [&](itk::SizeValueType slice) {
-      const double offMiddle = std::fabs(static_cast<double>(slice) - 0.5 * (size[axis] - 1.0));
-      return std::make_tuple(scores[axis][slice].colors.count(), scores[axis][slice].voxels, -offMiddle);
-    };
-    itk::SizeValueType best = 0;
-    for (itk::SizeValueType slice = 1; slice < size[axis]; ++slice)
-    {
-      best = rank(slice) > rank(best) ? slice : best;
-    }
-    cut[axis] = region.GetIndex(axis) + static_cast<itk::IndexValueType>(best);
-  }
-  return cut;
+  return middle;
 }
 
 /** Extent of the volume along an axis, mm. */
@@ -172,7 +123,7 @@ DrawSliceMontage(const itk::Image<float, 3> * gray,
                  const SliceMontageOptions &  options)
 {
   Check(gray, heat, options);
-  const itk::Index<3> cut = options.cut ? *options.cut : MostColorfulCut(heat, coloring);
+  const itk::Index<3> cut = options.cut.value_or(MiddleOf(gray));
   const int           width = static_cast<int>(options.width) - 2 * margin - (options.legend.empty() ? 0 : legendWidth);
   const double        scale = ScaleFor(gray, width);
   const IntensityWindow  window = WindowOf(gray, options.window);
@@ -219,16 +170,14 @@ DrawSliceMontage(const itk::Image<float, 3> * gray,
 }
 
 std::vector<LegendEntry>
-LegendOf(const std::vector<HeatClass> & classes, const ShapeQuantity & quantity)
+LegendOf(const std::vector<HeatClass> & classes)
 {
   std::vector<LegendEntry> legend;
   for (const HeatClass & heatClass : classes)
   {
     if (heatClass.label != 0)
     {
-      legend.push_back(
-        { ClassColor(heatClass.label),
-          "class " + std::to_string(heatClass.label) + ": " + quantity.name + " " + HeatLabel(heatClass.meanHeat) });
+      legend.push_back({ IsIncoherent(heatClass) ? PaperColor : ColorOfClass(heatClass), NameOfClass(heatClass) });
     }
   }
   return legend;
@@ -241,7 +190,7 @@ LegendOf(const ShapeTransferFunction & transferFunction)
   for (const TransferFunctionLine & line : transferFunction.GetLines())
   {
     const std::string range = HeatLabel(line.lowerHeat) + " to " + HeatLabel(line.upperHeat);
-    legend.push_back({ line.color, line.name.empty() ? range : line.name });
+    legend.push_back({ line.opacity > 0.0 ? line.color : PaperColor, line.name.empty() ? range : line.name });
   }
   return legend;
 }

@@ -2,6 +2,7 @@
 
 #include "shapetonAxisTicks.h"
 #include "shapetonPageColors.h"
+#include "shapetonSliceChoice.h"
 
 #include <algorithm>
 
@@ -58,6 +59,7 @@ DrawTransferFunction(const itk::Image<float, 3> *  gray,
   SliceMontageOptions slices;
   slices.width = pageWidth;
   slices.window = window;
+  slices.cut = CutThroughParts(heat, transferFunction);
   const auto montage = DrawSliceMontage(gray, heat, ColorByLine(transferFunction), slices);
 
   constexpr double       azimuth = 25.0, elevation = 15.0; // degrees
@@ -81,7 +83,11 @@ DrawTransferFunction(const itk::Image<float, 3> *  gray,
   const int    legendLeft = pageMargin + renderingWidth + 16;
   const auto & lines = transferFunction.GetLines();
   const bool   isNamed = std::any_of(lines.begin(), lines.end(), [](const auto & line) { return !line.name.empty(); });
-  DrawText(page, isNamed ? "Lines and objects" : "Lines: range of " + quantity.plural, legendLeft, top, style);
+  DrawText(page,
+           isNamed ? "Parts: range of " + quantity.plural : "Lines: range of " + quantity.plural,
+           legendLeft,
+           top,
+           style);
   DrawLegend(page, LegendWithVoxels(heat, transferFunction), legendLeft, top + 32, top + renderingHeight);
   PastePicture(page, montage, 0, montageTop);
   return page;

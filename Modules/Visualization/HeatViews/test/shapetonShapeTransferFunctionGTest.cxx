@@ -1,6 +1,9 @@
 #include "shapetonShapeTransferFunction.h"
 #include "shapetonPictureTestUtilities.h"
 
+#include "shapetonColorMap.h"
+#include "shapetonHeatColoring.h"
+
 #include "shapetonTestErrors.h"
 
 #include <vtkColorTransferFunction.h>
@@ -321,55 +324,46 @@ TEST(ShapeTransferFunction, VtkShowsTheSame)
   EXPECT_EQ(property->GetShade(), 1);
 }
 
-TEST(ShapeTransferFunction, ClassesBecomeLinesInTheColorOfTheirHeat)
+TEST(ShapeTransferFunction, ClassesBecomeLinesInTheirColors)
 {
-  shapeton::HeatHistogram histogram({ 0 });
-  for (const float heat : { 0.1F, 0.2F, 0.4F })
-  {
-    histogram.AddToRow(0, std::vector<float>(100, heat).data(), 100);
-  }
-  const shapeton::HeatAxis axis(histogram);
-  const auto               lines =
-    shapeton::ShapeTransferFunction::FromClasses(
-      { MakeClass(0, 0.0, 0.05, 9000), MakeClass(1, 0.05, 0.3, 27000), MakeClass(2, 0.3, 0.5, 1000) }, axis)
-      .GetLines();
+  const auto lines = shapeton::ShapeTransferFunction::FromClasses(
+                       { MakeClass(0, 0.0, 0.05, 9000), MakeClass(1, 0.05, 0.3, 27000), MakeClass(2, 0.3, 0.5, 1000) })
+                       .GetLines();
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0].lowerHeat, 0.05);
-  EXPECT_EQ(lines[0].color, axis.ColorOf(0.175));
-  EXPECT_EQ(lines[1].color, axis.ColorOf(0.4));
+  EXPECT_EQ(lines[0].color, shapeton::ClassColor(1));
+  EXPECT_EQ(lines[0].name, "class 1: 0.05 to 0.3");
+  EXPECT_EQ(lines[1].color, shapeton::ClassColor(2));
   EXPECT_DOUBLE_EQ(lines[1].opacity, 0.9);
   EXPECT_DOUBLE_EQ(lines[0].opacity, 0.1); // 27 times the voxels
 }
 
 TEST(ShapeTransferFunction, TheSurroundingsAreNoLineUnlessThereIsNothingElse)
 {
-  const shapeton::HeatHistogram    histogram({ 0 });
-  const shapeton::HeatAxis         axis(histogram);
   std::vector<shapeton::HeatClass> classes{ MakeClass(0, 0.0, 0.05, 900),
                                             MakeClass(1, 0.05, 0.3, 5000),
                                             MakeClass(2, 0.3, 0.5, 1000) };
   classes[1].borderShare = 0.9;
-  const auto lines = shapeton::ShapeTransferFunction::FromClasses(classes, axis).GetLines();
+  const auto lines = shapeton::ShapeTransferFunction::FromClasses(classes).GetLines();
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0].lowerHeat, 0.3);
+  EXPECT_EQ(lines[0].color, shapeton::ClassColor(2)) << "colors do not depend on what is shown";
   classes.pop_back();
-  EXPECT_EQ(shapeton::ShapeTransferFunction::FromClasses(classes, axis).GetLines().size(), 1U);
+  EXPECT_EQ(shapeton::ShapeTransferFunction::FromClasses(classes).GetLines().size(), 1U);
 }
 
-TEST(ShapeTransferFunction, TooManyClassesAreJoinedWhereTheyAreClosest)
+TEST(ShapeTransferFunction, IncoherentClassesAreTransparentInRenderingAndSlices)
 {
-  shapeton::HeatHistogram          histogram({ 0 });
-  std::vector<shapeton::HeatClass> classes{ MakeClass(0, 0.0, 0.1, 5000) };
-  for (unsigned int i = 0; i < 13; ++i)
-  {
-    // Classes 5 and 6 have only a few voxels between their means.
-    const std::uint64_t voxels = i == 5 || i == 6 ? 10 : 1000;
-    classes.push_back(MakeClass(i + 1, 0.1 + 0.05 * i, 0.1 + 0.05 * (i + 1), voxels));
-    const auto heat = static_cast<float>(classes.back().meanHeat);
-    histogram.AddToRow(0, std::vector<float>(voxels, heat).data(), voxels);
-  }
-  const auto lines = shapeton::ShapeTransferFunction::FromClasses(classes, shapeton::HeatAxis(histogram)).GetLines();
-  ASSERT_EQ(lines.size(), 12U);
-  EXPECT_DOUBLE_EQ(lines[5].lowerHeat, 0.1 + 0.05 * 5);
-  EXPECT_DOUBLE_EQ(lines[5].upperHeat, 0.1 + 0.05 * 7);
+  std::vector<shapeton::HeatClass> classes{ MakeClass(0, 0.0, 0.05, 900),
+                                            MakeClass(1, 0.05, 0.3, 8000),
+                                            MakeClass(2, 0.3, 0.5, 1000) };
+  classes[1].coherence = 0.5;
+  classes[2].coherence = 0.1;
+  const auto function = shapeton::ShapeTransferFunction::FromClasses(classes);
+  ASSERT_EQ(function.GetLines().size(), 2U);
+  EXPECT_EQ(function.GetLines()[0].opacity, 0.9) << "the only class that is shown";
+  EXPECT_EQ(function.GetLines()[1].opacity, 0.0);
+  EXPECT_EQ(function.GetLines()[1].name, "class 2: incoherent");
+  EXPECT_TRUE(shapeton::ColorByLine(function)(0.1F));
+  EXPECT_FALSE(shapeton::ColorByLine(function)(0.4F));
 }

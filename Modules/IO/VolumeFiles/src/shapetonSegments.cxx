@@ -1,0 +1,46 @@
+#include "shapetonSegments.h"
+
+#include "shapetonCsvTable.h"
+
+namespace shapeton
+{
+namespace
+{
+/** First and last index of each axis in the file, whose indices start at 0. */
+std::string
+ExtentOf(const itk::ImageBase<3> * image)
+{
+  std::string extent;
+  for (const auto size : image->GetBufferedRegion().GetSize())
+  {
+    extent += (extent.empty() ? "0 " : " 0 ") + std::to_string(size - 1);
+  }
+  return extent;
+}
+} // namespace
+
+VolumeMetadata
+SegmentMetadata(const itk::ImageBase<3> * labels, const std::vector<Segment> & segments)
+{
+  constexpr int  digits = 6;
+  VolumeMetadata metadata{ { "Segmentation_ContainedRepresentationNames", "Binary labelmap|" },
+                           { "Segmentation_MasterRepresentation", "Binary labelmap" },
+                           { "Segmentation_ReferenceImageExtentOffset", "0 0 0" } };
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    const Segment &   segment = segments[i];
+    const std::string key = "Segment" + std::to_string(i) + "_";
+    const std::string color = CsvTable::Rounded(segment.color[0], digits) + " " +
+                              CsvTable::Rounded(segment.color[1], digits) + " " +
+                              CsvTable::Rounded(segment.color[2], digits);
+    metadata.insert(metadata.end(),
+                    { { key + "ID", "Segment_" + std::to_string(segment.label) },
+                      { key + "Name", segment.name },
+                      { key + "Color", color },
+                      { key + "LabelValue", std::to_string(segment.label) },
+                      { key + "Layer", "0" },
+                      { key + "Extent", ExtentOf(labels) } });
+  }
+  return metadata;
+}
+} // namespace shapeton
