@@ -3,6 +3,7 @@
 #include "shapetonColorMap.h"
 #include "shapetonFileBytes.h"
 #include "shapetonHtmlReport.h"
+#include "shapetonObjectColors.h"
 #include "shapetonPatientOrientation.h"
 #include "shapetonScriptPage.h"
 
@@ -211,7 +212,9 @@ JsonOf(const std::vector<HeatObject> & objects)
   Json          list = Json::array();
   for (const HeatObject & object : objects)
   {
-    list.push_back({ { "number", list.size() + 1 },
+    const auto number = static_cast<int>(list.size() + 1);
+    list.push_back({ { "number", number },
+                     { "color", HexOf(ColorOfObject(number)) },
                      { "parent", object.parent },
                      { "heat", RoundedJson(object.meanHeat) },
                      { "voxels", object.voxels },
