@@ -1,7 +1,5 @@
 """The nodes that show a live session: density, heat, labels of objects with their colors, and the table of objects."""
 
-import colorsys
-
 import numpy
 import slicer
 import vtk
@@ -66,7 +64,7 @@ class SessionNodes:
         colors.SetColor(0, "none", 0.0, 0.0, 0.0, 0.0)
         for entry in objects:
             isShown = not selected or self._isIn(entry, selected, objects)
-            color = self._color(selected or entry["number"]) + (float(isShown),)
+            color = self._color(objects[(selected or entry["number"]) - 1]) + (float(isShown),)
             name = f"object {entry['number']}, {entry['volume']:.0f} mm3, {100 * entry['probability']:.0f} %"
             colors.SetColor(entry["number"], name, *color)
 
@@ -102,6 +100,5 @@ class SessionNodes:
         return number == outer
 
     @staticmethod
-    def _color(number):
-        golden = 0.618034  # successive hues differ
-        return colorsys.hsv_to_rgb(number * golden % 1.0, 0.75, 0.95)
+    def _color(entry):
+        return tuple(channel / 255 for channel in bytes.fromhex(entry["color"][1:]))

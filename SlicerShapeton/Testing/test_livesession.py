@@ -206,6 +206,8 @@ class ObjectsTest(SessionCase):
         for entry in session.objects:
             self.assertEqual(colors[entry["number"]][4], float(nodes._isIn(entry, ball, session.objects)))
         self.assertRegex(colors[ball][0], rf"^object {ball}, \d+ mm3, \d+ %$")
+        hexOf = "#" + bytes(round(255 * channel) for channel in colors[ball][1:4]).hex()
+        self.assertEqual(hexOf, session.objects[ball - 1]["color"])
         for _ in range(len(session.objects)):  # climbs to the outermost object and no further
             parent = session.objects[session.state["selected"] - 1]["parent"]
             if not parent:

@@ -23,6 +23,9 @@ struct HeatClass
   double        volume{ 0.0 }; ///< mm^3
   /** Fraction of the border voxels of the volume that belong to the class. */
   double borderShare{ 0.0 };
+  /** Whether the class consists of the surroundings of the objects, which lose heat through the border: it covers more
+   * than half of the border. For visits, see AnalyzeVisits(). */
+  bool isSurroundings{ false };
   /** Number of converged components of at least 27 voxels in the class that are closed by edges of zero weight. */
   std::uint64_t components{ 0 };
   /** Scale-normalized counterpart of the heat (an isoperimetric number): mean over the class's components, weighted by
@@ -32,14 +35,6 @@ struct HeatClass
    */
   std::optional<double> coherence{};
 };
-
-/** Whether the class covers more than half of the border of the volume: the surroundings of the objects, which lose
- * heat through the border. \ingroup ShapetonHeat */
-inline bool
-IsSurroundings(const HeatClass & heatClass)
-{
-  return heatClass.borderShare > 0.5;
-}
 
 /** Smallest coherence of a region. In the heat of 16 volumes (CT, MR, microscopy, simulation), the classes of edges and
  * speckle have at most 0.208, the others at least 0.218 and half of them above 0.45: a class near the limit may be

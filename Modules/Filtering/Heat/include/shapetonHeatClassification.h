@@ -47,7 +47,8 @@ FindHeatClasses(const HeatHistogram & histogram, std::size_t row, const HeatClas
 ShapetonHeat_EXPORT double
 MeasureCoherence(const VolumeGradientOperator & volumeGradient, const float * heat, std::vector<HeatClass> & classes);
 
-/** The label of each voxel by its heat. Sets the exact voxels, meanHeat, volume and borderShare of the classes.
+/** The label of each voxel by its heat. Sets the exact voxels, meanHeat, volume, borderShare and isSurroundings of
+ * the classes.
  * \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT itk::Image<unsigned char, 3>::Pointer
                     LabelHeat(const itk::Image<float, 3> * heat, std::vector<HeatClass> & classes);

@@ -185,6 +185,7 @@ MeasureBorder(const itk::Image<unsigned char, 3> * labels, std::vector<HeatClass
   for (auto & heatClass : classes)
   {
     heatClass.borderShare /= std::max(1.0, total);
+    heatClass.isSurroundings = heatClass.borderShare > 0.5;
   }
 }
 /** Sums over the faces between classes i and j, stored at i * classes + j and j * classes + i; stored once if i = j. */

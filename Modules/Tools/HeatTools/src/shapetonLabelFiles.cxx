@@ -45,7 +45,7 @@ WriteClassLabels(const itk::Image<unsigned char, 3> * labels,
       const std::string name = "class " + std::to_string(heatClass.label) + ": " + quantity.name + " " +
                                HeatLabel(heatClass.lowerHeat) + " to " + HeatLabel(heatClass.upperHeat);
       segments.push_back(MakeSegment(
-        heatClass.label, name + (IsSurroundings(heatClass) ? ", surroundings" : ""), ColorOfClass(heatClass)));
+        heatClass.label, name + (heatClass.isSurroundings ? ", surroundings" : ""), ColorOfClass(heatClass)));
     }
   }
   WriteSegments(labels, segments, path, provenance);

@@ -85,7 +85,7 @@ ParticleRemarks(const FilterType * filter)
 std::vector<std::string>
 PartRemarks(const std::vector<HeatClass> & classes)
 {
-  const auto isPart = [](const HeatClass & c) { return c.label > 0 && !IsSurroundings(c) && !IsIncoherent(c); };
+  const auto isPart = [](const HeatClass & c) { return c.label > 0 && !c.isSurroundings && !IsIncoherent(c); };
   const auto parts = std::count_if(classes.begin(), classes.end(), isPart);
   if (classes.size() <= 2)
   {

@@ -255,7 +255,7 @@ TEST(PartRemarks, SayThatHeatShowsMoreOfSpeckle)
       classes.emplace_back();
       classes.back().label = static_cast<unsigned int>(classes.size() - 1);
       classes.back().coherence = coherence;
-      classes.back().borderShare = classes.size() == 2 ? 0.9 : 0.0; // class 1 is the surroundings
+      classes.back().isSurroundings = classes.size() == 2;
     }
     const auto remarks = shapeton::PartRemarks(classes);
     return remarks.empty() ? std::string() : remarks.front();

@@ -29,8 +29,8 @@ ShapetonHeatViews_EXPORT Json
 JsonOf(const ShapeTransferFunction & transferFunction);
 ///@}
 
-/** Number (from 1), parent, kind, heat, voxels, volume, center and probability of each object, for the scripts of the
- * heat explorer and the live session. \ingroup ShapetonHeatViews */
+/** Number (from 1), ColorOfObject(), parent, heat, voxels, volume, center and probability of each object, for the
+ * scripts of the heat explorer and the live session. \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT Json
 JsonOf(const HeatObjectList & objects);
 } // namespace shapeton

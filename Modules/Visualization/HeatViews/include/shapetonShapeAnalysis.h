@@ -31,7 +31,9 @@ ShapetonHeatViews_EXPORT ShapeAnalysis
 AnalyzeHeat(const itk::Image<float, 3> * heat, std::uint64_t timeStep, bool wantLabels = true);
 
 /** Visits of shapetons after `timeStep`, as a density; its axis balances the classes. Labels require a pass over all
- * voxels; without them, the classes have no borderShare, volume or exact voxel counts. \ingroup ShapetonHeatViews */
+ * voxels; without them, the classes have no borderShare, coherence, volume or exact voxel counts. The surroundings are
+ * also the class with the fewest visits if it covers more than a tenth of the border: shapetons that left the objects.
+ * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT ShapeAnalysis
 AnalyzeVisits(const itk::Image<std::uint32_t, 3> * visits, std::uint64_t timeStep, bool wantLabels = true);
 } // namespace shapeton

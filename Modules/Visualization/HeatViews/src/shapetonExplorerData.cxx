@@ -3,6 +3,7 @@
 #include "shapetonColorMap.h"
 #include "shapetonFileBytes.h"
 #include "shapetonHtmlReport.h"
+#include "shapetonObjectColors.h"
 #include "shapetonPatientOrientation.h"
 #include "shapetonScriptPage.h"
 
@@ -211,8 +212,9 @@ JsonOf(const HeatObjectList & objects)
   Json          list = Json::array();
   for (const HeatObject & object : objects.objects)
   {
-    const int number = static_cast<int>(list.size()) + 1;
+    const auto number = static_cast<int>(list.size() + 1);
     list.push_back({ { "number", number },
+                     { "color", HexOf(ColorOfObject(number)) },
                      { "parent", object.parent },
                      { "isOffer", objects.IsOffer(number) },
                      { "heat", RoundedJson(object.meanHeat) },

@@ -8,14 +8,14 @@ RGBColor
 ColorOfClass(const HeatClass & heatClass)
 {
   constexpr unsigned char gray = 128;
-  return IsSurroundings(heatClass) ? MakeColor(gray, gray, gray) : ClassColor(heatClass.label);
+  return heatClass.isSurroundings ? MakeColor(gray, gray, gray) : ClassColor(heatClass.label);
 }
 
 std::string
 NameOfClass(const HeatClass & heatClass)
 {
   return "class " + std::to_string(heatClass.label) + ": " +
-         (IsSurroundings(heatClass) ? "surroundings"
+         (heatClass.isSurroundings  ? "surroundings"
           : IsIncoherent(heatClass) ? "incoherent"
                                     : HeatLabel(heatClass.lowerHeat) + " to " + HeatLabel(heatClass.upperHeat));
 }

@@ -300,10 +300,10 @@ ShapeTransferFunction::FromClasses(const std::vector<HeatClass> & classes)
   std::copy_if(classes.begin(), classes.end(), std::back_inserter(objects), [](const HeatClass & heatClass) {
     return heatClass.label != 0 && heatClass.upperHeat - heatClass.lowerHeat >= narrowestLine;
   });
-  const auto surroundings = std::find_if(objects.begin(), objects.end(), IsSurroundings);
-  if (surroundings != objects.end() && objects.size() > 1)
+  const auto isSurroundings = [](const HeatClass & heatClass) { return heatClass.isSurroundings; };
+  if (!std::all_of(objects.begin(), objects.end(), isSurroundings))
   {
-    objects.erase(surroundings);
+    objects.erase(std::remove_if(objects.begin(), objects.end(), isSurroundings), objects.end());
   }
   const std::uint64_t               middle = MiddleNumberOfVoxels(objects);
   std::vector<TransferFunctionLine> lines;

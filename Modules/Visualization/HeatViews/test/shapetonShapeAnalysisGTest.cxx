@@ -5,6 +5,7 @@
 #include "shapetonVisitDensity.h"
 #include "shapetonTestImages.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace
@@ -70,6 +71,31 @@ TEST(ShapeAnalysis, TellsVisitsApartAndGivesEachClassTheSameRoom)
   const auto least = axis.ColorOf(shape.classes[1].meanHeat);
   EXPECT_GT(most[0], most[2]);
   EXPECT_GT(least[2], least[0]);
+}
+
+TEST(ShapeAnalysis, DistinguishesAnObjectFromItsHaloAndFromSpeckle)
+{
+  constexpr int side = 24;
+  const auto    visits = basetest::NewImage<itk::Image<std::uint32_t, 3>>({ { side, side, side } });
+  for (int z = 0; z < side; ++z)
+  {
+    for (int y = 0; y < side; ++y)
+    {
+      for (int x = 0; x < side; ++x)
+      {
+        const bool isInCube = std::min({ x, y, z }) >= 8 && std::max({ x, y, z }) < 16;
+        const bool isSpeck = z >= 20 && z < 23 && x % 3 == 1 && y % 3 == 1 && z % 2 == 0;
+        visits->SetPixel({ { x, y, z } }, z < 6 ? 3U : isInCube ? 200U : isSpeck ? 1500U : 0U);
+      }
+    }
+  }
+  const auto classes = shapeton::AnalyzeVisits(visits, 10).classes;
+  ASSERT_EQ(classes.size(), 4U);
+  EXPECT_TRUE(classes[1].isSurroundings);
+  EXPECT_LT(classes[1].borderShare, 0.5);
+  EXPECT_FALSE(classes[2].isSurroundings);
+  EXPECT_NEAR(*classes[2].coherence, 0.75, 1e-12) << "a cube of 8 voxels: 6 * 8 * 8 * (7 - 1) of 6 * 8^3 faces";
+  EXPECT_EQ(*classes[3].coherence, 0.0);
 }
 
 TEST(ShapeAnalysis, OfNoVisitsIsBackground)

@@ -343,7 +343,7 @@ TEST(ShapeTransferFunction, TheSurroundingsAreNoLineUnlessThereIsNothingElse)
   std::vector<shapeton::HeatClass> classes{ MakeClass(0, 0.0, 0.05, 900),
                                             MakeClass(1, 0.05, 0.3, 5000),
                                             MakeClass(2, 0.3, 0.5, 1000) };
-  classes[1].borderShare = 0.9;
+  classes[1].isSurroundings = true;
   const auto lines = shapeton::ShapeTransferFunction::FromClasses(classes).GetLines();
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0].lowerHeat, 0.3);

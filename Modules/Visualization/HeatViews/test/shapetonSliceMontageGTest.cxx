@@ -171,7 +171,7 @@ TEST(SliceMontage, TheLegendNamesTheClassesInTheirColors)
     classes[label].lowerHeat = 0.25 * label;
     classes[label].upperHeat = 0.25 * label + 0.25;
   }
-  classes[1].borderShare = 0.7;
+  classes[1].isSurroundings = true;
   classes[3].coherence = 0.1;
   const auto legend = shapeton::LegendOf(classes);
   ASSERT_EQ(legend.size(), 3U);

@@ -144,7 +144,9 @@ DrawLegend(Picture *                        picture,
     const int y = top + i * lineHeight;
     FillRectangle(picture, left, y, swatch, swatch, legend[i].color);
     DrawRectangle(picture, left, y, swatch, swatch, color);
-    DrawText(picture, legend[i].text, left + swatch + 8, y + swatch / 2, style);
+    const int textLeft = left + swatch + 8;
+    const int width = static_cast<int>(picture->GetBufferedRegion().GetSize(0)) - textLeft;
+    DrawText(picture, legend[i].text, textLeft, y + swatch / 2, FitText(legend[i].text, style, width));
   }
   if (shown < number)
   {
