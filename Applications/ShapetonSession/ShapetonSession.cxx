@@ -8,6 +8,7 @@
 #include "shapetonToolDevice.h"
 #include "shapetonToolVolumes.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace
@@ -66,7 +67,8 @@ Serve(CommandLine & commandLine)
   SessionServerSettings connection;
   connection.address = commandLine.GetString("address");
   connection.port = static_cast<unsigned short>(commandLine.GetInteger("port"));
-  connection.secondsWithoutPage = commandLine.GetDouble("patience");
+  connection.secondsAfterLoss = commandLine.GetDouble("patience");
+  connection.secondsAfterClose = std::min(connection.secondsAfterClose, connection.secondsAfterLoss);
   SessionServer server(session, connection);
   std::cout << server.GetUrl() << std::endl;
   server.Run();

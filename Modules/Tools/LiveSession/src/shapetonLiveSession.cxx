@@ -498,11 +498,19 @@ struct LiveSession::Impl
   Json
   Save(const Json & command)
   {
-    RequireKeys(command, { "name", "labels", "lines", "objects" });
+    RequireKeys(command, { "name", "labels", "lines", "objects", "selected" });
     SavedResult result;
     result.name = ResultNameOf(command, "name");
-    for (const char * ending :
-         { "-density.nrrd", "-heat.nrrd", "-labels.nrrd", "-objects.nrrd", "-objects.csv", ".json", ".vp", ".sh" })
+    for (const char * ending : { "-density.nrrd",
+                                 "-heat.nrrd",
+                                 "-labels.nrrd",
+                                 "-objects.nrrd",
+                                 "-objects.csv",
+                                 "-object.nrrd",
+                                 "-object.csv",
+                                 ".json",
+                                 ".vp",
+                                 ".sh" })
     {
       files.GetFolder().PathOf(result.name + ending); // before anything is written
     }
@@ -512,10 +520,14 @@ struct LiveSession::Impl
     {
       result.lines = TransferFunctionOf(command["lines"], "the command");
     }
-    if (FlagOf(command, "objects"))
+    result.objects = objects.GetList();
+    result.wantObjects = FlagOf(command, "objects");
+    RequireParameter(!result.wantObjects || (result.isHeat && result.objects),
+                     "no objects have been found yet; find them first");
+    if (FlagOf(command, "selected"))
     {
-      result.objects = objects.GetList();
-      RequireParameter(result.isHeat && result.objects, "no objects have been found yet; find them first");
+      result.object = objects.GetSelected();
+      RequireParameter(result.isHeat && result.object > 0, "no object is selected");
     }
     std::vector<std::string> names;
     if (result.isHeat)

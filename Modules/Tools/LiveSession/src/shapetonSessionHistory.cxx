@@ -1,10 +1,24 @@
 #include "shapetonSessionHistory.h"
 
+#include "shapetonCsvTable.h"
 #include "shapetonExceptions.h"
 #include "shapetonSessionCommands.h"
 
 namespace shapeton
 {
+namespace
+{
+/** The value of an option: a word, a number or two numbers. */
+std::string
+TextOf(const Json & value)
+{
+  return value.is_array()    ? "[" + TextOf(value[0]) + ", " + TextOf(value[1]) + "]"
+         : value.is_number() ? CsvTable::Number(value.get<double>())
+         : value.is_string() ? value.get<std::string>()
+                             : "none";
+}
+} // namespace
+
 std::string
 ChangesBetween(const SessionValues & before, const SessionValues & after)
 {
@@ -12,7 +26,7 @@ ChangesBetween(const SessionValues & before, const SessionValues & after)
   const auto  add = [&](const std::string & name, const Json & from, const Json & to, const std::string & unit) {
     if (from != to)
     {
-      text += (text.empty() ? "" : ", ") + name + " " + TextOfJson(from) + " -> " + TextOfJson(to) + unit;
+      text += (text.empty() ? "" : ", ") + name + " " + TextOf(from) + " -> " + TextOf(to) + unit;
     }
   };
   const Json options = JsonOfOptions(after.options);

@@ -1,5 +1,6 @@
 #include "shapetonCoarseHeat.h"
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
+#include "shapetonCsvTable.h"
 #include "shapetonExceptions.h"
 #include "shapetonFileBytes.h"
 #include "shapetonJson.h"
@@ -444,7 +445,11 @@ TEST(LiveSession, TheToolsRepeatItsObjectsByteByByte)
   EXPECT_FALSE(std::filesystem::exists(fixture.input.GetFolder() / "a.sh"));
   fixture.Do(R"({"do": "objects", "choose": true})");
   fixture.Finish();
-  fixture.Do(R"({"do": "select", "object": 1})"); // is not a part of the saved files
+  EXPECT_NE(ErrorOf(fixture, R"({"do": "save", "name": "a", "selected": true})").find("no object is selected"),
+            std::string::npos);
+  fixture.Do(R"({"do": "select", "object": 2})");
+  const Json alone = fixture.Do(R"({"do": "save", "name": "one", "selected": true})");
+  EXPECT_EQ(alone["files"], (Json{ "one-heat.nrrd", "one-object.nrrd", "one-object.csv", "one.sh" }));
   const Json saved = fixture.Do(R"({"do": "save", "name": "a", "labels": true, "objects": true})");
   EXPECT_EQ(saved["files"], (Json{ "a-heat.nrrd", "a-labels.nrrd", "a-objects.nrrd", "a-objects.csv", "a.sh" }));
   const auto  labels = shapeton::ReadVolume(fixture.input.GetFolder() / "a-objects.nrrd").image;
@@ -453,6 +458,8 @@ TEST(LiveSession, TheToolsRepeatItsObjectsByteByByte)
   const float last = static_cast<float>(objects.size());
   EXPECT_EQ(std::count(labels->GetBufferPointer(), labels->GetBufferPointer() + voxels, last),
             objects.back()["voxels"]); // the smallest object has no other in it
+  const auto mask = shapeton::ReadVolume(fixture.input.GetFolder() / "one-object.nrrd").image;
+  EXPECT_EQ(std::count(mask->GetBufferPointer(), mask->GetBufferPointer() + voxels, 1.0F), objects[1]["voxels"]);
   const std::string results = fixture.input.GetFolder() / "results";
   const int         status = RunScript(fixture.input.GetFolder() / "a.sh", results);
   if (status < 0)
@@ -462,7 +469,13 @@ TEST(LiveSession, TheToolsRepeatItsObjectsByteByByte)
   EXPECT_EQ(status, 0);
   ExpectSameFiles(fixture.input.GetFolder() / "",
                   results + "/",
-                  { "a-heat.nrrd", "a-labels.nrrd", "a-objects.nrrd", "a-objects.csv" });
+                  { "a-heat.nrrd",
+                    "a-labels.nrrd",
+                    "a-objects.nrrd",
+                    "a-objects.csv",
+                    "one-heat.nrrd",
+                    "one-object.nrrd",
+                    "one-object.csv" });
 }
 
 TEST(LiveSession, AWholeFrameHasAllVoxelsAndTheLabelsOfObjects)
@@ -557,7 +570,7 @@ TEST(LiveSession, ObjectsAreFoundAndSelected)
             std::string::npos);
 }
 
-TEST(LiveSession, FindingObjectsTellsWhatItChangesAndIsUndone)
+TEST(LiveSession, FindingObjectsReportsWhatItChangesAndIsUndone)
 {
   Fixture fixture(3);
   fixture.Finish();
@@ -566,14 +579,16 @@ TEST(LiveSession, FindingObjectsTellsWhatItChangesAndIsUndone)
   fixture.Finish();
   const auto found = fixture.session.GetState();
   ASSERT_NE(found["options"]["p"], before["options"]["p"]);
-  const std::string told = found["lastChange"];
-  for (const std::string name : { "p", "intensityWindow" })
-  {
-    const std::string change = name + " " + before["options"][name].dump() + " -> " + found["options"][name].dump();
-    EXPECT_NE(told.find(change), std::string::npos) << told;
-  }
-  EXPECT_NE(told.find("time of heat 60 -> " + found["heatSteps"].dump() + " steps"), std::string::npos) << told;
-  EXPECT_EQ(told.find("seed"), std::string::npos) << told;
+  const std::string report = found["lastChange"];
+  const auto        number = [](const Json & value) { return shapeton::CsvTable::Number(value.get<double>()); };
+  const auto        window = [&](const Json & state) {
+    const auto & ends = state["options"]["intensityWindow"];
+    return "[" + number(ends[0]) + ", " + number(ends[1]) + "]";
+  };
+  EXPECT_NE(report.find("p 4 -> " + number(found["options"]["p"])), std::string::npos) << report;
+  EXPECT_NE(report.find("intensityWindow " + window(before) + " -> " + window(found)), std::string::npos) << report;
+  EXPECT_NE(report.find("time of heat 60 -> " + found["heatSteps"].dump() + " steps"), std::string::npos) << report;
+  EXPECT_EQ(report.find("seed"), std::string::npos) << report;
 
   fixture.Do(R"({"do": "undo"})");
   fixture.Finish();
@@ -598,7 +613,7 @@ TEST(LiveSession, FindingObjectsTellsWhatItChangesAndIsUndone)
   fixture.Do(R"({"do": "save", "name": "u"})");
   const std::string script = shapeton::ReadFileBytes(fixture.input.GetFolder() / "u.sh");
   EXPECT_NE(script.find("# step 0: undo: "), std::string::npos) << script;
-  EXPECT_NE(script.find(": " + told), std::string::npos) << script;
+  EXPECT_NE(script.find(": " + report), std::string::npos) << script;
 }
 
 TEST(LiveSession, UndoGoesBackThroughAllChangesAndMovesOfASliderTogether)

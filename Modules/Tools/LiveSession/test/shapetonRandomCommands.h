@@ -35,7 +35,7 @@ RandomCommand(std::mt19937 & random)
       return R"({"do": "density"})";
     case 10:
       return R"({"do": "save", "name": "r)" + number(3) + R"(", "labels": true, "objects": )" +
-             (random() % 2 ? "true}" : "false}");
+             (random() % 2 ? "true" : "false") + (random() % 4 ? "}" : R"(, "selected": true})");
     case 11:
       return random() % 8 ? R"({"do": "objects", "choose": false})" : R"({"do": "objects", "choose": true})";
     case 12:
