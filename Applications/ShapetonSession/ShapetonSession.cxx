@@ -8,21 +8,29 @@
 #include "shapetonToolDevice.h"
 #include "shapetonToolVolumes.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace
 {
 using namespace shapeton;
 
-/** The options that are given; the others are those of the preset. */
-ParticleDiffusionOptions
-WalkOptions(CommandLine & commandLine, const Volume & volume)
+/** Sets the options of the walk: those that are given; the others are those of the preset. Keeps the choice of window,
+ * p, smoothing and time if nothing of it is given. */
+void
+ChooseOptions(CommandLine & commandLine, const Volume & volume, LiveSessionSettings & settings)
 {
   ShapetonPresetOptions options;
   const auto            given = ReadGivenOptions(commandLine, options);
-  auto choice = ChooseShapetonParameters(VolumeView(volume.image.GetPointer()), options, given, volume.modality);
-  choice.options.device = ReadDevice(commandLine);
-  return choice.options;
+  const auto choice = ChooseShapetonParameters(VolumeView(volume.image.GetPointer()), options, given, volume.modality);
+  settings.walk = choice.options;
+  settings.walk.device = ReadDevice(commandLine);
+  const auto fixed = GivenAmong(given, options);
+  const bool isChosen = options.preset != ShapetonPreset::Published;
+  if (isChosen && !fixed.intensityWindow && !fixed.p && !fixed.smoothing && !fixed.timeSteps)
+  {
+    settings.choice = choice.heat;
+  }
 }
 
 /** The read options, for the script that repeats the session. */
@@ -54,12 +62,13 @@ Serve(CommandLine & commandLine)
   settings.input = commandLine.GetString("inputVolume");
   settings.readingArguments = ReadingArguments(commandLine);
   settings.folder = folder.GetPath().string();
-  settings.walk = WalkOptions(commandLine, volume);
+  ChooseOptions(commandLine, volume, settings);
   LiveSession           session(std::move(volume), settings);
   SessionServerSettings connection;
   connection.address = commandLine.GetString("address");
   connection.port = static_cast<unsigned short>(commandLine.GetInteger("port"));
-  connection.secondsWithoutPage = commandLine.GetDouble("patience");
+  connection.secondsAfterLoss = commandLine.GetDouble("patience");
+  connection.secondsAfterClose = std::min(connection.secondsAfterClose, connection.secondsAfterLoss);
   SessionServer server(session, connection);
   std::cout << server.GetUrl() << std::endl;
   server.Run();

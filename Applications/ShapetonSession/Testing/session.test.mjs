@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { connect, createServer } from 'node:net';
 import { dirname } from 'node:path';
 import { createInterface } from 'node:readline';
 import { after, before, test } from 'node:test';
@@ -40,6 +41,29 @@ const middleOf = (view) => page.evaluate((name) => {
   const { left, top, width, height } = document.querySelector(`.view.${name}`).getBoundingClientRect();
   return [left + width / 2, top + height / 2];
 }, view);
+
+// A network between page and session, which can be cut. url: of the page through it.
+async function network(address) {
+  const { hostname, port } = new URL(address), sockets = new Set();
+  const server = createServer((near) => {
+    const far = connect(port, hostname);
+    [[near, far], [far, near]].forEach(([from, to]) => {
+      sockets.add(from);
+      from.pipe(to);
+      from.on('error', () => {});
+      from.on('close', () => { to.destroy(); sockets.delete(from); });
+    });
+  });
+  const listen = (at) => new Promise((done) => { server.listen(at, hostname, done); });
+  await listen(0);
+  const own = server.address().port;
+  const cut = () => {
+    const closed = new Promise((done) => { server.close(done); });
+    sockets.forEach((socket) => socket.destroy());
+    return closed;
+  };
+  return { url: Object.assign(new URL(address), { port: own }).href, cut, mend: () => listen(own) };
+}
 
 before(async () => {
   rmSync(WORK, { recursive: true, force: true });
@@ -80,6 +104,26 @@ test('the controls pause, step and change the walk', async () => {
   await page.until(() => /distance.*more than the maximum/.test(document.getElementById('status').textContent));
   await page.evaluate(() => session.ask({ do: 'pause' }));
   assert.equal((await state()).options.distance, 0.01);
+});
+
+test('the window is set by two fields, and an emptied or refused field returns to its value', async () => {
+  const before = (await state()).options;
+  const shown = await page.evaluate(() => ['lower', 'upper'].map((end) => Number(document.getElementById(`window-${end}`).value)));
+  assert.deepEqual(shown, before.intensityWindow);
+  await enter('window-upper', '150.5');
+  await page.until(() => session.state0.options.intensityWindow[1] === 150.5);
+  assert.match(await page.evaluate(() => document.getElementById('change').textContent), /^set: intensityWindow \[.*, 150\.5\]$/);
+  await enter('window-lower', '200'); // above the upper one
+  await page.until((lower) => Number(document.getElementById('window-lower').value) === lower, 5000, before.intensityWindow[0]);
+  for (const id of ['option-p', 'window-lower', 'speed', 'radius']) {
+    const { changes } = await state(), value = await page.evaluate((name) => document.getElementById(name).value, id);
+    await enter(id, '');
+    assert.equal(await page.evaluate((name) => document.getElementById(name).value, id), value, id);
+    await page.evaluate(() => session.ask({ do: 'pause' }));
+    assert.equal((await state()).changes, changes, id);
+  }
+  await press('undo');
+  await page.until((window) => String(session.state0.options.intensityWindow) === window, 5000, String(before.intensityWindow));
 });
 
 test('a brush on a slice sets the start region', async () => {
@@ -127,6 +171,28 @@ test('a click on a slice moves the crosshair', async () => {
   assert.match(await page.evaluate(() => document.getElementById('status').textContent), /mm \(LPS\), intensity about .*, heat/);
 });
 
+test('finding objects reports what it changes, and Undo goes back through lines and values', async () => {
+  await page.evaluate(() => session.ask({ do: 'density' }));
+  await page.until(() => session.state0.shown === 'density' && !session.state0.isMoving);
+  const before = await state();
+  await press('find');
+  await page.until(() => session.state0.objects > 0 && document.querySelectorAll('#objects li').length > 0, 60000);
+  const found = await state(), report = await page.evaluate(() => document.getElementById('change').textContent);
+  assert.ok(report.includes(`p ${before.options.p} -> ${found.options.p}, `), report);
+  assert.match(report, /^Find objects: .*intensityWindow .* -> .*time of heat 10000 -> \d+ steps/);
+  const lines = await page.evaluate(() => session.lines.length);
+  await page.evaluate(() => session.removeLine(0));
+  await shoot('change');
+  await press('undo');
+  assert.deepEqual([await page.evaluate(() => session.lines.length), (await state()).undo], [lines, found.undo]);
+  await press('undo');
+  await page.until((n) => session.state0.undo === n && session.state0.shown === 'density', 60000, found.undo - 1);
+  await page.until(() => !session.state0.isMoving);
+  const undone = await state();
+  assert.deepEqual([undone.options, undone.heatSteps], [before.options, before.heatSteps]);
+  await page.until(() => document.getElementById('option-p').value === String(session.state0.options.p), 5000);
+});
+
 test('objects are found, and a click selects one', async () => {
   await press('find');
   await page.until(() => session.state0.objects > 0 && document.querySelectorAll('#objects li').length > 0, 60000);
@@ -153,6 +219,33 @@ test('objects are found, and a click selects one', async () => {
   await page.until(() => session.state0.quality === 'exact' && session.state0.heatSteps === 10000);
 });
 
+test('the page reconnects after its connection was lost, and continues with the state of the server', async () => {
+  const line = await network(url);
+  const other = await launch();
+  try {
+    await open(other, line.url);
+    await line.cut();
+    await other.until(() => document.body.classList.contains('lost'));
+    assert.match(await other.evaluate(() => document.getElementById('progress').textContent), /no connection.*next attempt in \d/);
+    await other.evaluate(() => session.ask({ do: 'set', p: 1 }));
+    assert.match(await other.evaluate(() => document.getElementById('status').textContent), /no connection/);
+    const frames = await other.evaluate(() => session.frames);
+    await page.evaluate(() => session.ask({ do: 'set', seed: 9 })); // another page goes on
+    await line.mend();
+    await other.until((n) => session.frames > n && !document.body.classList.contains('lost'), 30000, frames);
+    await other.until(() => session.state0.options.seed === 9 && session.state0.quality === 'exact');
+    await other.evaluate(() => session.ask({ do: 'set', seed: 10 }));
+    await page.until(() => session.state0.options.seed === 10);
+    const sumOfBins = () => session.idle(true).then(() => session.bins.reduce((sum, bin, i) => (sum * 31 + bin * i) % 1e9));
+    await Promise.all([page, other].map((one) => one.until(() => session.state0.quality === 'exact')));
+    assert.equal(await other.evaluate(sumOfBins), await page.evaluate(sumOfBins));
+    assert.deepEqual(other.errors, []);
+  } finally {
+    await other.close();
+    await line.cut();
+  }
+});
+
 test('a second page sees the same session', async () => {
   const other = await launch();
   try {
@@ -169,10 +262,16 @@ test('the saved script repeats the saved files', async () => {
   await page.until(() => session.state0.quality === 'exact');
   await press('list');
   await page.until(() => session.state0.objects > 0);
+  await page.evaluate(() => session.select({ object: 1 }));
+  await enter('name', 'alone');
+  await page.evaluate(() => { document.getElementById('alone').checked = true; });
+  await press('save');
+  await page.until(() => /^saved alone-heat.nrrd, alone-object.nrrd, alone-object.csv/.test(document.getElementById('saved').textContent));
+  await page.evaluate(() => { document.getElementById('alone').checked = false; });
   await enter('name', 'warm');
   await page.evaluate(() => { document.getElementById('labels').checked = true; });
   await press('save');
-  await page.until(() => /^saved/.test(document.getElementById('saved').textContent));
+  await page.until(() => /^saved warm/.test(document.getElementById('saved').textContent));
   await page.evaluate(() => session.ask({ do: 'density' }));
   await page.until(() => session.state0.shown === 'density' && !session.state0.isMoving && session.state0.step > 0);
   await page.evaluate(() => session.saveToFolder());
@@ -182,7 +281,8 @@ test('the saved script repeats the saved files', async () => {
   const { status, stderr } = spawnSync('sh', [`${RESULTS}/warm.sh`, `${WORK}/again`], { env, encoding: 'utf8' });
   assert.deepEqual({ status, stderr }, { status: 0, stderr: '' });
   const volumes = ['heat', 'density', 'labels', 'objects'].map((what) => `warm-${what}.nrrd`);
-  for (const name of [...volumes, 'warm-objects.csv', 'warm.json', 'warm.vp']) {
+  const alone = ['alone-object.nrrd', 'alone-object.csv'];
+  for (const name of [...volumes, ...alone, 'warm-objects.csv', 'warm.json', 'warm.vp']) {
     assert.ok(readFileSync(`${RESULTS}/${name}`).equals(readFileSync(`${WORK}/again/${name}`)), name);
   }
   assert.deepEqual(page.errors, []);
@@ -202,8 +302,8 @@ test('a page of another origin gets nothing', async () => {
 test('a killed server is reported by the page', async () => {
   await open(page, url);
   run.child.kill('SIGKILL');
-  await page.until(() => document.body.classList.contains('ended'));
-  assert.match(await page.evaluate(() => document.getElementById('progress').textContent), /has ended/);
+  await page.until(() => document.body.classList.contains('lost'));
+  assert.match(await page.evaluate(() => document.getElementById('progress').textContent), /may have ended/);
   assert.ok(readdirSync(RESULTS).every((name) => !name.startsWith('.')));
 });
 
@@ -212,7 +312,9 @@ test('Ctrl-C and closing the page end the session cleanly', async () => {
   await open(page, run.url);
   run.child.kill('SIGINT');
   assert.deepEqual(await run.gone, { status: 0, errors: '' });
-  run = await start('--patience', '0.5');
+  await page.until(() => document.body.classList.contains('ended'));
+  assert.match(await page.evaluate(() => document.getElementById('progress').textContent), /has ended/);
+  run = await start();
   await open(page, run.url);
   await page.visit('about:blank');
   assert.deepEqual(await run.gone, { status: 0, errors: '' });

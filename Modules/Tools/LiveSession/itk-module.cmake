@@ -5,13 +5,13 @@ itk_module(ShapetonLiveSession
   EXCLUDE_FROM_DEFAULT
   DEPENDS
     ShapetonReport
+    ShapetonHeat
     ShapetonParticles
     ShapetonVolumeFiles
   PRIVATE_DEPENDS
     ShapetonPages
     ITKCommon
     ShapetonCommon
-    ShapetonHeat
     ShapetonHeatObjects
     ShapetonPictureKit
     ShapetonHeatViews

@@ -2,6 +2,7 @@
 #define shapetonLiveSession_h
 
 #include "ShapetonLiveSessionExport.h"
+#include "shapetonHeatParameterChoice.h"
 #include "shapetonJsonForward.h"
 #include "shapetonParticleDiffusion.h"
 #include "shapetonSessionFolder.h"
@@ -11,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +42,8 @@ struct LiveSessionSettings
   /** Folder of all files that commands read and write. */
   std::string              folder{ "." };
   ParticleDiffusionOptions walk;
+  /** ChooseHeatParameters() of the volume without given parameters; empty: computed when it is needed. */
+  std::optional<HeatParameterChoice> choice;
 };
 
 /** \class LiveSession

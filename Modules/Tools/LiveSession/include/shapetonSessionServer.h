@@ -17,8 +17,12 @@ struct SessionServerSettings
   std::string address{ "127.0.0.1" };
   /** 0: a free port. */
   unsigned short port{ 0 };
-  /** The session ends this many seconds after its last page has been closed. */
-  double secondsWithoutPage{ 10.0 };
+  /** The session ends this many seconds after its last page has been closed; long enough for a reload. */
+  double secondsAfterClose{ 10.0 };
+  /** The session ends this many seconds after it has lost the connection to its last page, which tries to reconnect.
+   * Chosen: longer than most breaks in which a laptop sleeps or has no network, but a forgotten session releases its
+   * memory in less than an hour. */
+  double secondsAfterLoss{ 1800.0 };
   /** A connection that does not answer is dropped after this time. */
   double secondsOfSilence{ 30.0 };
 };
@@ -50,7 +54,8 @@ public:
   std::string
   GetUrl() const;
 
-  /** Serves until the last page is closed, a termination signal arrives, or Stop() is called from any thread. */
+  /** Serves until the last page is closed or lost, a termination signal arrives, or Stop() is called from any thread.
+   */
   void
   Run();
 

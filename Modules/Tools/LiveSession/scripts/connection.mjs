@@ -1,22 +1,35 @@
 import { readFrame } from './frames.mjs';
 
-// The WebSocket to the server that has sent the page. listener: onFrame(frame), onEnd(). Commands are answered in order.
+const WAITS = [0.5, 1, 2, 4, 8]; // s between attempts to reconnect; the last one repeats
+const OPEN = 1, GOING_AWAY = 1001; // state of a socket; code with which the server closes it when the session ends
+
+// The WebSocket to the server that has sent the page; a lost connection is renewed. Commands are answered in order.
+// listener: onOpen(), after each connection; onFrame(frame); onLost(seconds until the next attempt); onEnd().
 export class Connection {
   constructor(listener) {
     const { host, pathname } = globalThis.location;
-    this.waiting = new Map();
-    this.next = 1;
-    this.socket = new WebSocket(`ws://${host}${pathname}live`);
+    Object.assign(this, { listener, url: `ws://${host}${pathname}live`, waiting: new Map(), next: 1, attempts: 0 });
+    this.connect();
+  }
+
+  connect() {
+    const { listener } = this;
+    this.socket = new WebSocket(this.url);
     this.socket.binaryType = 'arraybuffer';
+    this.socket.onopen = () => { this.attempts = 0; listener.onOpen(); };
     this.socket.onmessage = ({ data }) => {
       if (typeof data === 'string') this.answer(JSON.parse(data)); else listener.onFrame(readFrame(data));
     };
-    this.socket.onclose = () => {
-      this.waiting.forEach(({ fail }) => fail(new Error('The session has ended.')));
-      this.waiting.clear();
-      listener.onEnd();
-    };
-    this.opened = new Promise((done) => { this.socket.onopen = done; });
+    this.socket.onclose = ({ code }) => this.closed(code === GOING_AWAY);
+  }
+
+  closed(isOver) {
+    this.waiting.forEach(({ fail }) => fail(new Error(isOver ? 'The session has ended.' : 'The connection was lost.')));
+    this.waiting.clear();
+    if (isOver) { this.listener.onEnd(); return; }
+    const wait = WAITS[Math.min(this.attempts++, WAITS.length - 1)];
+    this.listener.onLost(wait);
+    setTimeout(() => this.connect(), 1000 * wait);
   }
 
   answer(message) {
@@ -26,7 +39,8 @@ export class Connection {
   }
 
   // Sends a command; resolves with the answer.
-  ask(command) {
+  async ask(command) {
+    if (this.socket.readyState !== OPEN) throw new Error('There is no connection to the session.');
     const id = this.next++;
     return new Promise((done, fail) => {
       this.waiting.set(id, { done, fail });
@@ -35,6 +49,5 @@ export class Connection {
   }
 
   // Requests the next frame.
-  ready() { if (this.socket.readyState === 1) this.socket.send('{"do": "ready"}'); }
-  close() { this.socket.close(); }
+  ready() { if (this.socket.readyState === OPEN) this.socket.send('{"do": "ready"}'); }
 }

@@ -9,6 +9,7 @@ export const CONTROLS = `
 <div><button id="move">Pause</button><button id="once">Step</button>
   <label>steps/s <input id="speed" type="number" min="0" max="1000000" value="0" title="0: as fast as possible"></label></div>
 <fieldset id="options"><legend>Shapetons</legend></fieldset>
+<div id="change" role="status" title="the last change, which Undo reverts"></div>
 <fieldset><legend>Shown</legend>
   <label><input type="radio" name="shown" value="density" checked> density of shapetons</label>
   <label><input type="radio" name="shown" value="heat"> heat after <output id="time"></output> steps</label>
@@ -28,7 +29,9 @@ export const CONTROLS = `
   <label>label <input id="label" type="number" min="0" max="65535" value="0" title="0: all labels"></label>
   <button id="start">Start there</button></fieldset>
 <fieldset><legend>Save</legend><label>name <input id="name" value="session"></label>
-  <label><input id="labels" type="checkbox"> labels</label><button id="save">Save</button><div id="saved" role="status"></div></fieldset>`;
+  <label><input id="labels" type="checkbox"> labels</label>
+  <label><input id="alone" type="checkbox"> of the objects only the selected one</label>
+  <button id="save">Save</button><div id="saved" role="status"></div></fieldset>`;
 
 // Options of the walk: numbers with step and range, or words.
 const OPTIONS = [
@@ -37,6 +40,21 @@ const OPTIONS = [
   ['directionSampling', ['solidAngle', 'sectorArea', 'uniform']], ['pathRule', ['endpoint', 'traversal']],
   ['placement', ['uniform', 'initialHeat']], ['seed', { min: 0, max: 2147483647, step: 1 }],
 ];
+
+const ENDS = ['lower', 'upper']; // of the intensity window
+
+// A number field that is emptied returns to its last value, and its change is not reported.
+function keepNumbers(root) {
+  root.addEventListener('change', (e) => {
+    const { target: field } = e;
+    if (field.type !== 'number') return;
+    if (field.value === '') {
+      e.stopPropagation();
+      field.value = field.kept ?? field.defaultValue;
+    }
+    field.kept = field.value;
+  }, true);
+}
 
 // See KeyTable; methods of the session.
 export const sessionKeys = new KeyTable([['Session', [
@@ -55,6 +73,9 @@ export class Controls {
     this.session = session;
     this.fields = new Map(OPTIONS.map(([name, range]) => [name, this.field(name, range)]));
     byId('options').append(...[...this.fields].map(([name, field]) => element('label', { textContent: `${name} ` }, [field])));
+    this.ends = ENDS.map((end) => this.endOfWindow(end));
+    byId('options').append(element('label', { textContent: 'intensityWindow ' }, this.ends));
+    keepNumbers(byId('controls'));
     const on = (id, act) => { byId(id).onclick = (e) => { act(); e.currentTarget.blur(); }; };
     on('move', () => session.toggleMoving());
     on('once', () => session.stepOnce());
@@ -78,8 +99,26 @@ export class Controls {
     const isWord = Array.isArray(range), field = element(isWord ? 'select' : 'input', isWord ? {} : { type: 'number', ...range });
     if (isWord) field.append(...range.map((word) => new Option(word, word)));
     field.id = `option-${name}`;
-    field.onchange = () => this.session.ask({ do: 'set', [name]: isWord ? field.value : Number(field.value) });
+    field.onchange = () => this.set({ [name]: isWord ? field.value : Number(field.value) });
     return field;
+  }
+
+  endOfWindow(end) {
+    const field = element('input', { type: 'number', step: 'any', id: `window-${end}`, className: 'end' });
+    field.ariaLabel = `${end} end of the window`;
+    field.onchange = () => this.set({ intensityWindow: this.ends.map(({ value }) => Number(value)) });
+    return field;
+  }
+
+  // A refused value is replaced by the current one.
+  async set(options) {
+    if (!await this.session.ask({ do: 'set', ...options })) this.showOptions(this.session.state0.options, true);
+  }
+
+  showOptions({ intensityWindow, ...options }, isForced = false) {
+    const write = (field, value) => { if (isForced || document.activeElement !== field) field.value = field.kept = value; };
+    for (const [name, field] of this.fields) write(field, options[name]);
+    (intensityWindow ?? ['', '']).forEach((value, i) => write(this.ends[i], value)); // a constant volume has no window
   }
 
   get heatSteps() { return stepsOfSlider(Number(byId('slider').value)); }
@@ -100,9 +139,9 @@ export class Controls {
   }
 
   show(state) {
-    const write = (field, value) => { if (document.activeElement !== field && String(value) !== field.value) field.value = value; };
-    for (const [name, field] of this.fields) write(field, state.options[name]);
-    write(byId('speed'), state.speed);
+    this.showOptions(state.options);
+    if (document.activeElement !== byId('speed')) byId('speed').value = state.speed;
+    byId('change').textContent = state.lastChange;
     if (!this.isAsking && document.activeElement !== byId('slider')) {
       byId('slider').value = sliderOfSteps(state.heatSteps);
       byId('time').textContent = state.heatSteps.toLocaleString('en');

@@ -21,7 +21,7 @@ class Session extends HeatExplorer {
     super(null, Object.assign(info, first.info), null, first.row.counts, first.row.axis);
     const display = reducedVolume(info.volume, info.stride), bins = new Uint16Array(display.size.reduce((a, b) => a * b));
     Object.assign(this, { connection, display, sent: first.sent, balls: [], rows: [first.row], state0: first.state, picture: null });
-    Object.assign(this, { live: counted(bins), isPainting: false, isAsking: false, frames: 0 });
+    Object.assign(this, { live: counted(bins), isPainting: false, isAsking: false, frames: 0, linesAt: [] });
     Object.assign(this, this.live);
   }
 
@@ -51,6 +51,7 @@ class Session extends HeatExplorer {
   take({ header, take }) {
     const { state } = header, isOther = state.shown !== this.state0.shown || state.changes !== this.state0.changes;
     if (isOther) this.rows = [];
+    if (state.undo > this.state0.undo) this.linesAt[state.undo] = this.history.before.length;
     Object.assign(this, { state0: state, selection: state.selected ? [state.selected] : [] });
     this.info.quantity = state.quantity;
     for (const slice of header.slices ?? []) this.takeSlice(slice, take);
@@ -84,12 +85,29 @@ class Session extends HeatExplorer {
     this.rows.forEach(({ counts }, i) => histogram.set(counts, i * NUMBER_OF_BINS));
     Object.assign(this.info, { stored: [step], timeSteps: this.rows.map((r) => r.step), lines });
     this.setHistogram(histogram, row.axis);
-    if (isNew && this.quantityOfLines !== this.info.quantity.name) this.history.before.length = 0;
+    if (isNew && this.quantityOfLines !== this.info.quantity.name) this.forgetLines();
     this.quantityOfLines = this.info.quantity.name;
     if (this.history.before.length) return;
     this.history = new History({ ...this.state, lines: shownLines(lines) });
     this.follow();
   }
+
+  // ---- undo ----
+  get canUndo() { return super.canUndo || this.state0.undo > 0; }
+  get canRedo() { return super.canRedo || this.state0.redo > 0; }
+
+  forgetLines() {
+    this.history.before.length = 0;
+    this.linesAt = [];
+  }
+
+  // The last change of lines on this page or of values on the server. linesAt: number of changes of lines before each change of values.
+  undo() {
+    const { history: { before }, state0: { undo }, linesAt } = this;
+    return undo && before.length <= (linesAt[undo] ?? 0) ? this.ask({ do: 'undo' }) : super.undo();
+  }
+
+  redo() { return this.state0.redo && !super.canRedo ? this.ask({ do: 'redo' }) : super.redo(); }
 
   // ---- commands ----
   async ask(command) {
@@ -116,9 +134,9 @@ class Session extends HeatExplorer {
 
   async saveToFolder() {
     const lines = linesFor(this.lines.filter((line) => line.isOn));
-    const objects = this.state0.shown === 'heat' && this.state0.objects !== null;
+    const selected = byId('alone').checked, objects = !selected && this.state0.shown === 'heat' && this.state0.objects !== null;
     byId('saved').textContent = 'saving';
-    const answer = await this.ask({ do: 'save', name: byId('name').value, labels: byId('labels').checked, lines, objects });
+    const answer = await this.ask({ do: 'save', name: byId('name').value, labels: byId('labels').checked, lines, objects, selected });
     byId('saved').textContent = answer ? `saved ${answer.files.join(', ')}` : this.message;
     if (answer) this.isSaved = true;
   }
@@ -249,9 +267,19 @@ function firstOf({ header, take }, { volume }) {
 
 async function openSession(info) {
   let session = null, connection = null;
-  const end = () => {
+  const middle = info.volume.size.map((n) => n >> 1), { classList } = document.body;
+  const onOpen = () => {
+    classList.remove('lost');
+    const lostAgain = () => {}; // onLost() follows
+    connection.ask({ do: 'view', place: session?.place ?? middle }).then(() => connection.ready(), lostAgain);
+  };
+  const onLost = (wait) => {
+    byId('progress').textContent = `no connection to the session, which may have ended; next attempt in ${wait} s`;
+    classList.add('lost');
+  };
+  const onEnd = () => {
     byId('progress').textContent = 'the session has ended';
-    document.body.classList.add('ended');
+    classList.add('ended');
   };
   const onFrame = (frame) => {
     if (frame.header.kind === 'picture') { session?.takePicture(frame); return; }
@@ -260,10 +288,7 @@ async function openSession(info) {
     else byId('progress').textContent = frame.header.state.error || 'computing';
     requestAnimationFrame(() => connection.ready());
   };
-  connection = new Connection({ onFrame, onEnd: end });
-  await connection.opened;
-  await connection.ask({ do: 'view', place: info.volume.size.map((n) => n >> 1) });
-  connection.ready();
+  connection = new Connection({ onOpen, onFrame, onLost, onEnd });
 }
 
 // Makes the page from the first frame.

@@ -2,12 +2,12 @@
 
 #include "shapetonExceptions.h"
 #include "shapetonExplorerInfo.h"
-#include "shapetonHeatParameterChoice.h"
 #include "shapetonInterruption.h"
 #include "shapetonMappedImage.h"
 #include "shapetonSavedTransferFunction.h"
 #include "shapetonSessionCommands.h"
 #include "shapetonSessionFiles.h"
+#include "shapetonSessionHistory.h"
 #include "shapetonSessionObjects.h"
 #include "shapetonSessionPictures.h"
 #include "shapetonSessionState.h"
@@ -19,6 +19,7 @@
 #include <cmath>
 #include <limits>
 #include <thread>
+#include <utility>
 
 namespace shapeton
 {
@@ -61,6 +62,7 @@ struct LiveSession::Impl
     , pictures(volume.image)
     , goal(settings.walk.timeSteps)
     , heatSteps(settings.walk.timeSteps)
+    , choice(settings.choice)
   {
     const auto window = WindowOf(options, view);
     if (window[0] < window[1])
@@ -294,27 +296,33 @@ struct LiveSession::Impl
   void
   FindObjects()
   {
-    Tell("objects", 0.0);
-    objects.Find(files.AsWritten(heat), [this](double part) { Tell("objects", part); });
+    if (!objects.AreFound())
+    {
+      Tell("objects", 0.0);
+      objects.Find(files.AsWritten(heat), [this](double part) { Tell("objects", part); });
+    }
     Note(SessionEvent::ObjectsFound);
   }
 
-  /** Sets window, p, smoothing and time so that objects separate. */
+  /** Sets window, p, smoothing and time so that objects separate. The choice depends only on the volume. */
   void
   ChooseParameters()
   {
-    ParkWalk();
-    Tell("choosing parameters", 0.0);
-    auto settings = HeatSettings();
-    settings.intensityWindow.reset();
-    const auto choice = ChooseHeatParameters(
-      view, settings, {}, volume.modality, [this](double part) { Tell("choosing parameters", part); });
-    options.intensityWindow = choice.intensityWindow;
-    options.p = choice.p;
-    options.smoothing = choice.smoothing;
-    heatSteps = choice.timeSteps;
-    Restart(SessionEvent::ParametersChosen, "options for objects: " + TextOfJson(JsonOfOptions(options)));
-    files.Note("heat after " + std::to_string(heatSteps) + " time steps");
+    if (!choice)
+    {
+      ParkWalk();
+      Tell("choosing parameters", 0.0);
+      auto settings = HeatSettings();
+      settings.intensityWindow.reset();
+      choice = ChooseHeatParameters(
+        view, settings, {}, volume.modality, [this](double part) { Tell("choosing parameters", part); });
+    }
+    SessionValues values = Values();
+    const auto    timeSteps = values.options.timeSteps;
+    choice->ApplyTo(values.options);
+    values.heatSteps = std::exchange(values.options.timeSteps, timeSteps);
+    Use(values, "Find objects");
+    Note(SessionEvent::ParametersChosen);
   }
 
   void
@@ -330,13 +338,61 @@ struct LiveSession::Impl
   }
 
   // ---- commands ----
-  /** A change to the diffusion: everything is recomputed. */
+  SessionValues
+  Values() const
+  {
+    return { options, heatSteps, state.view };
+  }
+
+  /** Takes other values by the command with this name; Undo reverts it. */
   void
-  Restart(SessionEvent event, const std::string & change)
+  Change(const SessionValues & values, const std::string & name)
+  {
+    if (!ChangesBetween(Values(), values).empty())
+    {
+      history.Add(Values(), name == "heat" ? name : ""); // the time has a slider
+    }
+    Use(values, name);
+  }
+
+  /** The walk starts again only if an option differs. */
+  void
+  Use(const SessionValues & values, const std::string & name)
+  {
+    const std::string differences = ChangesBetween(Values(), values);
+    lastChange = name + ": " + (differences.empty() ? "no value changes" : differences);
+    const bool isWalkNew = JsonOfOptions(values.options) != JsonOfOptions(options);
+    const bool isTimeNew = values.heatSteps != heatSteps;
+    options = values.options;
+    heatSteps = values.heatSteps;
+    if (isWalkNew)
+    {
+      Restart(lastChange);
+    }
+    else
+    {
+      NoteChange(lastChange);
+    }
+    if (isTimeNew && !isWalkNew)
+    {
+      Show(SessionEvent::HeatTimeChanged);
+    }
+    Show(values.view == SessionState::View::Heat ? SessionEvent::HeatShown : SessionEvent::DensityShown);
+  }
+
+  void
+  NoteChange(const std::string & change)
   {
     files.Note("step " + std::to_string(StepOfWalk()) + ": " + change);
     ++changes;
-    Note(event);
+  }
+
+  /** A change to the diffusion: everything is recomputed. */
+  void
+  Restart(const std::string & change)
+  {
+    NoteChange(change);
+    Note(SessionEvent::WalkChanged);
     coarse.reset();
     preview.values.clear();
     goal = std::max<std::uint64_t>(goal, 1);
@@ -401,7 +457,7 @@ struct LiveSession::Impl
     mask = region;
     maskName.clear();
     regionName = kind;
-    Restart(SessionEvent::WalkChanged, "start region: " + kind);
+    Restart("start region: " + kind);
   }
 
   StartMask::Pointer
@@ -442,11 +498,19 @@ struct LiveSession::Impl
   Json
   Save(const Json & command)
   {
-    RequireKeys(command, { "name", "labels", "lines", "objects" });
+    RequireKeys(command, { "name", "labels", "lines", "objects", "selected" });
     SavedResult result;
     result.name = ResultNameOf(command, "name");
-    for (const char * ending :
-         { "-density.nrrd", "-heat.nrrd", "-labels.nrrd", "-objects.nrrd", "-objects.csv", ".json", ".vp", ".sh" })
+    for (const char * ending : { "-density.nrrd",
+                                 "-heat.nrrd",
+                                 "-labels.nrrd",
+                                 "-objects.nrrd",
+                                 "-objects.csv",
+                                 "-object.nrrd",
+                                 "-object.csv",
+                                 ".json",
+                                 ".vp",
+                                 ".sh" })
     {
       files.GetFolder().PathOf(result.name + ending); // before anything is written
     }
@@ -456,10 +520,14 @@ struct LiveSession::Impl
     {
       result.lines = TransferFunctionOf(command["lines"], "the command");
     }
-    if (FlagOf(command, "objects"))
+    result.objects = objects.GetList();
+    result.wantObjects = FlagOf(command, "objects");
+    RequireParameter(!result.wantObjects || (result.isHeat && result.objects),
+                     "no objects have been found yet; find them first");
+    if (FlagOf(command, "selected"))
     {
-      result.objects = objects.GetList();
-      RequireParameter(result.isHeat && result.objects, "no objects have been found yet; find them first");
+      result.object = objects.GetSelected();
+      RequireParameter(result.isHeat && result.object > 0, "no object is selected");
     }
     std::vector<std::string> names;
     if (result.isHeat)
@@ -526,7 +594,14 @@ struct LiveSession::Impl
     }
     else if (name == "set")
     {
-      Restart(SessionEvent::WalkChanged, SetOptions(command, options));
+      SessionValues values = Values();
+      SetOptions(command, values.options);
+      Change(values, "set");
+    }
+    else if (name == "undo" || name == "redo")
+    {
+      RequireKeys(command, {});
+      Use(name == "undo" ? history.Undo(Values()) : history.Redo(Values()), name);
     }
     else if (name == "start")
     {
@@ -566,15 +641,12 @@ struct LiveSession::Impl
     constexpr std::uint64_t mostSteps = 1000000000;
     RequireKeys(command, { "timeSteps" });
     const std::uint64_t steps = CountOf(command, "timeSteps", 1, mostSteps);
-    if (steps == heatSteps && state.heat != SessionState::Heat::None)
+    if (steps == heatSteps)
     {
       Show(SessionEvent::HeatShown);
       return;
     }
-    heatSteps = steps;
-    files.Note("heat after " + std::to_string(steps) + " time steps");
-    ++changes;
-    Show(SessionEvent::HeatTimeChanged);
+    Change({ options, steps, SessionState::View::Heat }, name);
   }
 
   // ---- objects ----
@@ -584,6 +656,7 @@ struct LiveSession::Impl
     RequireKeys(command, { "choose" });
     if (FlagOf(command, "choose"))
     {
+      history.Add(Values(), "");
       Show(SessionEvent::ChoiceWanted);
       return;
     }
@@ -670,6 +743,9 @@ struct LiveSession::Impl
     json["selected"] = objects.GetSelected();
     json["region"] = regionName;
     json["changes"] = changes;
+    json["lastChange"] = lastChange;
+    json["undo"] = history.NumberToUndo();
+    json["redo"] = history.NumberToRedo();
     json["options"] = JsonOfOptions(options);
     json["stage"] = stage;
     json["share"] = RoundedJson(share, 3);
@@ -747,6 +823,10 @@ struct LiveSession::Impl
   BlockValues               blocks;
   ImageType::Pointer        heat;
   SessionObjects            objects;
+
+  SessionHistory                     history;
+  std::string                        lastChange; ///< of values, as ChangesBetween() describes it
+  std::optional<HeatParameterChoice> choice;
 
   std::string   stage; ///< of long work
   double        share{ 0.0 };

@@ -224,23 +224,22 @@ ResultNameOf(const Json & command, const std::string & key)
   return name;
 }
 
-std::string
+void
 SetOptions(const Json & command, ParticleDiffusionOptions & options)
 {
   RequireKeys(command, changeable);
   ParticleDiffusionOptions changed = options;
-  std::string              changes;
+  bool                     isAny = false;
   ParticleDiffusionOptions::VisitOptions(changed, [&](const OptionInfo & info, auto & option) {
     const auto value = command.find(info.GetName());
     if (value != command.end())
     {
       SetOption(info, *value, option);
-      changes += (changes.empty() ? "" : ", ") + std::string(info.GetName()) + " = " + TextOfJson(*value);
+      isAny = true;
     }
   });
-  RequireParameter(!changes.empty(), "the command sets no option");
+  RequireParameter(isAny, "the command sets no option");
   options = changed;
-  return changes;
 }
 
 Json

@@ -34,9 +34,8 @@ std::string
 ResultNameOf(const Json & command, const std::string & key);
 ///@}
 
-/** Sets the options that the command names and returns a description of the changes. All options of a walk are allowed,
- * except its number of steps. */
-std::string
+/** Sets the options that the command names. All options of a walk are allowed, except its number of steps. */
+void
 SetOptions(const Json & command, ParticleDiffusionOptions & options);
 
 /** The current values of the options of the walk. */

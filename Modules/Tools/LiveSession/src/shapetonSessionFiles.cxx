@@ -247,38 +247,52 @@ SessionFiles::Save(const SavedResult & result, const ParticleDiffusionOptions & 
   });
   this->NoteCommand("CumulativeHeatDiffusion", inResults, arguments);
   auto names = VolumeNamesOf(result);
-  Append(names, this->WriteObjects(result));
+  if (result.wantObjects)
+  {
+    Append(names, this->WriteObjects(result, 0));
+  }
+  if (result.object > 0)
+  {
+    Append(names, this->WriteObjects(result, result.object));
+  }
   Append(names, this->WriteLines(result, 1.0));
   return names;
 }
 
 std::vector<std::string>
-SessionFiles::WriteObjects(const SavedResult & result)
+SessionFiles::WriteObjects(const SavedResult & result, int object)
 {
-  if (!result.objects)
-  {
-    return {};
-  }
   const std::string heat = VolumeNameOf(result);
-  const std::string labels = result.name + "-objects.nrrd";
-  const std::string table = result.name + "-objects.csv";
-  Arguments         all{ m_Input };
-  for (const std::string & name : { heat, labels, table })
+  const std::string name = result.name + (object > 0 ? "-object" : "-objects");
+  const std::string labels = name + ".nrrd";
+  const std::string table = name + ".csv";
+  auto              arguments = m_ReadingArguments;
+  std::vector<int>  numbers{ object };
+  if (object > 0)
   {
-    all.push_back(m_Folder.PathOf(name).string());
+    Append(arguments, { Flag("objects"), std::to_string(object) });
   }
-  Append(all, m_ReadingArguments);
-  std::vector<int> numbers(result.objects->objects.size());
-  std::iota(numbers.begin(), numbers.end(), 1);
+  else
+  {
+    numbers.resize(result.objects->objects.size());
+    std::iota(numbers.begin(), numbers.end(), 1);
+  }
+  Arguments all{ m_Input };
+  for (const std::string & file : { heat, labels, table })
+  {
+    all.push_back(m_Folder.PathOf(file).string());
+  }
+  Append(all, arguments);
   this->RunTool(HeatObjectsXML, "HeatObjects", all, [&](CommandLine & commandLine) {
     const std::string labelsFile = commandLine.MainOutput("labels");
     const std::string tableFile = commandLine.OutputOf("table");
     this->AddInput(commandLine);
     commandLine.AddInput("heatVolume", ReadVolume(commandLine.GetString("heatVolume")).identity);
     HeatObjectTable(*result.objects, numbers, m_Volume.image).Write(tableFile);
-    WriteObjectLabels(result.objects->labels, numbers, labelsFile, commandLine.GetProvenance());
+    const auto image = object > 0 ? LabelsOfObjects(*result.objects, numbers) : result.objects->labels;
+    WriteObjectLabels(image, numbers, labelsFile, commandLine.GetProvenance());
   });
-  this->NoteCommand("HeatObjects", { heat, labels, table }, m_ReadingArguments);
+  this->NoteCommand("HeatObjects", { heat, labels, table }, arguments);
   return { labels, table };
 }
 

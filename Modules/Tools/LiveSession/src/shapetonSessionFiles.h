@@ -16,7 +16,7 @@ namespace shapeton
 class CommandLine;
 
 /** What is saved under one name: NAME-density.nrrd or NAME-heat.nrrd, NAME-labels.nrrd, NAME.json and NAME.vp; for
- * objects of heat, NAME-objects.nrrd and NAME-objects.csv. */
+ * objects of heat, NAME-objects.nrrd and NAME-objects.csv, and for one of them NAME-object.nrrd and NAME-object.csv. */
 struct SavedResult
 {
   std::string                          name; ///< in the folder
@@ -26,6 +26,8 @@ struct SavedResult
   std::string                          mask; ///< file name; empty for none
   std::optional<ShapeTransferFunction> lines;
   const HeatObjectList *               objects{ nullptr }; ///< of the heat; null for none
+  bool                                 wantObjects{ false };
+  int                                  object{ 0 }; ///< number of the object to be saved alone; 0 for none
 };
 
 /** \class SessionFiles
@@ -81,9 +83,9 @@ private:
   RunTool(const char * xml, const std::string & tool, const Arguments & arguments, const Body & body) const;
   void
   AddInput(CommandLine & commandLine) const;
-  /** Writes the objects of the heat, which must already have been written. */
+  /** Writes all objects of the heat, or the one with this number. The heat must already have been written. */
   std::vector<std::string>
-  WriteObjects(const SavedResult & result);
+  WriteObjects(const SavedResult & result, int object);
   std::vector<std::string>
   WriteLines(const SavedResult & result, double unit);
   void

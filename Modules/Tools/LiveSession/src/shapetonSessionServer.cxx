@@ -254,7 +254,7 @@ struct SessionServer::Impl
     {
       lastPage = Clock::now();
     }
-    return Clock::now() - lastPage > Milliseconds(settings.secondsWithoutPage);
+    return Clock::now() - lastPage > Milliseconds(isPageLost ? settings.secondsAfterLoss : settings.secondsAfterClose);
   }
 
   bool
@@ -275,6 +275,7 @@ struct SessionServer::Impl
   std::atomic<bool>                     isStopped{ false };
   bool                                  isLooking{ false };
   bool                                  hadPage{ false };
+  bool                                  isPageLost{ false }; ///< the last page to leave was not closed
   Clock::time_point                     lastLook{};
   Clock::time_point                     lastPage{};
   std::size_t                           connections{ 0 };
@@ -347,6 +348,8 @@ struct SessionServer::Impl::Connection : std::enable_shared_from_this<Connection
     stream.async_read(buffer, [self = shared_from_this()](beast::error_code error, auto) {
       if (error)
       {
+        // A browser may reset the connection before it has received the answer to its closing message.
+        self->server.isPageLost = !self->stream.reason();
         self->Drop();
         return;
       }
@@ -452,9 +455,8 @@ struct SessionServer::Impl::Connection : std::enable_shared_from_this<Connection
     stream.binary(waiting.front().second);
     stream.async_write(asio::buffer(*waiting.front().first),
                        [self = shared_from_this()](beast::error_code error, auto) {
-                         if (error)
+                         if (error) // Read() ends, too, and knows whether the page has been closed
                          {
-                           self->Drop();
                            return;
                          }
                          self->waiting.pop_front();

@@ -53,7 +53,7 @@ After(SessionState state, SessionEvent event)
       state.walk = state.walk == SessionState::Walk::Placed ? SessionState::Walk::Parked : state.walk;
       break;
     case Event::ParametersChosen:
-      state = { state.view, SessionState::Walk::Stale, SessionState::Heat::None, SessionState::Wish::Find };
+      state.wish = SessionState::Wish::Find;
       break;
     case Event::CoarseHeatComputed:
       state.heat = SessionState::Heat::Coarse;

@@ -1,11 +1,13 @@
 #include "shapetonCoarseHeat.h"
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
+#include "shapetonCsvTable.h"
 #include "shapetonExceptions.h"
 #include "shapetonFileBytes.h"
 #include "shapetonJson.h"
 #include "shapetonLiveSession.h"
 #include "shapetonMappedImage.h"
 #include "shapetonParticleDiffusionImageFilter.h"
+#include "shapetonParticlePreset.h"
 #include "shapetonRandomCommands.h"
 #include "shapetonSessionTestVolume.h"
 
@@ -443,7 +445,11 @@ TEST(LiveSession, TheToolsRepeatItsObjectsByteByByte)
   EXPECT_FALSE(std::filesystem::exists(fixture.input.GetFolder() / "a.sh"));
   fixture.Do(R"({"do": "objects", "choose": true})");
   fixture.Finish();
-  fixture.Do(R"({"do": "select", "object": 1})"); // is not a part of the saved files
+  EXPECT_NE(ErrorOf(fixture, R"({"do": "save", "name": "a", "selected": true})").find("no object is selected"),
+            std::string::npos);
+  fixture.Do(R"({"do": "select", "object": 2})");
+  const Json alone = fixture.Do(R"({"do": "save", "name": "one", "selected": true})");
+  EXPECT_EQ(alone["files"], (Json{ "one-heat.nrrd", "one-object.nrrd", "one-object.csv", "one.sh" }));
   const Json saved = fixture.Do(R"({"do": "save", "name": "a", "labels": true, "objects": true})");
   EXPECT_EQ(saved["files"], (Json{ "a-heat.nrrd", "a-labels.nrrd", "a-objects.nrrd", "a-objects.csv", "a.sh" }));
   const auto  labels = shapeton::ReadVolume(fixture.input.GetFolder() / "a-objects.nrrd").image;
@@ -452,6 +458,8 @@ TEST(LiveSession, TheToolsRepeatItsObjectsByteByByte)
   const float last = static_cast<float>(objects.size());
   EXPECT_EQ(std::count(labels->GetBufferPointer(), labels->GetBufferPointer() + voxels, last),
             objects.back()["voxels"]); // the smallest object has no other in it
+  const auto mask = shapeton::ReadVolume(fixture.input.GetFolder() / "one-object.nrrd").image;
+  EXPECT_EQ(std::count(mask->GetBufferPointer(), mask->GetBufferPointer() + voxels, 1.0F), objects[1]["voxels"]);
   const std::string results = fixture.input.GetFolder() / "results";
   const int         status = RunScript(fixture.input.GetFolder() / "a.sh", results);
   if (status < 0)
@@ -461,7 +469,13 @@ TEST(LiveSession, TheToolsRepeatItsObjectsByteByByte)
   EXPECT_EQ(status, 0);
   ExpectSameFiles(fixture.input.GetFolder() / "",
                   results + "/",
-                  { "a-heat.nrrd", "a-labels.nrrd", "a-objects.nrrd", "a-objects.csv" });
+                  { "a-heat.nrrd",
+                    "a-labels.nrrd",
+                    "a-objects.nrrd",
+                    "a-objects.csv",
+                    "one-heat.nrrd",
+                    "one-object.nrrd",
+                    "one-object.csv" });
 }
 
 TEST(LiveSession, AWholeFrameHasAllVoxelsAndTheLabelsOfObjects)
@@ -554,6 +568,136 @@ TEST(LiveSession, ObjectsAreFoundAndSelected)
   EXPECT_TRUE(fixture.session.GetState()["objects"].is_null()); // everything is computed again
   EXPECT_NE(ErrorOf(fixture, R"({"do": "start", "region": "selected"})").find("no object is selected"),
             std::string::npos);
+}
+
+TEST(LiveSession, FindingObjectsReportsWhatItChangesAndIsUndone)
+{
+  Fixture fixture(3);
+  fixture.Finish();
+  const auto before = fixture.session.GetState();
+  fixture.Do(R"({"do": "objects", "choose": true})");
+  fixture.Finish();
+  const auto found = fixture.session.GetState();
+  ASSERT_NE(found["options"]["p"], before["options"]["p"]);
+  const std::string report = found["lastChange"];
+  const auto        number = [](const Json & value) { return shapeton::CsvTable::Number(value.get<double>()); };
+  const auto        window = [&](const Json & state) {
+    const auto & ends = state["options"]["intensityWindow"];
+    return "[" + number(ends[0]) + ", " + number(ends[1]) + "]";
+  };
+  EXPECT_NE(report.find("p 4 -> " + number(found["options"]["p"])), std::string::npos) << report;
+  EXPECT_NE(report.find("intensityWindow " + window(before) + " -> " + window(found)), std::string::npos) << report;
+  EXPECT_NE(report.find("time of heat 60 -> " + found["heatSteps"].dump() + " steps"), std::string::npos) << report;
+  EXPECT_EQ(report.find("seed"), std::string::npos) << report;
+
+  fixture.Do(R"({"do": "undo"})");
+  fixture.Finish();
+  const auto undone = fixture.session.GetState();
+  for (const std::string key : { "options", "heatSteps", "shown", "step" })
+  {
+    EXPECT_EQ(undone[key], before[key]) << key;
+  }
+  EXPECT_NE(ErrorOf(fixture, R"({"do": "undo"})"), "");
+  fixture.Do(R"({"do": "save", "name": "u"})");
+  ExpectSameVoxels(shapeton::ReadVolume(fixture.input.GetFolder() / "u-density.nrrd").image,
+                   VisitsOfFilter(fixture, 60, fixture.input.Settings().walk));
+
+  fixture.Do(R"({"do": "redo"})");
+  fixture.Finish();
+  const auto redone = fixture.session.GetState();
+  for (const std::string key : { "options", "heatSteps", "shown", "quality" })
+  {
+    EXPECT_EQ(redone[key], found[key]) << key;
+  }
+  EXPECT_NE(ErrorOf(fixture, R"({"do": "redo"})"), "");
+  fixture.Do(R"({"do": "save", "name": "u"})");
+  const std::string script = shapeton::ReadFileBytes(fixture.input.GetFolder() / "u.sh");
+  EXPECT_NE(script.find("# step 0: undo: "), std::string::npos) << script;
+  EXPECT_NE(script.find(": " + report), std::string::npos) << script;
+}
+
+TEST(LiveSession, UndoGoesBackThroughAllChangesAndMovesOfASliderTogether)
+{
+  Fixture fixture;
+  fixture.Do(R"({"do": "set", "p": 9})");
+  for (const std::string steps : { "10", "20", "30" }) // a slider that moves
+  {
+    fixture.Do(R"({"do": "heat", "timeSteps": )" + steps + "}");
+  }
+  fixture.Do(R"({"do": "set", "p": 9})"); // changes nothing
+  fixture.Do(R"({"do": "set", "p": 2, "seed": 8})");
+  EXPECT_EQ(fixture.session.GetState()["undo"], 3);
+  fixture.Do(R"({"do": "undo"})");
+  EXPECT_EQ(fixture.session.GetState()["options"]["p"], 9);
+  EXPECT_EQ(fixture.session.GetState()["heatSteps"], 30);
+  fixture.Do(R"({"do": "undo"})");
+  EXPECT_EQ(fixture.session.GetState()["shown"], "density");
+  EXPECT_EQ(fixture.session.GetState()["heatSteps"], 60);
+  fixture.Do(R"({"do": "undo"})");
+  EXPECT_EQ(fixture.session.GetState()["options"]["p"], 4);
+  EXPECT_EQ(fixture.session.GetState()["redo"], 3);
+  fixture.Do(R"({"do": "redo"})");
+  EXPECT_EQ(fixture.session.GetState()["options"]["p"], 9);
+  fixture.Do(R"({"do": "set", "seed": 3})"); // nothing is left to redo
+  EXPECT_EQ(fixture.session.GetState()["redo"], 0);
+  EXPECT_EQ(fixture.session.GetState()["undo"], 2);
+}
+
+TEST(LiveSession, UndoStopsFindingObjects)
+{
+  Fixture    fixture;
+  const Json before = fixture.session.GetState()["options"];
+  fixture.Do(R"({"do": "objects", "choose": true})");
+  EXPECT_TRUE(fixture.session.Work([&] { fixture.session.Interrupt(); })); // in the middle of the choice
+  fixture.Do(R"({"do": "undo"})");
+  fixture.Finish();
+  EXPECT_EQ(fixture.session.GetState()["shown"], "density");
+  EXPECT_EQ(fixture.session.GetState()["options"], before);
+  EXPECT_TRUE(fixture.session.GetState()["objects"].is_null());
+}
+
+TEST(LiveSession, FindingObjectsOfItsOwnHeatAgainComputesNothing)
+{
+  Fixture fixture(3);
+  fixture.Do(R"({"do": "objects", "choose": true})");
+  fixture.Finish();
+  const auto state = fixture.session.GetState();
+  fixture.Do(R"({"do": "objects", "choose": true})");
+  EXPECT_TRUE(fixture.session.Work());  // the parameters
+  EXPECT_FALSE(fixture.session.Work()); // the objects
+  const auto again = fixture.session.GetState();
+  EXPECT_EQ(again["lastChange"], "Find objects: no value changes");
+  EXPECT_EQ(again["objects"], state["objects"]);
+  EXPECT_EQ(again["quality"], "exact");
+}
+
+TEST(LiveSession, UsesTheChoiceThatWasMadeAtItsStart)
+{
+  const basetest::SessionInput input(3);
+  const auto                   volume = input.Volume();
+  const auto                   choice =
+    shapeton::ChooseShapetonParameters(shapeton::VolumeView(volume.image.GetPointer()), {}, {}, volume.modality);
+  std::vector<Json> states;
+  for (const bool isGiven : { false, true })
+  {
+    auto settings = input.Settings();
+    if (isGiven)
+    {
+      settings.choice = choice.heat;
+    }
+    LiveSession session(input.Volume(), settings);
+    session.Do(Json::parse(R"({"do": "objects", "choose": true})"));
+    if (isGiven)
+    {
+      int polls = 0;
+      session.Work([&] { ++polls; });
+      EXPECT_EQ(polls, 0); // a diffusion polls
+    }
+    while (session.Work())
+    {}
+    states.push_back(session.GetState());
+  }
+  EXPECT_EQ(states[0], states[1]);
 }
 
 TEST(LiveSession, ALaterChangeCancelsFindingObjects)

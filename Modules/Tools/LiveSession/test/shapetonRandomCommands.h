@@ -11,7 +11,7 @@ inline std::string
 RandomCommand(std::mt19937 & random)
 {
   const auto number = [&](int most) { return std::to_string(random() % most); };
-  switch (random() % 14)
+  switch (random() % 15)
   {
     case 0:
       return R"({"do": "pause"})";
@@ -35,11 +35,13 @@ RandomCommand(std::mt19937 & random)
       return R"({"do": "density"})";
     case 10:
       return R"({"do": "save", "name": "r)" + number(3) + R"(", "labels": true, "objects": )" +
-             (random() % 2 ? "true}" : "false}");
+             (random() % 2 ? "true" : "false") + (random() % 4 ? "}" : R"(, "selected": true})");
     case 11:
       return random() % 8 ? R"({"do": "objects", "choose": false})" : R"({"do": "objects", "choose": true})";
     case 12:
       return R"({"do": "select", "object": )" + number(3) + "}";
+    case 13:
+      return random() % 2 ? R"({"do": "undo"})" : R"({"do": "redo"})";
     default:
       return R"({"do": "start", "region": "everywhere"})";
   }

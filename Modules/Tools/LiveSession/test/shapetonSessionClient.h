@@ -145,6 +145,13 @@ public:
     }
   }
 
+  /** Closes the page; otherwise, the connection is lost. */
+  void
+  Close()
+  {
+    m_Stream.close(boost::beast::websocket::close_code::going_away);
+  }
+
   std::size_t
   GetBytes() const
   {

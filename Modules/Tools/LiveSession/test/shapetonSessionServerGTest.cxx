@@ -278,16 +278,39 @@ TEST(SessionServer, DeadPagesDoNotStopIt)
 
 TEST(SessionServer, EndsAfterItsLastPage)
 {
-  shapeton::SessionServerSettings settings;
-  settings.secondsWithoutPage = 0.3;
-  Served served(settings);
-  std::this_thread::sleep_for(std::chrono::milliseconds(600)); // it waits for the first page
+  constexpr double soon = 0.3; // s
+  for (const bool isClosed : { false, true })
   {
-    SessionClient client(served.url);
-    EXPECT_EQ(client.Ask(R"({"do": "heat", "timeSteps": 1000000})")["done"], "heat");
+    shapeton::SessionServerSettings settings;
+    (isClosed ? settings.secondsAfterClose : settings.secondsAfterLoss) = soon;
+    Served served(settings);
+    std::this_thread::sleep_for(std::chrono::milliseconds(600)); // it waits for the first page
+    {
+      SessionClient client(served.url);
+      EXPECT_EQ(client.Ask(R"({"do": "heat", "timeSteps": 1000000})")["done"], "heat");
+      if (isClosed)
+      {
+        client.Close();
+      }
+    }
+    served.Join();
+    EXPECT_THROW(SessionClient again(served.url), boost::system::system_error);
   }
-  served.Join();
-  EXPECT_THROW(SessionClient again(served.url), boost::system::system_error);
+}
+
+TEST(SessionServer, WaitsForAPageThatLostItsConnection)
+{
+  shapeton::SessionServerSettings settings;
+  settings.secondsAfterClose = 0.1;
+  Served served(settings);
+  {
+    SessionClient lost(served.url);
+    EXPECT_EQ(lost.Ask(R"({"do": "set", "p": 11})")["done"], "set");
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  SessionClient again(served.url);
+  const auto    frame = again.Await([](const Json & one) { return one["state"]["step"] == 60; });
+  EXPECT_EQ(frame["state"]["options"]["p"], 11);
 }
 
 /** Resident memory of this process in MB. */

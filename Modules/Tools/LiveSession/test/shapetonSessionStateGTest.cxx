@@ -73,13 +73,11 @@ const std::vector<Transition> transitions{
   { coarse, Event::ObjectsWanted, { View::Heat, Walk::Placed, Heat::Coarse, Wish::Find }, Work::ComputeExactHeat },
   { finding, Event::ObjectsFound, exact, Work::None },
   { finding, Event::ObjectsFailed, { View::Heat, Walk::Parked, Heat::Exact, Wish::None, failed }, Work::None },
-  // Objects with chosen parameters: the choice restarts, and its objects are still requested
+  // Objects with chosen parameters
   { placed, Event::ChoiceWanted, choosing, Work::ChooseParameters },
   { choosing, Event::ObjectsWanted, choosing, Work::ChooseParameters },
-  { choosingAgain,
-    Event::ParametersChosen,
-    { View::Heat, Walk::Stale, Heat::None, Wish::Find },
-    Work::ComputeCoarseHeat },
+  { choosing, Event::ParametersChosen, { View::Heat, Walk::Placed, Heat::None, Wish::Find }, Work::ComputeCoarseHeat },
+  { choosingAgain, Event::ParametersChosen, finding, Work::FindObjects }, // the same parameters as before
   // A later command wins
   { choosingAgain, Event::WalkChanged, { View::Heat }, Work::ComputeCoarseHeat },
   { choosingAgain, Event::DensityShown, { View::Density, Walk::Parked, Heat::Exact }, Work::PlaceWalk },

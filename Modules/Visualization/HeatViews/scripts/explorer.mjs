@@ -95,6 +95,8 @@ export class HeatExplorer extends PageWithObjects {
     return this.follow(kind);
   }
 
+  get canUndo() { return this.history.before.length > 0; }
+  get canRedo() { return this.history.after.length > 0; }
   undo() { this.history.undo(); return this.follow(); }
   redo() { this.history.redo(); return this.follow(); }
 
@@ -386,8 +388,8 @@ export class HeatExplorer extends PageWithObjects {
     byId('status').textContent = text ?? this.describe();
     byId('unsaved').textContent = this.isSaved ? '' : 'not saved yet';
     byId('steps').replaceChildren(...this.info.stored.map((step) => new Option(step, step, false, step === this.step)));
-    byId('undo').disabled = !this.history.before.length;
-    byId('redo').disabled = !this.history.after.length;
+    byId('undo').disabled = !this.canUndo;
+    byId('redo').disabled = !this.canRedo;
     byId('ranges').textContent = `axis: ${['all', ...ranges].join(' › ')}${this.isEqualized ? '' : ' (not equalized)'}`;
   }
 
