@@ -29,9 +29,9 @@ class Session extends HeatExplorer {
 
   // The rendering shows the reduced volume; its voxels are blocks.
   makeRendering(root) {
-    const session = this, { display, times } = this, { stride } = display;
+    const session = this, { display, info, times } = this, { stride } = display;
     return new SessionRendering(root, {
-      volume: display, times,
+      volume: display, info, times,
       get place() { return session.place.map((i) => (i - (stride - 1) / 2) / stride); },
       get shown() { return session.shown; },
       moveTo: (index) => session.moveTo(index.map((i) => i * stride + (stride >> 1))),
@@ -220,7 +220,9 @@ class Session extends HeatExplorer {
       this.isPictureOld = false;
       const [width, height] = [rendering.w, rendering.h].map((n) => clamp(Math.round(n), 16, 2048));
       const view = { azimuth: rendering.azimuth, elevation: rendering.elevation, zoom: rendering.enlarged };
-      if (!await this.ask({ do: 'picture', ...view, width, height, quality: QUALITY, lines })) break;
+      const { low, high } = rendering.cuts.box, { stride } = this.display;
+      const box = { first: low.map((i) => i * stride), last: high.map((i) => (i + 1) * stride - 1) };
+      if (!await this.ask({ do: 'picture', ...view, ...box, width, height, quality: QUALITY, lines })) break;
     }
     this.isAsking = false;
   }

@@ -3,6 +3,7 @@
 #include "shapetonColorMap.h"
 #include "shapetonExceptions.h"
 #include "shapetonExplorerInfo.h"
+#include "shapetonMappedImage.h"
 #include "shapetonSavedTransferFunction.h"
 #include "shapetonSessionCommands.h"
 #include "shapetonVisitDensity.h"
@@ -33,6 +34,56 @@ StrideFor(const std::array<std::size_t, 3> & size)
     reduced = ReducedSize(size, ++stride);
   }
   return stride;
+}
+
+/** First and last voxel of the part to be drawn; by default all. */
+DrawnBox
+BoxOf(const Json & request)
+{
+  constexpr double end = 1e6; // more than a volume has voxels along an axis
+  DrawnBox         box{ { { { 0.0, 0.0, 0.0 } }, { { end, end, end } } } };
+  for (const auto & [key, corner] : { std::make_pair("first", &box[0]), std::make_pair("last", &box[1]) })
+  {
+    if (request.contains(key))
+    {
+      const auto point = PointOf(request, key);
+      std::copy(point.Begin(), point.End(), corner->begin());
+    }
+  }
+  return box;
+}
+
+/** The image with 0 outside a box of voxels of the volume; its voxels are blocks of factor^3 of them. */
+itk::Image<float, 3>::Pointer
+InBox(const itk::Image<float, 3>::Pointer & image, std::size_t factor, const DrawnBox & box)
+{
+  const auto                 size = image->GetLargestPossibleRegion().GetSize();
+  std::array<std::size_t, 3> from{};
+  std::array<std::size_t, 3> end{};
+  bool                       isAll = true;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const auto blockOf = [&](double voxel) { return static_cast<std::size_t>(std::max(0.0, voxel)) / factor; };
+    from[axis] = std::min<std::size_t>(blockOf(box[0][axis]), size[axis]);
+    end[axis] = std::clamp<std::size_t>(blockOf(box[1][axis]) + 1, from[axis], size[axis]);
+    isAll = isAll && from[axis] == 0 && end[axis] == size[axis];
+  }
+  if (isAll)
+  {
+    return image;
+  }
+  const auto cut = NewImageOn<itk::Image<float, 3>>(image, true);
+  for (std::size_t row = 0; row < size[1] * size[2]; ++row)
+  {
+    const std::size_t y = row % size[1];
+    const std::size_t z = row / size[1];
+    if (y >= from[1] && y < end[1] && z >= from[2] && z < end[2])
+    {
+      const std::size_t first = row * size[0] + from[0];
+      std::copy_n(image->GetBufferPointer() + first, end[0] - from[0], cut->GetBufferPointer() + first);
+    }
+  }
+  return cut;
 }
 
 /** An image of blocks at the position of the image from which they were averaged. */
@@ -251,7 +302,7 @@ SessionPictures::Draw(const SessionScene & scene, const Json & request, Device d
   constexpr double least = 16.0, most = 2048.0; // pixels
   constexpr double farthest = 1e6, leastZoom = 0.1, mostZoom = 100.0;
   constexpr double half = 90.0, whole = 360.0; // degrees
-  RequireKeys(request, { "azimuth", "elevation", "zoom", "width", "height", "quality", "lines" });
+  RequireKeys(request, { "azimuth", "elevation", "zoom", "width", "height", "quality", "lines", "first", "last" });
   VolumeRenderingOptions view;
   view.azimuth = std::remainder(NumberOf(request, "azimuth", -farthest, farthest), whole);
   view.elevation = NumberOf(request, "elevation", -half, half);
@@ -261,9 +312,13 @@ SessionPictures::Draw(const SessionScene & scene, const Json & request, Device d
   const int quality = static_cast<int>(CountOf(request, "quality", 1, 100));
   RequireParameter(request.contains("lines"), "the command lacks the key \"lines\"");
   const auto transferFunction = TransferFunctionOf(request["lines"], "the command");
-  if (!m_Renderer || m_RendererVersion != scene.version || m_RendererLines != transferFunction.ToText())
+  const auto box = BoxOf(request);
+  if (!m_Renderer || m_RendererVersion != scene.version || m_RendererLines != transferFunction.ToText() ||
+      m_RendererBox != box)
   {
-    m_Renderer = std::make_unique<VolumeRenderer>(this->ImageOf(scene), transferFunction, device);
+    m_Renderer = std::make_unique<VolumeRenderer>(
+      InBox(this->ImageOf(scene), scene.blocks ? scene.blocks->factor : 1, box), transferFunction, device);
+    m_RendererBox = box;
     m_RendererVersion = scene.version;
     m_RendererLines = transferFunction.ToText();
   }

@@ -15,6 +15,9 @@
 
 namespace shapeton
 {
+/** The first and the last voxel of a part of a volume. */
+using DrawnBox = std::array<std::array<double, 3>, 2>;
+
 /** The values that a session shows; refers to them. One of the pointers is set. */
 struct SessionScene
 {
@@ -98,6 +101,7 @@ private:
   std::unique_ptr<VolumeRenderer> m_Renderer;
   std::uint64_t                   m_RendererVersion{ 0 };
   std::string                     m_RendererLines;
+  DrawnBox                        m_RendererBox{};
 };
 } // namespace shapeton
 

@@ -295,6 +295,17 @@ TEST(LiveSession, DrawsJpeg)
   const Frame       frame(fixture.session.Draw(Json::parse(request)));
   EXPECT_EQ(frame.header["bytes"], frame.arrays.size());
   EXPECT_EQ(frame.arrays.substr(0, 3), "\xff\xd8\xff");
+  Json       part = Json::parse(request);
+  const auto pictureOf = [&](const Json & first, const Json & last) {
+    part["first"] = first;
+    part["last"] = last;
+    return Frame(fixture.session.Draw(part)).arrays;
+  };
+  EXPECT_EQ(pictureOf({ 0, 0, 0 }, { 23, 19, 21 }), frame.arrays); // all voxels
+  const auto left = pictureOf({ 0, 0, 0 }, { 12, 19, 21 });
+  EXPECT_NE(left, frame.arrays);
+  EXPECT_NE(left, pictureOf({ 13, 0, 0 }, { 23, 19, 21 }));
+  EXPECT_EQ(pictureOf({ 0, 0, 14 }, { 23, 19, 6 }), pictureOf({ 9, 0, 0 }, { 3, 19, 21 })); // nothing is visible
   Json wrong = Json::parse(request);
   wrong["width"] = 100000;
   EXPECT_THROW(fixture.session.Draw(wrong), shapeton::ParameterError);

@@ -319,6 +319,7 @@ export class HeatExplorer extends PageWithObjects {
   }
 
   turn(by) { this.rendering.turn(by); }
+  cutRendering(plane) { this.rendering.cuts.next(plane); }
 
   enlarge(by) {
     this.slices.forEach((slice) => slice.scaleBy(by));

@@ -1,6 +1,7 @@
 import { glProgram } from '../../../Core/Pages/scripts/gl.mjs';
 import { add, clamp, cross, dot, scaled, sub, unit } from '../../../Core/Pages/scripts/math.mjs';
 import { View } from '../../../Core/Pages/scripts/view.mjs';
+import { Cuts } from './cuts.mjs';
 
 const BLOCK = 8, FILLED = 0.88; // edge length of a block, voxels; fraction of the picture filled by the volume
 const BUDGET = [200, 1500], LEAST_PART = 0.1; // ms for a coarse and for a fine picture; picture pixels per screen pixel along a side
@@ -15,6 +16,7 @@ const RAYS = `
 precision highp sampler3D;
 uniform sampler3D voxels, blocks;
 uniform vec3 origin, across, below, stride, size; // in voxels: of the upper left pixel, to the next ones, to the next sample
+uniform vec3 low, high; // first and last voxel that is shown
 uniform vec3 toLight, halfway;
 uniform mat3 normals;  // maps a per-voxel gradient to a direction in space
 uniform float height;  // pixels
@@ -40,11 +42,11 @@ vec4 shaded(vec4 c, vec3 gradient) {
 
 void main() {
   vec3 start = origin + (gl_FragCoord.x - .5) * across + (height - .5 - gl_FragCoord.y) * below;
-  vec3 a = (-.5 - start) / stride, b = (size - .5 - start) / stride, lo = min(a, b), hi = max(a, b);
+  vec3 a = (low - .5 - start) / stride, b = (high + .5 - start) / stride, lo = min(a, b), hi = max(a, b);
   float t = ceil(max(lo.x, max(lo.y, lo.z))), end = min(hi.x, min(hi.y, hi.z)), seen = 1.;
   vec3 color = vec3(0), ahead = step(0., stride);
   for (int n = 0; n < 4096 && t <= end && seen > .004; n++) {
-    vec3 p = clamp(start + t * stride, vec3(0), size - 1.);
+    vec3 p = clamp(start + t * stride, low, high);
     ivec3 block = ivec3(p) / ${BLOCK};
     int content = int(texelFetch(blocks, block, 0).r * 255. + .5);
     if (content < ${MIXED}) {
@@ -146,7 +148,7 @@ class RayCaster {
     fill(this.contents, this.blocks, gl.RED, contentsOf(values, numbers, colors, this.size));
   }
 
-  // view: origin, across, below, stride, toLight, halfway, normals.
+  // view: origin, across, below, stride, low, high, toLight, halfway, normals.
   draw(w, h, view) {
     const { gl, canvas, uniforms } = this;
     if (canvas.width !== w || canvas.height !== h) Object.assign(canvas, { width: w, height: h });
@@ -157,7 +159,8 @@ class RayCaster {
       gl.bindTexture(gl.TEXTURE_3D, texture);
       gl.uniform1i(uniforms[name], i);
     });
-    for (const name of ['origin', 'across', 'below', 'stride', 'toLight', 'halfway']) gl.uniform3fv(uniforms[name], view[name]);
+    const vectors = ['origin', 'across', 'below', 'stride', 'low', 'high', 'toLight', 'halfway'];
+    for (const name of vectors) gl.uniform3fv(uniforms[name], view[name]);
     gl.uniform3fv(uniforms.size, this.size);
     gl.uniformMatrix3fv(uniforms.normals, false, view.normals);
     gl.uniform1f(uniforms.height, h);
@@ -171,7 +174,8 @@ export class RenderingView extends View {
   constructor(root, page) {
     super(root, 'rendering', 'rendering');
     Object.assign(this, { page, azimuth: 0, elevation: 0, enlarged: 1, isCoarse: false, caster: new RayCaster(page.volume.size) });
-    Object.assign(this, { picture: document.createElement('canvas'), budget: BUDGET });
+    Object.assign(this, { cost: null, picture: document.createElement('canvas'), budget: BUDGET });
+    this.cuts = new Cuts(this, page.info.planes);
     const { spacing, axes } = page.volume, [x, y, z] = axes, volume = dot(x, cross(y, z));
     this.rows = [cross(y, z), cross(z, x), cross(x, y)].map((row, k) => scaled(row, 1 / (volume * spacing[k]))); // from mm to voxels
   }
@@ -242,7 +246,7 @@ export class RenderingView extends View {
     const stride = this.toIndex(scaled(forward, Math.min(...spacing))).map((x) => x || 1e-9); // rays are divided by it
     const drawn = this.caster.draw(W, H, {
       origin: this.toIndex(sub(corner, origin)), across: this.toIndex(scaled(right, mm)), below: this.toIndex(scaled(up, -mm)), stride,
-      toLight, halfway: unit(sub(toLight, forward)), normals: this.rows.flat(),
+      toLight, halfway: unit(sub(toLight, forward)), normals: this.rows.flat(), ...this.cuts.box,
     });
     Object.assign(this.picture, { width: W, height: H });
     this.picture.getContext('2d', { willReadFrequently: true }).drawImage(drawn, 0, 0); // waits for the GPU
@@ -259,12 +263,12 @@ export class RenderingView extends View {
   // Moves the crosshair to the first voxel of a line on the ray through the pixel.
   pick(x, y) {
     const { shown: { values, colors }, volume: { size, spacing, origin } } = this.page, { w, h } = this;
-    const { right, up, forward, mm, middle } = this.projection(w, h);
+    const { right, up, forward, mm, middle } = this.projection(w, h), { low, high } = this.cuts.box;
     const far = Math.hypot(...size.map((n, k) => n * spacing[k])), step = Math.min(...spacing) / 2;
     const at = add(add(middle, scaled(right, (x - (w - 1) / 2) * mm)), scaled(up, ((h - 1) / 2 - y) * mm));
     for (let t = -far; t < far; t += step) {
       const index = this.toIndex(sub(add(at, scaled(forward, t)), origin)).map(Math.round);
-      if (!index.every((i, k) => i >= 0 && i < size[k])) continue;
+      if (!index.every((i, k) => i >= low[k] && i <= high[k])) continue;
       if (colors[values[(index[2] * size[1] + index[1]) * size[0] + index[0]]] >>> 24 > 12) { this.page.moveTo(index); return true; }
     }
     return false;

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { equalization, HeatAxis, rangeOfCounts } from '../scripts/axis.mjs';
+import { shownBox } from '../scripts/cuts.mjs';
 import { History } from '../scripts/history.mjs';
 import { lineAround, lineNear } from '../scripts/line-search.mjs';
 import {
@@ -29,6 +30,12 @@ test('bins tile the heat from 0 to 1', () => {
     assert.equal(binOf((lowerEdge(bin) + lowerEdge(bin + 1)) / 2), bin);
   }
   assert.deepEqual([0, 1e-6, 1, 2].map(binOf), [0, 0, NUMBER_OF_BINS - 1, NUMBER_OF_BINS - 1]);
+});
+
+test('a cut hides the voxels before or behind its plane', () => {
+  const size = [10, 20, 30], cut = (through, hides, at) => ({ through, hides, at });
+  assert.deepEqual(shownBox([cut(2, 0, 7), cut(0, 0, 3)], size), { low: [0, 0, 0], high: [9, 19, 29] });
+  assert.deepEqual(shownBox([cut(2, 1, 7), cut(1, -1, 4), cut(0, 0, 3)], size), { low: [0, 0, 7], high: [9, 4, 29] });
 });
 
 test('numbers match %g of C', () => { // printf("%.9g"), including ties to even
