@@ -2,11 +2,14 @@
 #define SampledScenes_h
 
 #include "shapetonPhiloxStream.h"
+#include "shapetonPi.h"
 #include "shapetonShapePhantomImageSource.h"
 
 #include "itkCastImageFilter.h"
 
 #include <nlohmann/json.hpp>
+
+#include <cmath>
 
 inline itk::Image<float, 3>::Pointer
 ToFloat(const itk::Image<short, 3> * image)
@@ -48,6 +51,18 @@ public:
   Count(int low, int high)
   {
     return low + m_Stream.Below(high - low + 1);
+  }
+  bool
+  IsTrue(double probability)
+  {
+    return m_Stream.Unit() < probability;
+  }
+  /** Standard normal (Box, Muller 1958). */
+  double
+  Normal()
+  {
+    const double radius = std::sqrt(-2.0 * std::log(1.0 - m_Stream.Unit()));
+    return radius * std::cos(2.0 * shapeton::Pi * m_Stream.Unit());
   }
   /** Point in a box around the middle. */
   nlohmann::ordered_json
