@@ -94,7 +94,7 @@ PartRemarks(const std::vector<HeatClass> & classes)
   if (parts < 2 && std::any_of(classes.begin(), classes.end(), IsIncoherent))
   {
     return { "the density shows " + std::string(parts == 0 ? "no parts" : "one part") +
-             ", its other classes are scattered voxels: CumulativeHeatDiffusion shows more of this volume" };
+             " besides scattered voxels: CumulativeHeatDiffusion shows more of this volume" };
   }
   return {};
 }

@@ -22,7 +22,8 @@ HeatColor(double position);
  * readers.
  *
  * Any two of the first 8 colors are at least 39 apart in CIELAB (CIE 1976), and any two of all 12 at least 27, for
- * normal, deutan and protan vision. No color is gray, and all contrast with black. Colors repeat after 12.
+ * normal, deutan and protan vision. No color is gray. All are at least 48 from white and 57 from black, for deutan and
+ * protan vision 13 from white, so draw a border around them on white, and 39 from black. Colors repeat after 12.
  * \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT RGBColor
 ClassColor(unsigned int label);

@@ -149,6 +149,20 @@ TEST(ColorMap, ClassesAreToldApartAlsoByTheColorBlind)
   EXPECT_EQ(shapeton::ClassColor(13), shapeton::ClassColor(1));
 }
 
+TEST(ColorMap, ClassesStandOffBlackAndWhite)
+{
+  for (unsigned int label = 1; label <= 12; ++label)
+  {
+    for (const Matrix * const sight : { &normalSight, &protanSight, &deutanSight })
+    {
+      const bool isNormal = sight == &normalSight;
+      const auto color = Seen(shapeton::ClassColor(label), *sight);
+      EXPECT_GT(Difference(color, { 0.0, 0.0, 0.0 }), isNormal ? 57.0 : 39.0) << label;
+      EXPECT_GT(Difference(color, { 100.0, 0.0, 0.0 }), isNormal ? 48.0 : 13.0) << label;
+    }
+  }
+}
+
 TEST(ColorMap, ClassesStandOffTheGraysOfAnImage)
 {
   for (unsigned int label = 1; label <= 12; ++label)
