@@ -35,15 +35,14 @@ constexpr double LeastOffer = 0.01;
 /** A step of log heat that nobody sees: 0.1 %. */
 constexpr double LeastStep = 1e-3;
 
-// The weights are those that Testing/Validation/FitHeatObjects prints for its tuning half: 99 random scenes, 8
-// phantoms, and four scans (foot, lobster, chest and abdomen CT).
-
 /** Weights of HeatObject::terms in the score: those for which the probability of the right region among those around a
- * voxel is greatest (conditional logit), for 12 voxels of each visible part. */
-constexpr std::array<double, 6> ScoreWeights = { { 1.509, 1.359, -4.178, 0.240, -1.055, 0.551 } };
-/** Weights of the terms in the log odds of the probability, and the constant: logistic regression. */
-constexpr Terms  ProbabilityWeights = { { 2.051, 2.584, -3.551, 0.491, -2.336, 1.170, 1.573, -0.545 } };
-constexpr double ProbabilityConstant = -29.59;
+ * voxel is greatest (conditional logit), for 12 voxels of each visible part of 174 random scenes, 14 phantoms, and six
+ * scans (foot, tooth, lobster, three CTs), which count three times. */
+constexpr std::array<double, 6> ScoreWeights = { { 1.769, 1.179, -2.006, 0.121, -1.236, 0.444 } };
+/** Weights of the terms in the log odds of the probability, and the constant: logistic regression on the same volumes.
+ */
+constexpr Terms  ProbabilityWeights = { { 1.792, 3.118, 1.636, 0.211, -3.672, 1.554, 0.212, -3.571 } };
+constexpr double ProbabilityConstant = -23.629;
 
 template <std::size_t number>
 double
