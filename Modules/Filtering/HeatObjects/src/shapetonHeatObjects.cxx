@@ -37,7 +37,8 @@ constexpr double LeastStep = 1e-3;
 
 /** Weights of HeatObject::terms in the score: those for which the probability of the right region among those around a
  * voxel is greatest (conditional logit), for 12 voxels of each visible part of 174 random scenes, 14 phantoms, and six
- * scans (foot, tooth, lobster, three CTs), which count three times. */
+ * scans (foot, tooth, lobster, three CTs), which count three times. FitHeatObjects repeats the fit on fewer volumes;
+ * its weights are worse for them and for others. */
 constexpr std::array<double, 6> ScoreWeights = { { 1.769, 1.179, -2.006, 0.121, -1.236, 0.444 } };
 /** Weights of the terms in the log odds of the probability, and the constant: logistic regression on the same volumes.
  */
