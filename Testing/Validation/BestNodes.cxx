@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <limits>
+#include <numeric>
 
 using namespace shapeton;
 
@@ -115,9 +117,41 @@ private:
 /** Edge from a voxel to the next one along an axis. */
 struct Edge
 {
-  float         weight;
+  std::uint32_t key;    ///< in the order of the weights
   std::uint32_t number; ///< 3 voxel + axis
 };
+
+/** The bits of a number, as an unsigned integer in the same order. */
+std::uint32_t
+KeyOf(float weight)
+{
+  constexpr std::uint32_t sign = 0x80000000U;
+  std::uint32_t           bits = 0;
+  std::memcpy(&bits, &weight, sizeof bits);
+  return (bits & sign) != 0 ? ~bits : bits | sign;
+}
+
+/** Sorts by key, stable, in two passes of 16 bits. */
+void
+Sort(std::vector<Edge> & edges)
+{
+  constexpr std::size_t values = 65536;
+  std::vector<Edge>     sorted(edges.size());
+  for (const unsigned int shift : { 0U, 16U })
+  {
+    std::vector<std::size_t> next(values + 1, 0);
+    for (const Edge & edge : edges)
+    {
+      ++next[(edge.key >> shift) % values + 1];
+    }
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    for (const Edge & edge : edges)
+    {
+      sorted[next[(edge.key >> shift) % values]++] = edge;
+    }
+    edges.swap(sorted);
+  }
+}
 
 std::vector<Edge>
 SortedEdges(const float * values, EdgeWeight weight, const VoxelGrid & grid)
@@ -133,16 +167,14 @@ SortedEdges(const float * values, EdgeWeight weight, const VoxelGrid & grid)
       {
         const float a = values[voxel];
         const float b = values[voxel + grid.stride[axis]];
-        edges.push_back({ weight == EdgeWeight::Difference ? std::abs(a - b)
-                          : weight == EdgeWeight::Maximum  ? std::max(a, b)
-                                                           : -std::min(a, b),
+        edges.push_back({ KeyOf(weight == EdgeWeight::Difference ? std::abs(a - b)
+                                : weight == EdgeWeight::Maximum  ? std::max(a, b)
+                                                                 : -std::min(a, b)),
                           static_cast<std::uint32_t>(3 * voxel + axis) });
       }
     }
   }
-  std::sort(edges.begin(), edges.end(), [](const Edge & a, const Edge & b) {
-    return a.weight < b.weight || (a.weight == b.weight && a.number < b.number);
-  });
+  Sort(edges);
   return edges;
 }
 } // namespace
