@@ -29,7 +29,8 @@ export const CONTROLS = `
   <label>file <input id="mask" placeholder="labels.nrrd"></label>
   <label>label <input id="label" type="number" min="0" max="65535" value="0" title="0: all labels"></label>
   <label><input id="at-once" type="checkbox" checked> start in each stroke of the brush</label>
-  <div><button id="start">Start there</button><button id="exclude" title="heat flows around this region">Not there</button></div></fieldset>
+  <div><button id="start">Start there</button>
+    <button id="exclude" title="heat flows around this region">Not there</button></div></fieldset>
 <fieldset><legend>Save</legend><label>name <input id="name" value="session"></label>
   <label><input id="labels" type="checkbox"> labels</label>
   <label><input id="alone" type="checkbox"> of the objects only the selected one</label>
