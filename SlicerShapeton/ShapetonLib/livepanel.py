@@ -82,6 +82,8 @@ class LivePanel:
         layout.addRow(self._button("Find objects", lambda: self._do(lambda s: s.ask("objects", choose=True))),
                       self._button("Objects of this heat", lambda: self._do(lambda s: s.ask("objects", choose=False))))
         layout.addRow(self._button("Select in a slice", self.onPlace))
+        layout.addRow(self._button("Not this", lambda: self._do(lambda s: s.ask("exclude", region="selected"))),
+                      self._button("Undo", lambda: self._do(lambda session: session.ask("undo"))))
         layout.addRow(self._button("Larger", lambda: self._do(lambda session: session.selectLarger())),
                       self._button("Show all", lambda: self._do(lambda session: session.ask("select", object=0))))
         self.name = qt.QLineEdit()
@@ -220,6 +222,6 @@ def describe(state):
     if state["shown"] == "heat":
         objects = f", {state['objects']} objects" if state["objects"] is not None else ""
         selected = f", object {state['selected']} selected" if state["selected"] else ""
-        return f"heat after {state['heatSteps']} steps{coarse}{work}{objects}{selected}"
+        return f"heat after {state['heatSteps']} steps{coarse}{work}{objects}{selected}; {state['lastChange']}"
     moving = f"{state['stepsPerSecond']:g} steps/s" if state["isMoving"] else "paused"
     return f"step {state['step']}, {moving}, coverage {100 * state['coverage']:.1f} %{coarse}{work}"

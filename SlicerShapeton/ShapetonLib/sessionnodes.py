@@ -45,10 +45,11 @@ class SessionNodes:
         node = self._volume("vtkMRMLLabelMapVolumeNode", "Objects", grid, labels)
         self.showSelected(objects, 0)
         node.GetDisplayNode().SetAndObserveColorNodeID(self.find("Object colors").GetID())
-        centers = [lpsOf(entry["center"]) for entry in objects]
+        listed = [entry for entry in objects if not entry["isOffer"]]
         rows = [
-            (entry["number"], entry["parent"], entry["heat"], entry["voxels"], entry["volume"], entry["probability"], *center)
-            for entry, center in zip(objects, centers)
+            (entry["number"], entry["parent"], entry["heat"], entry["voxels"], entry["volume"], entry["probability"],
+             *lpsOf(entry["center"]))
+            for entry in listed
         ]
         values = numpy.array(rows, float).reshape(-1, len(self.columns))
         arrays = [values[:, column].astype(int if column < 2 else float) for column in range(len(self.columns))]
@@ -57,13 +58,13 @@ class SessionNodes:
             slicer.util.setSliceViewerLayers(label=node, labelOpacity=0.5)
 
     def showSelected(self, objects, selected):
-        """Colors the selected object with those in it; all if none is selected."""
+        """Colors the selected object with those in it; all without offers if none is selected."""
         colors = self._node("vtkMRMLColorTableNode", "Object colors")
         colors.SetTypeToUser()
         colors.SetNumberOfColors(len(objects) + 1)
         colors.SetColor(0, "none", 0.0, 0.0, 0.0, 0.0)
         for entry in objects:
-            isShown = not selected or self._isIn(entry, selected, objects)
+            isShown = self._isIn(entry, selected, objects) if selected else not entry["isOffer"]
             color = self._color(objects[(selected or entry["number"]) - 1]) + (float(isShown),)
             name = f"object {entry['number']}, {entry['volume']:.0f} mm3, {100 * entry['probability']:.0f} %"
             colors.SetColor(entry["number"], name, *color)

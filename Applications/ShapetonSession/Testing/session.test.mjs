@@ -219,6 +219,27 @@ test('objects are found, and a click selects one', async () => {
   await page.until(() => session.state0.quality === 'exact' && session.state0.heatSteps === 10000);
 });
 
+test('the pointer shows an object, Ctrl adds one, and heat flows around what is not meant', async () => {
+  await press('find');
+  await page.until(() => session.state0.objects > 0 && session.sent.every(({ labels }) => labels), 60000);
+  const [x, y] = await middleOf('axial');
+  await page.mouse('mouseMoved', x, y);
+  await page.until(() => /^object 1: .* %/.test(document.getElementById('status').textContent), 5000);
+  await page.evaluate(() => session.select({ object: 1, isAdded: true }));
+  await page.until(() => String(session.state0.selection) === '1', 5000);
+  const { undo } = await state();
+  await press('not-this');
+  await page.until(() => session.state0.quality === 'exact' && session.state0.objects !== null && !session.state0.stage, 60000);
+  assert.match(await page.evaluate(() => document.getElementById('change').textContent), /^exclude selected: barrier 0 -> \d+ voxels/);
+  await page.evaluate(() => session.idle(true));
+  assert.equal(await page.evaluate(() => session.binHere), 0); // no heat where the object was
+  await shoot('barrier');
+  await press('undo');
+  await page.until((n) => session.state0.undo === n && session.state0.quality === 'exact', 60000, undo);
+  await page.evaluate(() => session.ask({ do: 'heat', timeSteps: 10000 }));
+  await page.until(() => session.state0.quality === 'exact' && session.state0.heatSteps === 10000);
+});
+
 test('the page reconnects after its connection was lost, and continues with the state of the server', async () => {
   const line = await network(url);
   const other = await launch();

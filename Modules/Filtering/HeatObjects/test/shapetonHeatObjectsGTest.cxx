@@ -117,6 +117,21 @@ TEST(HeatObjects, AClickSelectsThePartThatIsShown)
   EXPECT_EQ(voxelsAt(0, 0, 0), 0U);                // the surroundings: more than mostShare of the volume
 }
 
+TEST(HeatObjects, NoObjectHasMoreThanTheGreatestShare)
+{
+  const auto   heat = MakeHeat(Scene);
+  const double volume = side * side * side;
+  const auto   largest = static_cast<double>(FindHeatObjects(heat, AllObjects()).objects.front().voxels);
+  auto         options = AllObjects();
+  for (const double change : { -1.0, 0.0, 1.0 }) // voxels
+  {
+    options.mostShare = (largest + change) / volume;
+    const auto voxels = static_cast<double>(FindHeatObjects(heat, options).objects.front().voxels);
+    EXPECT_EQ(voxels == largest, change >= 0.0);
+    EXPECT_LE(voxels, largest + change);
+  }
+}
+
 TEST(HeatObjects, GeometryIsThatOfTheImage)
 {
   const auto heat = MakeHeat(Scene);

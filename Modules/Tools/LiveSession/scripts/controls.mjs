@@ -19,15 +19,18 @@ export const CONTROLS = `
   <button id="find" title="chooses window, p, smoothing and time such that objects separate, and lists them">Find objects</button>
   <button id="list" title="lists the objects of this heat">Objects of this heat</button>
   ${OBJECT_CONTROLS}</fieldset>
-<fieldset><legend>Start region</legend>
-  <select id="region" aria-label="start region"><option value="everywhere">everywhere</option>
+<fieldset><legend>Region of start or barrier</legend>
+  <select id="region" aria-label="region"><option value="everywhere">everywhere</option>
     <option value="sphere">sphere at the crosshair</option><option value="brush">brush on the slices</option>
     <option value="object">connected line at the crosshair</option>
-    <option value="selected">selected object</option><option value="file">mask file</option></select>
+    <option value="selected">selected objects</option><option value="axial">axial plane at the crosshair</option>
+    <option value="coronal">coronal plane</option><option value="sagittal">sagittal plane</option><option value="file">mask file</option></select>
   <label>radius, mm <input id="radius" type="number" min="0.1" step="0.5" value="5"></label>
   <label>file <input id="mask" placeholder="labels.nrrd"></label>
   <label>label <input id="label" type="number" min="0" max="65535" value="0" title="0: all labels"></label>
-  <button id="start">Start there</button></fieldset>
+  <label><input id="at-once" type="checkbox" checked> start in each stroke of the brush</label>
+  <div><button id="start">Start there</button>
+    <button id="exclude" title="heat flows around this region">Not there</button></div></fieldset>
 <fieldset><legend>Save</legend><label>name <input id="name" value="session"></label>
   <label><input id="labels" type="checkbox"> labels</label>
   <label><input id="alone" type="checkbox"> of the objects only the selected one</label>
@@ -80,6 +83,7 @@ export class Controls {
     on('move', () => session.toggleMoving());
     on('once', () => session.stepOnce());
     on('start', () => session.startThere());
+    on('exclude', () => session.excludeThere());
     on('find', () => session.findObjects(true));
     on('list', () => session.findObjects(false));
     listenToObjects(session);
@@ -154,7 +158,10 @@ export class Controls {
     this.objectsShown = state.objects;
   }
 
-  list({ objects }) { fillObjectList(byId('objects'), this.session, objects, this.session.selection); }
+  list({ objects, selection }) {
+    const listed = objects.filter(({ number, isOffer }) => !isOffer || selection.includes(number));
+    fillObjectList(byId('objects'), this.session, listed, selection);
+  }
 }
 
 function describe({ shown, stage, share, step, isMoving, stepsPerSecond, coverage, heatSteps, quality }) {

@@ -4,12 +4,21 @@ import { axesOfSlice } from './frames.mjs';
 
 // A slice that the server has sent, on which a start region can be painted.
 export class SessionSliceView extends HeatSliceView {
-  fill() {
-    const { plane, page: { sent, numbers, paints, volume } } = this, data = sent[plane.through], [nx, ny] = this.size;
-    if (!data) return;
-    const [u, v] = axesOfSlice(plane.through), strides = { [u]: 1, [v]: volume.size[u] }, out = new Uint32Array(this.pixels.data.buffer);
+  get data() { return this.page.sent[this.plane.through]; }
+  get labels() { return this.data?.labels; }
+
+  layout() {
+    const { plane, page: { volume } } = this, [nx, ny] = this.size, [u, v] = axesOfSlice(plane.through);
+    const strides = { [u]: 1, [v]: volume.size[u] };
     const across = strides[plane.across] * (plane.flipAcross ? -1 : 1), down = strides[plane.down] * (plane.flipDown ? -1 : 1);
-    let row = -Math.min(0, across) * (nx - 1) - Math.min(0, down) * (ny - 1);
+    return { first: -Math.min(0, across) * (nx - 1) - Math.min(0, down) * (ny - 1), across, down };
+  }
+
+  fill() {
+    const { data, page: { numbers, paints } } = this, [nx, ny] = this.size;
+    if (!data) return;
+    const out = new Uint32Array(this.pixels.data.buffer), { first, across, down } = this.layout();
+    let row = first;
     for (let j = 0, o = 0; j < ny; j++, row += down) {
       for (let i = 0, at = row; i < nx; i++, at += across, o++) out[o] = paints[(numbers[data.bins[at]] << 8) | data.gray[at]];
     }

@@ -5,7 +5,7 @@ import { History } from '../../../Visualization/HeatViews/scripts/history.mjs';
 import { explorerKeys } from '../../../Visualization/HeatViews/scripts/keys.mjs';
 import { shortNumber } from '../../../Visualization/HeatViews/scripts/line-list.mjs';
 import { lowerEdge, NUMBER_OF_BINS } from '../../../Visualization/HeatViews/scripts/lines.mjs';
-import { objectKeys } from '../../../Visualization/HeatViews/scripts/objects.mjs';
+import { objectKeys, objectOfClick } from '../../../Visualization/HeatViews/scripts/objects.mjs';
 import { Connection } from './connection.mjs';
 import { CONTROLS, Controls, sessionKeys } from './controls.mjs';
 import { axesOfSlice, placeBrick, reducedVolume, withRow } from './frames.mjs';
@@ -52,7 +52,7 @@ class Session extends HeatExplorer {
     const { state } = header, isOther = state.shown !== this.state0.shown || state.changes !== this.state0.changes;
     if (isOther) this.rows = [];
     if (state.undo > this.state0.undo) this.linesAt[state.undo] = this.history.before.length;
-    Object.assign(this, { state0: state, selection: state.selected ? [state.selected] : [] });
+    Object.assign(this, { state0: state, selection: state.selection });
     this.info.quantity = state.quantity;
     for (const slice of header.slices ?? []) this.takeSlice(slice, take);
     for (const first of header.bricks ?? []) placeBrick(this.bins, this.display.size, first, this.info.brickLength, take);
@@ -64,9 +64,10 @@ class Session extends HeatExplorer {
     this.frames++;
   }
 
-  takeSlice({ axis, index, hasGray }, take) {
+  takeSlice({ axis, index, hasGray, hasLabels }, take) {
     const [u, v] = axesOfSlice(axis), count = this.volume.size[u] * this.volume.size[v], bins = take(Uint16Array, count);
-    this.sent[axis] = { index, bins, gray: hasGray ? take(Uint8Array, count) : this.sent[axis].gray };
+    const gray = hasGray ? take(Uint8Array, count) : this.sent[axis].gray, labels = hasLabels ? take(Uint16Array, count) : null;
+    this.sent[axis] = { index, bins, gray, labels };
   }
 
   takeBins() {
@@ -149,21 +150,39 @@ class Session extends HeatExplorer {
     if (answer) this.takeObjects(answer);
   }
 
-  async select(what) {
-    const answer = await this.ask({ do: 'select', ...what });
+  // what: object or point, and whether it is added to the selected objects or replaces the last one.
+  async select({ isAdded = false, ...what }) {
+    const answer = await this.ask({ do: 'select', ...what, add: isAdded });
     if (answer) this.takeObjects(answer);
     return answer;
   }
 
+  climb(by) {
+    const next = this.chain[this.chain.indexOf(this.selected) + by];
+    if (next && this.selected) this.select({ object: next, replace: true });
+  }
+
+  notThis() { return this.ask({ do: 'exclude', region: 'selected' }); }
+
+  // The object under the pointer, whose index is in one of the slices.
+  voxelAt(index) { return index; }
+
+  objectAt(index) {
+    const slice = this.sent.findIndex((one, axis) => one?.labels && one.index === index[axis]);
+    if (slice < 0) return 0;
+    const [u, v] = axesOfSlice(slice), label = this.sent[slice].labels[index[v] * this.volume.size[u] + index[u]];
+    return label <= this.objects.length ? objectOfClick(this.objects, label) : 0;
+  }
+
   takeObjects(answer) {
     this.objects = answer.objects;
-    this.noteSelection(answer.selected ? [answer.selected] : []);
+    this.noteSelection(answer.selection);
     this.controls.list(answer);
   }
 
-  selectHere() {
+  selectHere(isAdded = false) {
     this.chain = [];
-    return this.select({ point: this.toPoint(this.place) });
+    return this.select({ point: this.toPoint(this.place), isAdded });
   }
 
   // ---- start region ----
@@ -185,26 +204,36 @@ class Session extends HeatExplorer {
     this.repaint();
   }
 
-  applyPaint() { this.startInBalls(); }
-  startInBalls() { return this.ask({ do: 'start', region: 'balls', balls: this.balls.map((b) => [...this.toPoint(b.index), b.radius]) }); }
+  get ballsInSpace() { return this.balls.map((b) => [...this.toPoint(b.index), b.radius]); }
+  applyPaint() { if (byId('at-once').checked) this.startThere(); }
 
-  startThere() {
-    const kind = byId('region').value, label = Number(byId('label').value);
+  startThere() { return this.askRegion('start'); }
+  excludeThere() { return this.askRegion('exclude'); }
+
+  askRegion(name) {
+    const kind = byId('region').value;
     if (kind !== 'brush') this.balls = kind === 'sphere' ? [{ index: this.place, radius: this.radius }] : [];
     this.repaint();
-    if (kind === 'everywhere' || kind === 'selected') return this.ask({ do: 'start', region: kind });
-    if (kind === 'file') return this.ask({ do: 'start', region: 'file', name: byId('mask').value, ...(label ? { label } : {}) });
-    if (kind === 'object') return this.startInObject();
-    if (this.balls.length) return this.startInBalls();
+    const region = this.region(kind);
+    return region && this.ask({ do: name, ...region });
+  }
+
+  region(kind) {
+    const label = Number(byId('label').value), point = this.toPoint(this.place), plane = this.info.planes.find((one) => one.name === kind);
+    if (kind === 'everywhere' || kind === 'selected') return { region: kind };
+    if (kind === 'file') return { region: 'file', name: byId('mask').value, ...(label ? { label } : {}) };
+    if (plane) return { region: 'plane', point, axis: plane.through };
+    if (kind === 'object') return this.regionOfLine(point);
+    if (this.balls.length) return { region: 'balls', balls: this.ballsInSpace };
     this.tell('paint on a slice first');
     return null;
   }
 
   // The voxels of the line under the crosshair that are connected to it.
-  startInObject() {
+  regionOfLine(point) {
     const line = this.lines[this.numbers[this.binHere] - 1];
     if (!line) { this.tell('no line contains the voxel under the crosshair: pick one first'); return null; }
-    return this.ask({ do: 'start', region: 'object', point: this.toPoint(this.place), lower: line.lower, upper: line.upper });
+    return { region: 'object', point, lower: line.lower, upper: line.upper };
   }
 
   // ---- pictures of the server ----

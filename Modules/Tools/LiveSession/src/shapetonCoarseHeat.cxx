@@ -98,10 +98,18 @@ CoarseHeat::CoarseHeat(const VolumeView & volume, const CumulativeHeatDiffusionO
     });
   }
   level.intensities = Halved(edges.volume);
+  if (volume.domain)
+  {
+    level.domain = Halved(volume.size, 2, [&](std::size_t i, std::size_t j, std::size_t k) {
+      return volume.IsInDomain((k * volume.size[1] + j) * volume.size[0] + i) ? 1.0F : 0.0F;
+    });
+  }
   m_Levels.push_back(std::move(level));
   while (m_Levels.back().heat.factor < largestFactor)
   {
-    m_Levels.push_back({ Halved(m_Levels.back().intensities), Halved(m_Levels.back().heat) });
+    const Level & fine = m_Levels.back();
+    const auto    domain = fine.domain.values.empty() ? BlockValues() : Halved(fine.domain);
+    m_Levels.push_back({ Halved(fine.intensities), Halved(fine.heat), domain });
   }
 }
 
@@ -123,10 +131,20 @@ CoarseHeat::ChooseLevel(std::uint64_t timeSteps) const
 BlockValues
 CoarseHeat::After(std::uint64_t timeSteps, const Progress & progress) const
 {
-  const Level &                level = this->ChooseLevel(timeSteps);
-  const std::size_t            factor = level.heat.factor;
-  const auto &                 size = level.heat.size;
-  const VolumeGradientOperator volumeGradient(level.intensities.View(m_Spacing), m_Options, m_Options.conductance);
+  const Level &     level = this->ChooseLevel(timeSteps);
+  const std::size_t factor = level.heat.factor;
+  const auto &      size = level.heat.size;
+  VolumeView        volume = level.intensities.View(m_Spacing);
+  if (!level.domain.values.empty())
+  {
+    constexpr float            least = 0.5F; // share of a block in the domain
+    std::vector<unsigned char> domain(level.domain.values.size());
+    std::transform(level.domain.values.begin(), level.domain.values.end(), domain.begin(), [](float share) {
+      return share >= least ? 1 : 0;
+    });
+    volume.domain = std::make_shared<const std::vector<unsigned char>>(std::move(domain));
+  }
+  const VolumeGradientOperator volumeGradient(volume, m_Options, m_Options.conductance);
   const PaddedGrid &           grid = volumeGradient.GetGrid();
   PaddedField                  field(grid);
   const auto                   rowOf = [&](std::size_t y, std::size_t z) {

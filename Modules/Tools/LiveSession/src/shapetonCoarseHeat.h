@@ -46,6 +46,7 @@ private:
   {
     BlockValues intensities;
     BlockValues heat;
+    BlockValues domain; ///< share of the domain of the volume; empty if it is the whole volume
   };
 
   const Level &

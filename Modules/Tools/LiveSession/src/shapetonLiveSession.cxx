@@ -18,6 +18,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <thread>
 #include <utility>
 
@@ -267,13 +268,29 @@ struct LiveSession::Impl
     return settings;
   }
 
+  /** The volume without the barrier. */
+  VolumeView
+  Domain() const
+  {
+    VolumeView domain = view;
+    if (barrier)
+    {
+      std::vector<unsigned char>  isIn(view.NumberOfVoxels());
+      const unsigned char * const first = barrier->GetBufferPointer();
+      std::transform(
+        first, first + isIn.size(), isIn.begin(), [](unsigned char isBarrier) { return isBarrier != 0 ? 0 : 1; });
+      domain.domain = std::make_shared<const std::vector<unsigned char>>(std::move(isIn));
+    }
+    return domain;
+  }
+
   void
   ComputeCoarseHeat()
   {
     Tell("coarse heat", 0.0);
     if (!coarse)
     {
-      coarse.emplace(view, HeatSettings());
+      coarse.emplace(Domain(), HeatSettings());
     }
     blocks = coarse->After(heatSteps);
     Note(SessionEvent::CoarseHeatComputed);
@@ -287,7 +304,7 @@ struct LiveSession::Impl
     const auto exact = NewImageOn<ImageType>(volume.image);
     Tell("heat", 0.0);
     DiffuseCumulativeHeat(
-      view, HeatSettings(), exact->GetBufferPointer(), nullptr, {}, [this](double part) { Tell("heat", part); });
+      Domain(), HeatSettings(), exact->GetBufferPointer(), nullptr, {}, [this](double part) { Tell("heat", part); });
     heat = exact;
     Note(SessionEvent::ExactHeatComputed);
     ValuesHaveChanged();
@@ -299,9 +316,10 @@ struct LiveSession::Impl
     if (!objects.AreFound())
     {
       Tell("objects", 0.0);
-      objects.Find(files.AsWritten(heat), [this](double part) { Tell("objects", part); });
+      objects.Find(files.AsWritten(heat), barrier, [this](double part) { Tell("objects", part); });
     }
     Note(SessionEvent::ObjectsFound);
+    ++version; // the slices have labels
   }
 
   /** Sets window, p, smoothing and time so that objects separate. The choice depends only on the volume. */
@@ -341,7 +359,7 @@ struct LiveSession::Impl
   SessionValues
   Values() const
   {
-    return { options, heatSteps, state.view };
+    return { options, heatSteps, state.view, barrier, barrierVoxels };
   }
 
   /** Takes other values by the command with this name; Undo reverts it. */
@@ -362,9 +380,16 @@ struct LiveSession::Impl
     const std::string differences = ChangesBetween(Values(), values);
     lastChange = name + ": " + (differences.empty() ? "no value changes" : differences);
     const bool isWalkNew = JsonOfOptions(values.options) != JsonOfOptions(options);
-    const bool isTimeNew = values.heatSteps != heatSteps;
+    const bool isHeatNew = values.heatSteps != heatSteps || values.barrier != barrier;
+    if (values.barrier != barrier)
+    {
+      coarse.reset();
+      barrierName.clear();
+    }
     options = values.options;
     heatSteps = values.heatSteps;
+    barrier = values.barrier;
+    barrierVoxels = values.barrierVoxels;
     if (isWalkNew)
     {
       Restart(lastChange);
@@ -373,7 +398,7 @@ struct LiveSession::Impl
     {
       NoteChange(lastChange);
     }
-    if (isTimeNew && !isWalkNew)
+    if (isHeatNew && !isWalkNew)
     {
       Show(SessionEvent::HeatTimeChanged);
     }
@@ -422,8 +447,9 @@ struct LiveSession::Impl
     }
   }
 
-  void
-  SetRegion(const Json & command)
+  /** The voxels of the region that a command describes; null if there are none, or for "everywhere". */
+  StartMask::Pointer
+  RegionOf(const Json & command)
   {
     const std::string  kind = WordOf(command, "region");
     StartMask::Pointer region;
@@ -443,6 +469,15 @@ struct LiveSession::Impl
       region = objects.GetMask();
       RequireParameter(region, "no object is selected");
     }
+    else if (kind == "plane")
+    {
+      constexpr std::uint64_t lastAxis = 2;
+      RequireKeys(command, { "region", "point", "axis" });
+      itk::Index<3> voxel;
+      RequireParameter(volume.image->TransformPhysicalPointToIndex(PointOf(command, "point"), voxel),
+                       "the key \"point\" must be in the volume");
+      region = MaskOfPlane(volume.image, voxel, static_cast<unsigned int>(CountOf(command, "axis", 0, lastAxis)));
+    }
     else if (kind == "file")
     {
       RequireKeys(command, { "region", "name", "label" });
@@ -450,14 +485,43 @@ struct LiveSession::Impl
     }
     else
     {
-      RequireParameter(kind == "everywhere", "the key \"region\" must be everywhere, balls, object, selected or file");
+      RequireParameter(kind == "everywhere",
+                       "the key \"region\" must be everywhere, balls, object, selected, plane or file");
       RequireKeys(command, { "region" });
     }
+    return region;
+  }
+
+  void
+  SetRegion(const Json & command)
+  {
+    const std::string kind = WordOf(command, "region");
+    const auto        region = RegionOf(command);
     RequireParameter(region || kind == "everywhere", "the start region contains no voxel of the volume");
     mask = region;
     maskName.clear();
     regionName = kind;
     Restart("start region: " + kind);
+  }
+
+  /** Adds a region to the barrier. Objects are found again if they had been found. */
+  void
+  Exclude(const Json & command)
+  {
+    const auto region = RegionOf(command);
+    RequireParameter(region, "the barrier contains no voxel of the volume, or all");
+    SessionValues values = Values();
+    values.barrier = UnionOf(region, barrier);
+    const unsigned char * const first = values.barrier->GetBufferPointer();
+    values.barrierVoxels = std::accumulate(first, first + view.NumberOfVoxels(), std::uint64_t{ 0 });
+    RequireParameter(values.barrierVoxels < view.NumberOfVoxels(), "the barrier contains all voxels of the volume");
+    values.view = SessionState::View::Heat;
+    const bool areObjectsWanted = objects.AreFound();
+    Change(values, "exclude " + WordOf(command, "region"));
+    if (areObjectsWanted)
+    {
+      Note(SessionEvent::ObjectsWanted);
+    }
   }
 
   StartMask::Pointer
@@ -520,20 +584,28 @@ struct LiveSession::Impl
     {
       result.lines = TransferFunctionOf(command["lines"], "the command");
     }
-    result.objects = objects.GetList();
-    result.wantObjects = FlagOf(command, "objects");
-    RequireParameter(!result.wantObjects || (result.isHeat && result.objects),
-                     "no objects have been found yet; find them first");
+    const bool isFound = result.isHeat && objects.AreFound();
+    if (FlagOf(command, "objects"))
+    {
+      RequireParameter(isFound, "no objects have been found yet; find them first");
+      result.objects = objects.GetObjects();
+    }
     if (FlagOf(command, "selected"))
     {
-      result.object = objects.GetSelected();
-      RequireParameter(result.isHeat && result.object > 0, "no object is selected");
+      result.selection = objects.GetSelection();
+      RequireParameter(isFound && !result.selection.empty(), "no object is selected");
+      result.offered = objects.GetList();
     }
     std::vector<std::string> names;
     if (result.isHeat)
     {
       RequireParameter(state.heat == SessionState::Heat::Exact, "the heat is not yet exact; wait until it is computed");
       result.timeStep = heatSteps;
+      if (barrier && barrierName.empty())
+      {
+        barrierName = files.SaveMask(barrier, "barrier");
+      }
+      result.barrier = barrierName;
       names = files.Save(result, options, heat);
     }
     else
@@ -542,7 +614,7 @@ struct LiveSession::Impl
                        "no voxel has been visited yet; move the shapetons first");
       if (mask && maskName.empty())
       {
-        maskName = files.SaveMask(mask);
+        maskName = files.SaveMask(mask, "start");
       }
       result.mask = maskName;
       result.timeStep = walk.GetMeasures().step;
@@ -603,6 +675,10 @@ struct LiveSession::Impl
       RequireKeys(command, {});
       Use(name == "undo" ? history.Undo(Values()) : history.Redo(Values()), name);
     }
+    else if (name == "exclude")
+    {
+      Exclude(command);
+    }
     else if (name == "start")
     {
       SetRegion(command);
@@ -615,7 +691,8 @@ struct LiveSession::Impl
     {
       name == "objects" ? WantObjects(command) : Select(command);
       answer["objects"] = objects.List();
-      answer["selected"] = objects.GetSelected();
+      answer["selected"] = GetSelected();
+      answer["selection"] = objects.GetSelection();
     }
     else if (name == "save")
     {
@@ -646,7 +723,10 @@ struct LiveSession::Impl
       Show(SessionEvent::HeatShown);
       return;
     }
-    Change({ options, steps, SessionState::View::Heat }, name);
+    SessionValues values = Values();
+    values.heatSteps = steps;
+    values.view = SessionState::View::Heat;
+    Change(values, name);
   }
 
   // ---- objects ----
@@ -667,24 +747,41 @@ struct LiveSession::Impl
     }
   }
 
-  /** {"object": N}, with 0 for none, or {"point": [x, y, z]}. */
+  /** {"object": N}, with 0 for none, or {"point": [x, y, z]}. With "add", the object is added to the selected ones, or
+   * removed if it is one of them; with "replace", it replaces the last one. */
   void
   Select(const Json & command)
   {
-    RequireKeys(command, { "object", "point" });
-    if (command.contains("point"))
+    RequireKeys(command, { "object", "point", "add", "replace" });
+    const int        object = command.contains("point")
+                                ? objects.ObjectAt(PointOf(command, "point"))
+                                : static_cast<int>(CountOf(command, "object", 0, std::numeric_limits<unsigned short>::max()));
+    std::vector<int> selection = objects.GetSelection();
+    if (FlagOf(command, "replace") && !selection.empty())
     {
-      objects.Select(objects.ObjectAt(PointOf(command, "point")));
+      selection.pop_back();
     }
-    else if (const auto object = CountOf(command, "object", 0, std::numeric_limits<unsigned short>::max()))
+    else if (!FlagOf(command, "add"))
     {
-      objects.Select(static_cast<int>(object));
+      selection.clear();
     }
-    else
+    const auto others = std::remove(selection.begin(), selection.end(), object);
+    const bool isRemoved = others != selection.end();
+    selection.erase(others, selection.end());
+    if (object > 0 && !isRemoved)
     {
-      objects.Deselect();
+      selection.push_back(object);
     }
+    objects.Select(selection);
+    files.Note("select: " + TextOfJson(objects.GetSelection()));
     ValuesHaveChanged();
+  }
+
+  /** The last selected object; 0 for none. */
+  int
+  GetSelected() const
+  {
+    return objects.GetSelection().empty() ? 0 : objects.GetSelection().back();
   }
 
   // ---- what is shown ----
@@ -706,6 +803,7 @@ struct LiveSession::Impl
     if (IsHeat())
     {
       scene.blocks = state.heat == SessionState::Heat::Coarse ? &blocks : nullptr;
+      scene.labels = objects.AreFound() ? objects.GetList()->labels.GetPointer() : nullptr;
       scene.heat = objects.GetSelectedHeat() != nullptr ? objects.GetSelectedHeat() : heat.GetPointer();
     }
     else
@@ -740,7 +838,8 @@ struct LiveSession::Impl
     json["trapped"] = measures.trappedShapetons;
     json["heatSteps"] = heatSteps;
     json["objects"] = objects.AreFound() ? Json(objects.GetNumber()) : Json();
-    json["selected"] = objects.GetSelected();
+    json["selected"] = GetSelected();
+    json["selection"] = objects.GetSelection();
     json["region"] = regionName;
     json["changes"] = changes;
     json["lastChange"] = lastChange;
@@ -823,6 +922,9 @@ struct LiveSession::Impl
   BlockValues               blocks;
   ImageType::Pointer        heat;
   SessionObjects            objects;
+  StartMask::Pointer        barrier; ///< voxels that heat flows around; null for none
+  std::uint64_t             barrierVoxels{ 0 };
+  std::string               barrierName; ///< of its file; empty until it is saved
 
   SessionHistory                     history;
   std::string                        lastChange; ///< of values, as ChangesBetween() describes it

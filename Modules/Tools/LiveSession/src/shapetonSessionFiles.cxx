@@ -183,6 +183,24 @@ SessionFiles::NoteCommand(const std::string &              tool,
   m_Lines.push_back(line);
 }
 
+void
+SessionFiles::AddMask(const std::string & option, const std::string & file, Arguments & arguments) const
+{
+  if (!file.empty())
+  {
+    arguments.insert(arguments.end(), { Flag(option), m_Folder.PathOf(file).string() });
+  }
+}
+
+void
+SessionFiles::NoteMask(const std::string & option, const std::string & file)
+{
+  if (!file.empty())
+  {
+    m_Lines.back() += " " + Flag(option) + " \"$session\"/" + InQuotes(file);
+  }
+}
+
 std::vector<std::string>
 SessionFiles::Save(const SavedResult & result, const ParticleDiffusionOptions & options, const VisitsType * visits)
 {
@@ -195,10 +213,7 @@ SessionFiles::Save(const SavedResult & result, const ParticleDiffusionOptions & 
     inResults.insert(inResults.begin() + 1, Flag("labels"));
     all.insert(all.end(), { Flag("labels"), m_Folder.PathOf(LabelsNameOf(result)).string() });
   }
-  if (!result.mask.empty())
-  {
-    all.insert(all.end(), { Flag("mask"), m_Folder.PathOf(result.mask).string() });
-  }
+  this->AddMask("mask", result.mask, all);
   Append(arguments, m_ReadingArguments);
   Append(all, arguments);
   this->RunTool(ShapetonDiffusionXML, "ShapetonDiffusion", all, [&](CommandLine & commandLine) {
@@ -213,10 +228,7 @@ SessionFiles::Save(const SavedResult & result, const ParticleDiffusionOptions & 
     files.WriteLabels(shape);
   });
   this->NoteCommand("ShapetonDiffusion", inResults, arguments);
-  if (!result.mask.empty())
-  {
-    m_Lines.back() += " " + Flag("mask") + " \"$session\"/" + InQuotes(result.mask);
-  }
+  this->NoteMask("mask", result.mask);
   auto names = VolumeNamesOf(result);
   Append(names, this->WriteLines(result, shape.quantity.greatestVisits));
   return names;
@@ -233,11 +245,13 @@ SessionFiles::Save(const SavedResult & result, const ParticleDiffusionOptions & 
     inResults.insert(inResults.begin() + 1, Flag("labels"));
     all.insert(all.end(), { Flag("labels"), m_Folder.PathOf(LabelsNameOf(result)).string() });
   }
+  this->AddMask("barrier", result.barrier, all);
   Append(arguments, m_ReadingArguments);
   Append(all, arguments);
   this->RunTool(CumulativeHeatDiffusionXML, "CumulativeHeatDiffusion", all, [&](CommandLine & commandLine) {
     const HeatResultFiles files(commandLine);
     this->AddInput(commandLine);
+    ReadDomain(commandLine, m_Volume.image); // for the identity of the barrier
     HeatReportContent content;
     content.heat = heat;
     content.timeStep = result.timeStep;
@@ -246,53 +260,63 @@ SessionFiles::Save(const SavedResult & result, const ParticleDiffusionOptions & 
     files.Write(content, shape.labels);
   });
   this->NoteCommand("CumulativeHeatDiffusion", inResults, arguments);
+  this->NoteMask("barrier", result.barrier);
   auto names = VolumeNamesOf(result);
-  if (result.wantObjects)
+  if (result.objects)
   {
-    Append(names, this->WriteObjects(result, 0));
+    Append(names, this->WriteObjects(result, *result.objects, {}));
   }
-  if (result.object > 0)
+  if (!result.selection.empty())
   {
-    Append(names, this->WriteObjects(result, result.object));
+    Append(names, this->WriteObjects(result, *result.offered, result.selection));
   }
   Append(names, this->WriteLines(result, 1.0));
   return names;
 }
 
 std::vector<std::string>
-SessionFiles::WriteObjects(const SavedResult & result, int object)
+SessionFiles::WriteObjects(const SavedResult & result, const HeatObjectList & list, const std::vector<int> & selection)
 {
+  const bool        isAll = selection.empty();
   const std::string heat = VolumeNameOf(result);
-  const std::string name = result.name + (object > 0 ? "-object" : "-objects");
+  const std::string name = result.name + (isAll ? "-objects" : "-object");
   const std::string labels = name + ".nrrd";
   const std::string table = name + ".csv";
   auto              arguments = m_ReadingArguments;
-  std::vector<int>  numbers{ object };
-  if (object > 0)
+  std::vector<int>  numbers = selection;
+  if (isAll)
   {
-    Append(arguments, { Flag("objects"), std::to_string(object) });
+    numbers.resize(list.objects.size());
+    std::iota(numbers.begin(), numbers.end(), 1);
   }
   else
   {
-    numbers.resize(result.objects->objects.size());
-    std::iota(numbers.begin(), numbers.end(), 1);
+    std::string text;
+    for (const int number : numbers)
+    {
+      text += (text.empty() ? "" : ",") + std::to_string(number);
+    }
+    Append(arguments, { Flag("objects"), text });
   }
   Arguments all{ m_Input };
   for (const std::string & file : { heat, labels, table })
   {
     all.push_back(m_Folder.PathOf(file).string());
   }
+  this->AddMask("barrier", result.barrier, all);
   Append(all, arguments);
   this->RunTool(HeatObjectsXML, "HeatObjects", all, [&](CommandLine & commandLine) {
     const std::string labelsFile = commandLine.MainOutput("labels");
     const std::string tableFile = commandLine.OutputOf("table");
     this->AddInput(commandLine);
     commandLine.AddInput("heatVolume", ReadVolume(commandLine.GetString("heatVolume")).identity);
-    HeatObjectTable(*result.objects, numbers, m_Volume.image).Write(tableFile);
-    const auto image = object > 0 ? LabelsOfObjects(*result.objects, numbers) : result.objects->labels;
+    ReadDomain(commandLine, m_Volume.image); // for the identity of the barrier
+    HeatObjectTable(list, numbers, m_Volume.image).Write(tableFile);
+    const auto image = isAll ? list.labels : LabelsOfObjects(list, numbers);
     WriteObjectLabels(image, numbers, labelsFile, commandLine.GetProvenance());
   });
   this->NoteCommand("HeatObjects", { heat, labels, table }, arguments);
+  this->NoteMask("barrier", result.barrier);
   return { labels, table };
 }
 
@@ -342,15 +366,15 @@ SessionFiles::AsWritten(const HeatType * heat) const
 }
 
 std::string
-SessionFiles::SaveMask(const StartMask * mask)
+SessionFiles::SaveMask(const StartMask * mask, const std::string & name)
 {
-  std::string name;
+  std::string file;
   do
   {
-    name = "start-" + std::to_string(++m_Masks) + ".nrrd";
-  } while (fs::exists(m_Folder.PathOf(name))); // masks of earlier sessions are needed by their scripts
-  WriteVolume(mask, m_Folder.PathOf(name).string());
-  return name;
+    file = name + "-" + std::to_string(++m_Masks) + ".nrrd";
+  } while (fs::exists(m_Folder.PathOf(file))); // masks of earlier sessions are needed by their scripts
+  WriteVolume(mask, m_Folder.PathOf(file).string());
+  return file;
 }
 
 std::string

@@ -25,9 +25,10 @@ struct SavedResult
   bool                                 wantLabels{ false };
   std::string                          mask; ///< file name; empty for none
   std::optional<ShapeTransferFunction> lines;
-  const HeatObjectList *               objects{ nullptr }; ///< of the heat; null for none
-  bool                                 wantObjects{ false };
-  int                                  object{ 0 }; ///< number of the object to be saved alone; 0 for none
+  std::string                          barrier;            ///< file name; empty for none
+  std::optional<HeatObjectList>        objects;            ///< all objects of the heat, if they are to be saved
+  std::vector<int>                     selection;          ///< objects to be saved alone
+  const HeatObjectList *               offered{ nullptr }; ///< objects and offers, which `selection` numbers
 };
 
 /** \class SessionFiles
@@ -63,9 +64,9 @@ public:
   HeatType::Pointer
   AsWritten(const HeatType * heat) const;
 
-  /** Writes a start region and returns its name. */
+  /** Writes a mask under this name and a number, and returns its file name. */
   std::string
-  SaveMask(const StartMask * mask);
+  SaveMask(const StartMask * mask, const std::string & name);
 
   /** Writes the script. */
   void
@@ -83,9 +84,17 @@ private:
   RunTool(const char * xml, const std::string & tool, const Arguments & arguments, const Body & body) const;
   void
   AddInput(CommandLine & commandLine) const;
-  /** Writes all objects of the heat, or the one with this number. The heat must already have been written. */
+  /** A mask in the folder of the session, as an argument, and in the last line of the script; none if `file` is empty.
+   */
+  ///@{
+  void
+  AddMask(const std::string & option, const std::string & file, Arguments & arguments) const;
+  void
+  NoteMask(const std::string & option, const std::string & file);
+  ///@}
+  /** Writes objects of the heat, which must already have been written: all, or those with these numbers. */
   std::vector<std::string>
-  WriteObjects(const SavedResult & result, int object);
+  WriteObjects(const SavedResult & result, const HeatObjectList & list, const std::vector<int> & selection);
   std::vector<std::string>
   WriteLines(const SavedResult & result, double unit);
   void

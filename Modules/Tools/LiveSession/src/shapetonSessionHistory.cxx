@@ -36,6 +36,7 @@ ChangesBetween(const SessionValues & before, const SessionValues & after)
     add(name, optionsBefore[name], value, "");
   }
   add("time of heat", before.heatSteps, after.heatSteps, " steps");
+  add("barrier", before.barrierVoxels, after.barrierVoxels, " voxels");
   return text;
 }
 

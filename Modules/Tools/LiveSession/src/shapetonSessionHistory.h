@@ -3,6 +3,7 @@
 
 #include "shapetonParticleDiffusionOptions.h"
 #include "shapetonSessionState.h"
+#include "shapetonStartRegion.h"
 
 #include <cstdint>
 #include <string>
@@ -16,9 +17,12 @@ struct SessionValues
   ParticleDiffusionOptions options;
   std::uint64_t            heatSteps{ 0 };
   SessionState::View       view{ SessionState::View::Density };
+  StartMask::Pointer       barrier; ///< voxels that heat flows around; null for none
+  std::uint64_t            barrierVoxels{ 0 };
 };
 
-/** The options and the time that differ, as "p 4 -> 12, time of heat 60 -> 3000 steps"; empty if none do. */
+/** The options, the time and the barrier that differ, as "p 4 -> 12, time of heat 60 -> 3000 steps"; empty if none do.
+ */
 std::string
 ChangesBetween(const SessionValues & before, const SessionValues & after);
 

@@ -7,13 +7,26 @@
 #include "shapetonMappedImage.h"
 #include "shapetonParallelFor.h"
 
+#include <algorithm>
+
 namespace shapeton
 {
 void
-SessionObjects::Find(const HeatType * heat, const Progress & progress)
+SessionObjects::Find(const HeatType * heat, const StartMask * barrier, const Progress & progress)
 {
   this->Clear();
-  m_List = FindHeatObjects(heat, {}, progress);
+  StartMask::Pointer domain;
+  if (barrier)
+  {
+    domain = NewImageOn<StartMask>(heat);
+    const unsigned char * const first = barrier->GetBufferPointer();
+    std::transform(first,
+                   first + barrier->GetBufferedRegion().GetNumberOfPixels(),
+                   domain->GetBufferPointer(),
+                   [](unsigned char isBarrier) { return isBarrier != 0 ? 0 : 1; });
+  }
+  m_Tree.emplace(heat, HeatObjectOptions(), domain, progress);
+  m_List = m_Tree->List(true);
   m_Heat = heat;
   ++m_Version;
 }
@@ -23,6 +36,7 @@ SessionObjects::Clear()
 {
   this->Deselect();
   m_List.reset();
+  m_Tree.reset();
   m_Heat = nullptr;
   ++m_Version;
 }
@@ -41,11 +55,21 @@ SessionObjects::ObjectAt(const itk::Point<double, 3> & point) const
 }
 
 void
-SessionObjects::Select(int object)
+SessionObjects::Select(const std::vector<int> & objects)
 {
   RequireParameter(this->AreFound(), "no objects have been found yet; find them first");
-  m_Mask = MaskOfObject(*m_List, object);
-  m_Selected = object;
+  if (objects.empty())
+  {
+    this->Deselect();
+    return;
+  }
+  const auto number = static_cast<int>(m_List->objects.size());
+  RequireParameter(
+    std::all_of(objects.begin(), objects.end(), [=](int object) { return object >= 1 && object <= number; }),
+    "there are " + std::to_string(number) + " objects and offers; select one of them");
+  const auto labels = LabelsOfObjects(*m_List, objects);
+  m_Mask = MapVoxels<unsigned char>(labels.GetPointer(), [](auto label) { return label != 0 ? 1 : 0; });
+  m_Selection = objects;
   m_SelectedHeat = NewImageOn<HeatType>(m_Heat);
   const float * const         from = m_Heat->GetBufferPointer();
   const unsigned char * const isIn = m_Mask->GetBufferPointer();
@@ -57,7 +81,7 @@ SessionObjects::Select(int object)
 void
 SessionObjects::Deselect()
 {
-  m_Selected = 0;
+  m_Selection.clear();
   m_Mask = nullptr;
   m_SelectedHeat = nullptr;
 }

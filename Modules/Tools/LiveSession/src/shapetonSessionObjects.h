@@ -7,19 +7,21 @@
 #include "shapetonStartRegion.h"
 
 #include <optional>
+#include <vector>
 
 namespace shapeton
 {
 /** \class SessionObjects
- * \brief The objects of the exact heat of a session, and the selected one. */
+ * \brief The objects of the exact heat of a session, and the selected ones. */
 class SessionObjects
 {
 public:
   using HeatType = itk::Image<float, 3>;
 
-  /** Finds the objects of a heat; nothing is selected. */
+  /** Finds the objects of a heat, and offers for voxels in no object; nothing is selected. \param barrier no object
+   * contains one of its voxels; null for none */
   void
-  Find(const HeatType * heat, const Progress & progress);
+  Find(const HeatType * heat, const StartMask * barrier, const Progress & progress);
 
   /** Forgets the objects, because the heat has changed. */
   void
@@ -31,20 +33,20 @@ public:
     return m_List.has_value();
   }
 
-  /** How many are found. */
+  /** How many are found, without offers. */
   std::size_t
   GetNumber() const
   {
-    return m_List ? m_List->objects.size() : 0;
+    return m_List ? m_List->objects.size() - m_List->numberOfOffers : 0;
   }
 
-  /** Number, parent, heat, voxels, volume, center and probability of each object; empty if none are found. */
+  /** Number, parent, isOffer, heat, voxels, volume, center and probability of each object; empty if none are found. */
   Json
   List() const;
 
-  /** Selects the object with this number, counted from 1. Throws ParameterError. */
+  /** Selects the objects with these numbers, counted from 1. Throws ParameterError. */
   void
-  Select(int object);
+  Select(const std::vector<int> & objects);
 
   /** The object that a click on a point (LPS, mm) selects. Throws ParameterError and InputError. */
   int
@@ -53,11 +55,18 @@ public:
   void
   Deselect();
 
-  /** The objects and their labels; null if none are found. */
+  /** The objects, offers and labels; null if none are found. */
   const HeatObjectList *
   GetList() const
   {
     return m_List ? &*m_List : nullptr;
+  }
+
+  /** The objects without offers. */
+  HeatObjectList
+  GetObjects() const
+  {
+    return m_Tree->List();
   }
 
   /** Changes with the objects. */
@@ -67,21 +76,21 @@ public:
     return m_Version;
   }
 
-  /** Number of the selected object; 0 for none. */
-  int
-  GetSelected() const
+  /** Numbers of the selected objects. */
+  const std::vector<int> &
+  GetSelection() const
   {
-    return m_Selected;
+    return m_Selection;
   }
 
-  /** The voxels of the selected object; null for none. */
+  /** The voxels of the selected objects; null for none. */
   StartMask::Pointer
   GetMask() const
   {
     return m_Mask;
   }
 
-  /** The heat inside the selected object and 0 outside; null if none is selected. */
+  /** The heat inside the selected objects and 0 outside; null if none is selected. */
   HeatType *
   GetSelectedHeat() const
   {
@@ -90,8 +99,9 @@ public:
 
 private:
   HeatType::ConstPointer        m_Heat;
+  std::optional<HeatObjectTree> m_Tree;
   std::optional<HeatObjectList> m_List;
-  int                           m_Selected{ 0 };
+  std::vector<int>              m_Selection;
   StartMask::Pointer            m_Mask;
   HeatType::Pointer             m_SelectedHeat;
   std::uint64_t                 m_Version{ 1 };

@@ -86,6 +86,27 @@ InBox(const itk::Image<float, 3>::Pointer & image, std::size_t factor, const Dra
   return cut;
 }
 
+/** The values of a slice, in the order of the volume; `valueOf` returns that of a voxel. */
+template <typename TValue, typename TFunction>
+std::vector<TValue>
+SliceOf(const std::array<std::size_t, 3> & size, unsigned int axis, std::size_t at, const TFunction & valueOf)
+{
+  const unsigned int         across = axis == 0 ? 1 : 0;
+  const unsigned int         down = axis == 2 ? 1 : 2;
+  std::vector<TValue>        values;
+  std::array<std::size_t, 3> index{};
+  index[axis] = at;
+  values.reserve(size[across] * size[down]);
+  for (index[down] = 0; index[down] < size[down]; ++index[down])
+  {
+    for (index[across] = 0; index[across] < size[across]; ++index[across])
+    {
+      values.push_back(valueOf((index[2] * size[1] + index[1]) * size[0] + index[0]));
+    }
+  }
+  return values;
+}
+
 /** An image of blocks at the position of the image from which they were averaged. */
 itk::Image<float, 3>::Pointer
 ImageOfBlocks(const BlockValues & blocks, const itk::Image<float, 3> * original)
@@ -141,7 +162,7 @@ SessionPictures::Info() const
 void
 SessionPictures::AddParts(const SessionScene & scene, SessionViewer & viewer, SessionFrame & frame)
 {
-  this->AddSlices(scene.Values(m_Size), viewer, frame);
+  this->AddSlices(scene, viewer, frame);
   if (viewer.version != scene.version)
   {
     this->AddBricks(scene, viewer, frame);
@@ -172,15 +193,18 @@ SessionPictures::AddObjects(const SessionObjects & objects, SessionViewer & view
 }
 
 void
-SessionPictures::AddSlices(const ShownVolume & values, SessionViewer & viewer, SessionFrame & frame) const
+SessionPictures::AddSlices(const SessionScene & scene, SessionViewer & viewer, SessionFrame & frame) const
 {
+  const ShownVolume values = scene.Values(m_Size);
+  const bool        hasLabels = scene.labels != nullptr;
   frame.header["slices"] = Json::array();
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     const std::size_t at = std::min(viewer.place[axis], m_Size[axis] - 1);
     const HeatBins    bins = values.Slice(axis, at);
     const bool        isGrayNew = viewer.slices[axis] != static_cast<std::int64_t>(at);
-    frame.header["slices"].push_back({ { "axis", axis }, { "index", at }, { "hasGray", isGrayNew } });
+    frame.header["slices"].push_back(
+      { { "axis", axis }, { "index", at }, { "hasGray", isGrayNew }, { "hasLabels", hasLabels } });
     frame.Add(bins.data(), bins.size());
     if (isGrayNew)
     {
@@ -188,30 +212,26 @@ SessionPictures::AddSlices(const ShownVolume & values, SessionViewer & viewer, S
       frame.Add(grays.data(), grays.size());
       viewer.slices[axis] = static_cast<std::int64_t>(at);
     }
+    if (hasLabels)
+    {
+      const auto * const labels = scene.labels->GetBufferPointer();
+      const auto         slice =
+        SliceOf<std::uint16_t>(m_Size, axis, at, [labels](std::size_t voxel) { return labels[voxel]; });
+      frame.Add(slice.data(), slice.size());
+    }
   }
 }
 
 std::vector<std::uint8_t>
 SessionPictures::GraySlice(unsigned int axis, std::size_t at) const
 {
-  constexpr double           white = 255.0;
-  const unsigned int         across = axis == 0 ? 1 : 0;
-  const unsigned int         down = axis == 2 ? 1 : 2;
-  const float * const        intensities = m_Gray->GetBufferPointer();
-  std::vector<std::uint8_t>  grays;
-  std::array<std::size_t, 3> index{};
-  index[axis] = at;
-  grays.reserve(m_Size[across] * m_Size[down]);
-  for (index[down] = 0; index[down] < m_Size[down]; ++index[down])
-  {
-    for (index[across] = 0; index[across] < m_Size[across]; ++index[across])
-    {
-      const double intensity = intensities[(index[2] * m_Size[1] + index[1]) * m_Size[0] + index[0]];
-      const double part = std::clamp((intensity - m_Window.lower) / (m_Window.upper - m_Window.lower), 0.0, 1.0);
-      grays.push_back(static_cast<std::uint8_t>(std::lround(white * part)));
-    }
-  }
-  return grays;
+  constexpr double    white = 255.0;
+  const float * const intensities = m_Gray->GetBufferPointer();
+  return SliceOf<std::uint8_t>(m_Size, axis, at, [&](std::size_t voxel) {
+    const double intensity = intensities[voxel];
+    const double part = std::clamp((intensity - m_Window.lower) / (m_Window.upper - m_Window.lower), 0.0, 1.0);
+    return static_cast<std::uint8_t>(std::lround(white * part));
+  });
 }
 
 /** The bricks that have changed, with the checksums that the viewer has. */

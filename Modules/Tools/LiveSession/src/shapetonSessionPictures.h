@@ -18,9 +18,10 @@ namespace shapeton
 /** The first and the last voxel of a part of a volume. */
 using DrawnBox = std::array<std::array<double, 3>, 2>;
 
-/** The values that a session shows; refers to them. One of the pointers is set. */
+/** The values that a session shows; refers to them. Of blocks, heat and visits, one is set. */
 struct SessionScene
 {
+  const HeatObjectList::LabelImage *   labels{ nullptr }; ///< of the objects, if they have been found
   const BlockValues *                  blocks{ nullptr }; ///< a coarse picture
   itk::Image<float, 3> *               heat{ nullptr };
   const itk::Image<std::uint32_t, 3> * visits{ nullptr };
@@ -71,7 +72,7 @@ public:
 
 private:
   void
-  AddSlices(const ShownVolume & values, SessionViewer & viewer, SessionFrame & frame) const;
+  AddSlices(const SessionScene & scene, SessionViewer & viewer, SessionFrame & frame) const;
   void
   AddBricks(const SessionScene & scene, SessionViewer & viewer, SessionFrame & frame);
   void

@@ -1,5 +1,7 @@
 #include "shapetonStartRegion.h"
 
+#include "itkImageRegionIterator.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -54,5 +56,35 @@ MaskOfBalls(const itk::ImageBase<3> * image, const std::vector<Ball> & balls)
     }
   }
   return isEmpty ? nullptr : mask;
+}
+
+StartMask::Pointer
+MaskOfPlane(const itk::ImageBase<3> * image, const itk::Index<3> & voxel, unsigned int axis)
+{
+  const auto mask = NewImageOn<StartMask>(image, true);
+  auto       plane = mask->GetLargestPossibleRegion();
+  plane.SetIndex(axis, voxel[axis]);
+  plane.SetSize(axis, 1);
+  for (itk::ImageRegionIterator<StartMask> it(mask, plane); !it.IsAtEnd(); ++it)
+  {
+    it.Set(1);
+  }
+  return mask;
+}
+
+StartMask::Pointer
+UnionOf(const StartMask * first, const StartMask * second)
+{
+  auto both = MapVoxels<unsigned char>(first, [](unsigned char voxel) { return voxel != 0 ? 1 : 0; });
+  if (second)
+  {
+    unsigned char * const voxels = both->GetBufferPointer();
+    std::transform(voxels,
+                   voxels + both->GetBufferedRegion().GetNumberOfPixels(),
+                   second->GetBufferPointer(),
+                   voxels,
+                   [](unsigned char a, unsigned char b) { return a != 0 || b != 0 ? 1 : 0; });
+  }
+  return both;
 }
 } // namespace shapeton

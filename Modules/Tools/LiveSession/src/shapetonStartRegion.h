@@ -23,6 +23,14 @@ struct Ball
 StartMask::Pointer
 MaskOfBalls(const itk::ImageBase<3> * image, const std::vector<Ball> & balls);
 
+/** One layer of voxels: those with the coordinate of a voxel along an axis. */
+StartMask::Pointer
+MaskOfPlane(const itk::ImageBase<3> * image, const itk::Index<3> & voxel, unsigned int axis);
+
+/** The voxels of either mask; the second one may be null. */
+StartMask::Pointer
+UnionOf(const StartMask * first, const StartMask * second);
+
 /** The voxels connected by faces to `seed` for which `isInside(voxel)` is true; null if it is false at the seed. */
 template <typename TInside>
 StartMask::Pointer

@@ -489,6 +489,113 @@ TEST(LiveSession, TheToolsRepeatItsObjectsByteByByte)
                     "one-object.csv" });
 }
 
+TEST(LiveSession, HeatFlowsAroundABarrierAndTheToolsRepeatIt)
+{
+  Fixture fixture(3);
+  EXPECT_NE(ErrorOf(fixture, R"({"do": "exclude", "region": "everywhere"})"), "");
+  EXPECT_NE(ErrorOf(fixture, R"({"do": "exclude", "region": "selected"})"), "");
+  fixture.Do(R"({"do": "objects", "choose": true})");
+  fixture.Finish();
+  fixture.Do(R"({"do": "select", "object": 2})"); // the ball
+  fixture.Do(R"({"do": "save", "name": "ball", "selected": true})");
+  const auto voxels = fixture.Do(R"({"do": "objects"})")["objects"][1]["voxels"].get<std::uint64_t>();
+  fixture.Do(R"({"do": "exclude", "region": "selected"})");
+  EXPECT_EQ(fixture.session.GetState()["lastChange"],
+            "exclude selected: barrier 0 -> " + std::to_string(voxels) + " voxels");
+  const auto middle = fixture.input.PointOf({ { 0, 0, 65 } });
+  const Json plane = {
+    { "do", "exclude" }, { "region", "plane" }, { "axis", 2 }, { "point", { middle[0], middle[1], middle[2] } }
+  };
+  fixture.session.Do(plane);
+  fixture.Finish();
+  EXPECT_EQ(fixture.session.GetState()["quality"], "exact");
+  fixture.Do(R"({"do": "objects"})");
+  fixture.Finish();
+  const Json objects = fixture.Do(R"({"do": "objects"})")["objects"];
+  EXPECT_EQ(objects[0]["voxels"], 18 * 24 * 27); // the box
+  fixture.Do(R"({"do": "select", "object": 1})");
+  const Json saved =
+    fixture.Do(R"({"do": "save", "name": "around", "labels": true, "objects": true, "selected": true})");
+  const auto heat = shapeton::ReadVolume(fixture.input.GetFolder() / "around-heat.nrrd").image;
+  const auto ball = shapeton::ReadVolume(fixture.input.GetFolder() / "ball-object.nrrd").image;
+  const auto barrier = shapeton::ReadVolume(fixture.input.GetFolder() / "barrier-1.nrrd").image;
+  for (std::size_t i = 0; i < heat->GetBufferedRegion().GetNumberOfPixels(); ++i)
+  {
+    const bool isBarrier = ball->GetBufferPointer()[i] != 0.0F || i / (std::size_t{ 72 } * 60) == 65;
+    ASSERT_EQ(barrier->GetBufferPointer()[i] != 0.0F, isBarrier) << i;
+    ASSERT_TRUE(!isBarrier || heat->GetBufferPointer()[i] == 0.0F) << i;
+  }
+  fixture.Do(R"({"do": "undo"})");
+  EXPECT_NE(std::string(fixture.session.GetState()["lastChange"]).find("-> " + std::to_string(voxels) + " voxels"),
+            std::string::npos);
+  fixture.Do(R"({"do": "undo"})");
+  fixture.Finish();
+  fixture.Do(R"({"do": "save", "name": "again"})");
+  const auto before = shapeton::ReadVolume(fixture.input.GetFolder() / "ball-heat.nrrd").image;
+  ExpectSameVoxels(shapeton::ReadVolume(fixture.input.GetFolder() / "again-heat.nrrd").image, before);
+
+  const std::string results = fixture.input.GetFolder() / "results";
+  const int         status = RunScript(fixture.input.GetFolder() / "again.sh", results);
+  if (status < 0)
+  {
+    GTEST_SKIP() << "the tools have not been built";
+  }
+  EXPECT_EQ(status, 0);
+  auto names = saved["files"].get<std::vector<std::string>>();
+  ASSERT_EQ(names.back(), "around.sh");
+  names.pop_back();
+  ExpectSameFiles(fixture.input.GetFolder() / "", results + "/", names);
+}
+
+TEST(LiveSession, ClicksJoinObjectsOrRemoveThem)
+{
+  Fixture fixture(3);
+  fixture.Do(R"({"do": "objects", "choose": true})");
+  fixture.Finish();
+  fixture.Do(R"({"do": "select", "object": 1})");
+  const auto both = fixture.Do(R"({"do": "select", "object": 2, "add": true})");
+  EXPECT_EQ(both["selection"], (Json{ 1, 2 }));
+  EXPECT_EQ(both["selected"], 2);
+  fixture.Do(R"({"do": "save", "name": "both", "selected": true})");
+  const auto labels = shapeton::ReadVolume(fixture.input.GetFolder() / "both-object.nrrd").image;
+  const auto begin = labels->GetBufferPointer();
+  for (int object = 1; object <= 2; ++object)
+  {
+    EXPECT_EQ(std::count(begin, begin + std::size_t{ 72 } * 60 * 66, static_cast<float>(object)),
+              both["objects"][object - 1]["voxels"]);
+  }
+  EXPECT_EQ(fixture.Do(R"({"do": "select", "object": 1, "add": true})")["selection"], (Json{ 2 }));
+  EXPECT_EQ(fixture.Do(R"({"do": "select", "object": 1, "replace": true})")["selection"], (Json{ 1 }));
+  EXPECT_NE(ErrorOf(fixture, R"({"do": "select", "object": 60000, "add": true})"), "");
+  EXPECT_EQ(fixture.session.GetState()["selection"], (Json{ 1 }));
+  EXPECT_EQ(fixture.Do(R"({"do": "select", "object": 0})")["selection"], Json::array());
+}
+
+TEST(LiveSession, SlicesHaveTheLabelsOfTheObjects)
+{
+  Fixture                 fixture(3);
+  shapeton::SessionViewer viewer;
+  viewer.place = { { 52, 31, 34 } }; // in the box
+  fixture.Do(R"({"do": "objects", "choose": true})");
+  fixture.Finish();
+  const Frame frame(fixture.session.Update(viewer));
+  std::size_t at = 0;
+  for (const auto & slice : frame.header["slices"])
+  {
+    ASSERT_TRUE(slice["hasLabels"]);
+    const int         axis = slice["axis"];
+    const std::size_t size[] = { 72, 60, 66 };
+    const std::size_t across = axis == 0 ? 1 : 0;
+    const std::size_t down = axis == 2 ? 1 : 2;
+    const std::size_t voxels = size[across] * size[down];
+    const std::size_t here = viewer.place[down] * size[across] + viewer.place[across];
+    std::uint16_t     label = 0;
+    std::memcpy(&label, frame.arrays.data() + at + 3 * voxels + 2 * here, sizeof(label));
+    EXPECT_EQ(label, 1);
+    at += 5 * voxels; // bins, grays, labels
+  }
+}
+
 TEST(LiveSession, AWholeFrameHasAllVoxelsAndTheLabelsOfObjects)
 {
   Fixture                 fixture(3);

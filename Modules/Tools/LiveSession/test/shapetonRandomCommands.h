@@ -11,7 +11,7 @@ inline std::string
 RandomCommand(std::mt19937 & random)
 {
   const auto number = [&](int most) { return std::to_string(random() % most); };
-  switch (random() % 15)
+  switch (random() % 16)
   {
     case 0:
       return R"({"do": "pause"})";
@@ -41,6 +41,8 @@ RandomCommand(std::mt19937 & random)
     case 12:
       return R"({"do": "select", "object": )" + number(3) + "}";
     case 13:
+      return R"({"do": "exclude", "region": "balls", "balls": [[)" + number(20) + "," + number(20) + ",20,4]]}";
+    case 14:
       return random() % 2 ? R"({"do": "undo"})" : R"({"do": "redo"})";
     default:
       return R"({"do": "start", "region": "everywhere"})";

@@ -20,7 +20,8 @@ export class Cuts {
     this.view = view;
     this.cuts = planes.map(({ name, through }, i) => {
       const button = element('button', { textContent: `cut ${name}`, title: 'hides the front at the crosshair, the back, nothing' });
-      const slider = element('input', { type: 'range', min: 0, max: size[through] - 1, hidden: true, ariaLabel: `place of the ${name} cut` });
+      const slider = element('input', { type: 'range', min: 0, max: size[through] - 1, hidden: true });
+      slider.ariaLabel = `place of the ${name} cut`;
       button.onclick = (e) => { this.next(i); letGo(e); };
       slider.oninput = () => this.set(i, { at: Number(slider.value) });
       return { through, hides: 0, first: LOWER, at: 0, button, slider };

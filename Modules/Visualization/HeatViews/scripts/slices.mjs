@@ -67,10 +67,12 @@ export class HeatSliceView extends View {
     return { first, across, down };
   }
 
+  get labels() { return this.page.labels; }
+
   // The border of the object under the pointer.
   outline(g, { x0, y0, s }) {
-    const { page: { labels, pointed, objects } } = this, [nx, ny] = this.size, [dx, dy] = this.steps.map((step) => step * s);
-    if (!pointed) return;
+    const { labels, page: { pointed, objects } } = this, [nx, ny] = this.size, [dx, dy] = this.steps.map((step) => step * s);
+    if (!pointed || !labels) return;
     const isIn = new Uint8Array(objects.length + 1), { first, across, down } = this.layout();
     for (const label of labelsOf(objects, pointed)) isIn[label] = 1;
     const has = (i, j) => i >= 0 && j >= 0 && i < nx && j < ny && isIn[labels[first + i * across + j * down]];
