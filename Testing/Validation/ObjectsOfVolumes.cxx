@@ -315,12 +315,11 @@ ValidateObjectsOfVolumes(const ValidationSettings & settings, ValidationReport &
 {
   report.AddText(
     "`CumulativeHeatDiffusion`, then `HeatObjects`, both without options. A part is a reference label of 300 voxels up "
-    "to "
-    "a quarter of the volume; parts that enclose others count with or without them. An object is whole if its Dice "
-    "with "
-    "a part is at least 0.85. Visible: the tree has a whole region. Clicks: 200 random points per part, two voxels "
-    "inside; on a point in no object, a click selects the offered region. Weights are fitted on the tuning half only; "
-    "tree and insulation were chosen with knowledge of some of the held-back scans.");
+    "to a quarter of the volume; parts that enclose others count with or without them. An object is whole if its Dice "
+    "with a part is at least 0.85. Visible: the tree has a whole region. Clicks: 200 random points per part, two "
+    "voxels inside; on a point in no object, a click selects the offered region. FitHeatObjects uses the tuning half. "
+    "The weights in use were fitted to other scenes, these phantoms, and scans among which are foot, tooth, lobster "
+    "and CTs; only the scenes are new to them.");
   const bool   isQuick = settings.quick;
   ObjectTables tables(isQuick ? 0 : 2, report);
   for (const ObjectVolumeSource & source : ObjectVolumes(isQuick ? 2 : 12, isQuick ? "" : settings.dataFolder))
