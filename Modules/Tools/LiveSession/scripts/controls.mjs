@@ -24,7 +24,8 @@ export const CONTROLS = `
     <option value="sphere">sphere at the crosshair</option><option value="brush">brush on the slices</option>
     <option value="object">connected line at the crosshair</option>
     <option value="selected">selected objects</option><option value="axial">axial plane at the crosshair</option>
-    <option value="coronal">coronal plane</option><option value="sagittal">sagittal plane</option><option value="file">mask file</option></select>
+    <option value="coronal">coronal plane</option><option value="sagittal">sagittal plane</option>
+    <option value="file">mask file</option></select>
   <label>radius, mm <input id="radius" type="number" min="0.1" step="0.5" value="5"></label>
   <label>file <input id="mask" placeholder="labels.nrrd"></label>
   <label>label <input id="label" type="number" min="0" max="65535" value="0" title="0: all labels"></label>
