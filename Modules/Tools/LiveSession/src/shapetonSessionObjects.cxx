@@ -5,7 +5,6 @@
 #include "shapetonHeatObjectTable.h"
 #include "shapetonJson.h"
 #include "shapetonMappedImage.h"
-#include "shapetonParallelFor.h"
 
 #include <algorithm>
 
@@ -67,15 +66,19 @@ SessionObjects::Select(const std::vector<int> & objects)
   RequireParameter(
     std::all_of(objects.begin(), objects.end(), [=](int object) { return object >= 1 && object <= number; }),
     "there are " + std::to_string(number) + " objects and offers; select one of them");
-  const auto labels = LabelsOfObjects(*m_List, objects);
-  m_Mask = MapVoxels<unsigned char>(labels.GetPointer(), [](auto label) { return label != 0 ? 1 : 0; });
   m_Selection = objects;
-  m_SelectedHeat = NewImageOn<HeatType>(m_Heat);
-  const float * const         from = m_Heat->GetBufferPointer();
-  const unsigned char * const isIn = m_Mask->GetBufferPointer();
-  float * const               to = m_SelectedHeat->GetBufferPointer();
-  ParallelForBlocks(m_Heat->GetBufferedRegion().GetNumberOfPixels(),
-                    [=](std::size_t voxel) { to[voxel] = isIn[voxel] != 0 ? from[voxel] : 0.0F; });
+  m_Mask = NewImageOn<StartMask>(m_Heat, true);
+  m_SelectedHeat = NewImageOn<HeatType>(m_Heat, true);
+  for (const int object : objects)
+  {
+    for (const VoxelRange & range : m_List->ranges[object - 1])
+    {
+      std::fill(m_Mask->GetBufferPointer() + range.begin, m_Mask->GetBufferPointer() + range.end, 1);
+      std::copy(m_Heat->GetBufferPointer() + range.begin,
+                m_Heat->GetBufferPointer() + range.end,
+                m_SelectedHeat->GetBufferPointer() + range.begin);
+    }
+  }
 }
 
 void
