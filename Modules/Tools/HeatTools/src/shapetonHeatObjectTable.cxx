@@ -76,7 +76,9 @@ LabelsOfObjects(const HeatObjectList & list, const std::vector<int> & objects)
   const auto labels = NewImageOn<HeatObjectList::LabelImage>(list.labels, true);
   for (std::size_t i = 0; i < objects.size(); ++i)
   {
-    for (const VoxelRange & range : list.ranges.at(objects[i] - 1))
+    RequireParameter(objects[i] >= 1 && objects[i] <= static_cast<int>(list.ranges.size()),
+                     "object " + std::to_string(objects[i]) + " is not in the list");
+    for (const VoxelRange & range : list.ranges[objects[i] - 1])
     {
       std::fill(labels->GetBufferPointer() + range.begin,
                 labels->GetBufferPointer() + range.end,
