@@ -229,8 +229,8 @@ test('the pointer shows an object, Ctrl adds one, and heat flows around what is 
   await page.until(() => String(session.state0.selection) === '1', 5000);
   const { undo } = await state();
   await press('not-this');
+  await page.until(() => /^exclude selected: barrier 0 -> \d+ voxels/.test(document.getElementById('change').textContent), 5000);
   await page.until(() => session.state0.quality === 'exact' && session.state0.objects !== null && !session.state0.stage, 60000);
-  assert.match(await page.evaluate(() => document.getElementById('change').textContent), /^exclude selected: barrier 0 -> \d+ voxels/);
   await page.evaluate(() => session.idle(true));
   assert.equal(await page.evaluate(() => session.binHere), 0); // no heat where the object was
   await shoot('barrier');
