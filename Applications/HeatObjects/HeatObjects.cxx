@@ -73,7 +73,7 @@ ListObjects(CommandLine & commandLine)
   }
   const auto selection = SelectHeatObjects(commandLine, list);
   HeatObjectTable(list, selection.listed, volume.image).Write(table);
-  explorer.Write(volume.image, heat.image, heat.file, tree);
+  explorer.Write(volume.image, heat.image, heat.file, tree, list);
   const auto labels = selection.isOfSome ? LabelsOfObjects(list, selection.chosen) : list.labels;
   WriteObjectLabels(labels, selection.chosen, labelsFile, commandLine.GetProvenance());
   if (!picture.empty())

@@ -335,8 +335,8 @@ Measure(const std::vector<VoxelRange> & ranges, const HeatImage * heat, HeatObje
   object.meanHeat = sumOfHeat / voxels;
 }
 
-/** Sets the labels and parents: objects over offers, which are no parents of objects, and the smaller ones over those
- * that contain them. */
+/** Sets the labels and parents: objects over offers, which are never parents of objects, and the smaller ones over
+ * those that contain them. */
 void
 PutLabels(HeatObjectList & list)
 {

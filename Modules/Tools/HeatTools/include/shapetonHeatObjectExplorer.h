@@ -24,13 +24,14 @@ public:
   explicit HeatObjectExplorer(CommandLine & commandLine);
   ~HeatObjectExplorer();
 
-  /** The page opens with a color for each object. `heat` are the values of `file`, a heat volume or visits. Throws
-   * OutputError. */
+  /** The page opens with a color for each object. `heat` are the values of `file`, a heat volume or visits;
+   * `objects` are those of the tree without offers, through which the first slices pass. Throws OutputError. */
   void
   Write(const itk::Image<float, 3> * gray,
         const itk::Image<float, 3> * heat,
         const HeatSnapshot &         file,
-        const HeatObjectTree &       tree);
+        const HeatObjectTree &       tree,
+        const HeatObjectList &       objects);
 
 private:
   std::unique_ptr<HeatExplorer> m_Explorer; ///< null without the parameter

@@ -31,7 +31,7 @@ ShapetonHeatTools_EXPORT bool
 IsSelectionGiven(const CommandLine & commandLine);
 
 /** The objects of the options select, climb and objects, of a list with offers; without them, all. Throws
- * ParameterError, and InputError if there is no object at a point. \ingroup ShapetonHeatTools */
+ * ParameterError, and InputError if no object contains a point. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT HeatObjectSelection
 SelectHeatObjects(const CommandLine & commandLine, const HeatObjectList & list);
 } // namespace shapeton

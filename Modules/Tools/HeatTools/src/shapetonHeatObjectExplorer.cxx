@@ -20,7 +20,8 @@ void
 HeatObjectExplorer::Write(const itk::Image<float, 3> * gray,
                           const itk::Image<float, 3> * heat,
                           const HeatSnapshot &         file,
-                          const HeatObjectTree &       tree)
+                          const HeatObjectTree &       tree,
+                          const HeatObjectList &       objects)
 {
   if (!m_Explorer)
   {
@@ -38,7 +39,7 @@ HeatObjectExplorer::Write(const itk::Image<float, 3> * gray,
   content.axisHistogram = &shape.axisHistogram;
   content.gray = gray;
   content.objects = &list;
-  content.place = CutThroughParts(tree.List().labels);
+  content.place = CutThroughParts(objects.labels);
   m_Explorer->Write(content);
 }
 } // namespace shapeton
