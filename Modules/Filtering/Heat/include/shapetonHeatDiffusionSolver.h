@@ -22,9 +22,10 @@ class HeatEngine;
  * about 1,100 applications of L. The difference form of the recurrence keeps the single-precision rounding error near
  * 3e-6, compared to 1e-4 for t explicit steps. Explicit: single steps with compensated (Kahan) sums.
  *
- * Intermediate fields are cheap: after 16 explicit steps the time is divided into
- * intervals with an end / start ratio of at most 2.5. One Chebyshev pass computes the fields at seven Lobatto nodes in
- * log(t), and any field between them is their barycentric combination (error below 1.3e-6 for every decay rate).
+ * Intermediate fields are cheap and never change the last: the time is divided into intervals with an end / start ratio of
+ * at most 32. One Chebyshev pass computes the fields at 13 nodes, and any field between them is a combination of these
+ * (error below 2e-6 for every decay rate). Histograms between the nodes count every n-th slice of more than 2^22 voxels,
+ * which stands for n slices. Early steps, before the end of the first interval, are computed by themselves.
  *
  * Results are bitwise identical for any number of threads, on every x86-64 CPU and on a GPU.
  *
@@ -127,23 +128,30 @@ private:
   struct Interval;
   using Expansions = std::vector<std::vector<double>>; // coefficients for each node of an interval
 
-  static std::vector<Interval>
-  PlanIntervals(std::uint64_t start, std::uint64_t last, const std::vector<std::uint64_t> & steps, bool checkSteady);
-  static constexpr std::size_t NodesOfInterval = 7;
-  /** Weights of the start and the nodes for the field after `step`: barycentric interpolation in log(step).
-   */
-  static std::array<float, NodesOfInterval>
-  InterpolationWeights(const Interval & interval, std::uint64_t step);
+  enum class Intervals
+  {
+    Short, ///< an end / start ratio of 2.5, from a start after explicit steps
+    Long   ///< of at most 32
+  };
+  std::vector<Interval>
+  PlanIntervals(std::uint64_t start, std::uint64_t last, const Recorder & recorder, Intervals length) const;
   std::vector<Expansions>
   PlanExpansions(std::uint64_t explicitSteps, const std::vector<Interval> & plan);
 
   std::uint64_t
   RunExplicitly(HeatEngine & engine, std::uint64_t lastStep, Recorder & recorder);
   std::uint64_t
-  RunByExpansion(HeatEngine &                       engine,
-                 std::uint64_t                      lastStep,
-                 const std::vector<std::uint64_t> & steps,
-                 Recorder &                         recorder);
+  RunByExpansion(HeatEngine & engine, std::uint64_t lastStep, Recorder & recorder);
+  void
+  RunFirstSteps(HeatEngine & engine, std::uint64_t lastStep, Recorder & recorder);
+  std::uint64_t
+  RunIntervals(HeatEngine &                    engine,
+               const std::vector<Interval> &   plan,
+               const std::vector<Expansions> & expansions,
+               Recorder &                      recorder);
+  /** Shows the requested steps before `end`, then returns to the initial heat. */
+  void
+  ShowEarlySteps(HeatEngine & engine, std::uint64_t end, Recorder & recorder);
   /** Passes the requested steps of an interval to the visitor, interpolated from its nodes. */
   void
   ShowNodes(HeatEngine & engine, const Interval & interval, Recorder & recorder);
@@ -159,7 +167,7 @@ private:
   Advance(HeatEngine & engine, std::uint64_t steps, Sums sums);
   /** Node g = sum_k coefficients[g][k] T_k(X) heat, X the operator mapped to [-1, 1]. */
   void
-  Expand(HeatEngine & engine, const Expansions & coefficients);
+  Expand(HeatEngine & engine, const Expansions & coefficients, std::size_t stride);
   void
   ReportProgress(double applications);
 

@@ -62,9 +62,9 @@ public:
   void
   AddToRow(std::size_t row, const float * heats, std::size_t number);
 
-  /** Adds `number` heat values to `counts`, which has NumberOfBins entries. */
+  /** Adds `number` heat values, `weight` times each, to `counts`, which has NumberOfBins entries. */
   static void
-  CountHeats(const float * heats, std::size_t number, std::uint32_t * counts);
+  CountHeats(const float * heats, std::size_t number, std::uint32_t * counts, std::uint32_t weight = 1);
 
   /** The equalization of 2.3.1: for each bin edge, the fraction of the counts below it, excluding bin 0, averaged over
    * the rows (NumberOfBins + 1 values, ascending from 0 to 1). All rows use the same map, so a converged line stays at

@@ -20,12 +20,13 @@ public:
   {
     return false;
   }
-  /** Called concurrently; `worker` identifies the thread and is less than the number of ITK's threads. */
+  /** Each voxel counts `weight` times. Called concurrently; `worker` identifies the thread and is less than the number of
+   * ITK's threads. */
   virtual void
-  CountRow(std::size_t, const float *, unsigned int)
+  CountRow(std::size_t /*snapshot*/, const float * /*heat*/, std::uint32_t /*weight*/, unsigned int /*worker*/)
   {}
   virtual void
-  AddCounts(std::size_t, const std::uint32_t *)
+  AddCounts(std::size_t /*snapshot*/, const std::uint32_t * /*counts*/, std::uint32_t /*weight*/)
   {}
 
   /** Whether ShowRow() is called for a snapshot. */

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cstring>
-#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -143,18 +142,21 @@ public:
   }
 
   void
-  CountRow(std::size_t snapshot, const float * heat, unsigned int worker) override
+  CountRow(std::size_t snapshot, const float * heat, std::uint32_t weight, unsigned int worker) override
   {
     CountTable &                      table = m_Counts[worker % m_Counts.size()];
     const std::lock_guard<std::mutex> lock(table.mutex);
-    HeatHistogram::CountHeats(heat, m_RowLength, CountsOf(table, snapshot));
+    HeatHistogram::CountHeats(heat, m_RowLength, CountsOf(table, snapshot), weight);
   }
 
   void
-  AddCounts(std::size_t snapshot, const std::uint32_t * counts) override
+  AddCounts(std::size_t snapshot, const std::uint32_t * counts, std::uint32_t weight) override
   {
     std::uint32_t * const own = CountsOf(m_Counts.front(), snapshot);
-    std::transform(counts, counts + HeatHistogram::NumberOfBins, own, own, std::plus<>());
+    for (unsigned int bin = 0; bin < HeatHistogram::NumberOfBins; ++bin)
+    {
+      own[bin] += weight * counts[bin];
+    }
   }
 
   bool

@@ -132,18 +132,20 @@ struct Clamped
   }
 };
 
-/** Converts the number of a voxel to its memory index. */
+/** Converts the number of a voxel in every n-th slice to its memory index. */
 struct Numbered
 {
   Places      at;
   std::size_t nx;
   std::size_t ny;
+  std::size_t stride{ 1 };
+  std::size_t firstSlice{ 0 };
 
   SHAPETON_HOST_DEVICE std::size_t
                        operator()(std::size_t number) const
   {
     const std::size_t row = number / nx;
-    return at(number - row * nx, row % ny, row / ny);
+    return at(number - row * nx, row % ny, firstSlice + row / ny * stride);
   }
 };
 
@@ -290,13 +292,13 @@ public:
   }
 
   void
-  Scale(Field from, Field to, float factor) override
+  Scale(Field from, Field to, float factor, SliceStride) override
   {
     DeviceRuntime::ForVoxels(m_Extent, Scaled{ m_Places, this->Get(from), this->Get(to), factor });
   }
 
   void
-  ClampToZero(Field field) override
+  ClampToZero(Field field, SliceStride) override
   {
     DeviceRuntime::ForVoxels(m_Extent, Clamped{ m_Places, this->Get(field) });
   }
@@ -322,7 +324,7 @@ public:
   }
 
   void
-  StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients) override
+  StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients, SliceStride) override
   {
     for (std::size_t k = done + 2; k <= done + steps; k += 2)
     {
@@ -363,7 +365,7 @@ public:
   {
     if (m_Snapshots->IsCounted(snapshot))
     {
-      this->CountRows<1>(snapshot, BinOfField{ m_Numbered, this->Get(field) });
+      this->CountRows<1>(snapshot, BinOfField{ m_Numbered, this->Get(field) }, m_Extent.z, 1);
     }
     this->ShowField(snapshot, field);
   }
@@ -371,7 +373,8 @@ public:
   void
   ShowCombined(std::size_t                          first,
                const std::array<Field, MostNodes> & nodes,
-               const std::vector<Weights> &         weights) override
+               const std::vector<Weights> &         weights,
+               SliceStride                          stride) override
   {
     Combination combination{};
     for (std::size_t k = 0; k < MostNodes; ++k)
@@ -388,7 +391,11 @@ public:
         this->ShowField(first + i, Difference);
       }
     }
-    this->CountCombined(first, combination, weights);
+    this->CountCombined(first, combination, weights, 0, m_Extent.z / stride, stride);
+    if (const std::size_t rest = m_Extent.z % stride; rest > 0)
+    {
+      this->CountCombined(first, combination, weights, m_Extent.z - rest, 1, rest);
+    }
   }
 
   void
@@ -425,10 +432,16 @@ private:
     }
   }
 
-  /** Processes two snapshots at once to read each node once. */
+  /** Counts slices that stand for `stride` slices each. Processes two snapshots at once to read each node once. */
   void
-  CountCombined(std::size_t first, Combination combination, const std::vector<Weights> & weights)
+  CountCombined(std::size_t                  first,
+                Combination                  combination,
+                const std::vector<Weights> & weights,
+                std::size_t                  firstSlice,
+                std::size_t                  slices,
+                SliceStride                  stride)
   {
+    const Numbered numbered{ m_Places, m_Extent.x, m_Extent.y, stride, firstSlice };
     for (std::size_t i = 0; i < weights.size();)
     {
       const bool two =
@@ -437,11 +450,11 @@ private:
       combination.weights[1] = weights[two ? i + 1 : i];
       if (two)
       {
-        this->CountRows<2>(first + i, BinOfCombination{ m_Numbered, combination });
+        this->CountRows<2>(first + i, BinOfCombination{ numbered, combination }, slices, stride);
       }
       else if (m_Snapshots->IsCounted(first + i))
       {
-        this->CountRows<1>(first + i, BinOfCombination{ m_Numbered, combination });
+        this->CountRows<1>(first + i, BinOfCombination{ numbered, combination }, slices, stride);
       }
       i += two ? 2 : 1;
     }
@@ -449,16 +462,16 @@ private:
 
   template <unsigned int VRows, typename TBody>
   void
-  CountRows(std::size_t snapshot, const TBody & body)
+  CountRows(std::size_t snapshot, const TBody & body, std::size_t slices, SliceStride weight)
   {
     constexpr unsigned int bins = HeatHistogram::NumberOfBins;
     m_Counts.Clear();
-    DeviceRuntime::Count<bins, VRows>(m_Grid.GetNumberOfVoxels(), body, m_Counts.Get());
+    DeviceRuntime::Count<bins, VRows>(m_Extent.x * m_Extent.y * slices, body, m_Counts.Get());
     std::vector<std::uint32_t> values(m_Counts.GetNumber());
     m_Counts.Download(values.data());
     for (unsigned int row = 0; row < VRows; ++row)
     {
-      m_Snapshots->AddCounts(snapshot + row, values.data() + row * bins);
+      m_Snapshots->AddCounts(snapshot + row, values.data() + row * bins, static_cast<std::uint32_t>(weight));
     }
   }
 

@@ -22,7 +22,7 @@ struct DiffusionEdges
 namespace DiffusionArithmetic
 {
 /** Values of a row for interpolation in time. */
-constexpr std::size_t NumberOfNodes = 7;
+constexpr std::size_t NumberOfNodes = 13;
 
 /** Values of a voxel and of its six neighbors. */
 struct Neighborhood
@@ -117,11 +117,13 @@ ClampedToZero(float heat)
 SHAPETON_HOST_DEVICE float
 Combined(const float * const * nodes, std::size_t i, const float * weights)
 {
-  constexpr std::size_t written = 7;
+  constexpr std::size_t written = 13;
   static_assert(NumberOfNodes == written, "the sum below is written out");
   return ClampedToZero(
-    ((weights[0] * nodes[0][i] + weights[1] * nodes[1][i]) + (weights[2] * nodes[2][i] + weights[3] * nodes[3][i])) +
-    ((weights[4] * nodes[4][i] + weights[5] * nodes[5][i]) + weights[6] * nodes[6][i]));
+    (((weights[0] * nodes[0][i] + weights[1] * nodes[1][i]) + (weights[2] * nodes[2][i] + weights[3] * nodes[3][i])) +
+     ((weights[4] * nodes[4][i] + weights[5] * nodes[5][i]) + (weights[6] * nodes[6][i] + weights[7] * nodes[7][i]))) +
+    (((weights[8] * nodes[8][i] + weights[9] * nodes[9][i]) + (weights[10] * nodes[10][i] + weights[11] * nodes[11][i])) +
+     weights[12] * nodes[12][i]));
 }
 
 /** Converts the bits of a float to a bin number: from 1 for floats in [2^-octaves, 1], 0 below; see HeatHistogram. */

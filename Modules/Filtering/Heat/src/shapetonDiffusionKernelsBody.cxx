@@ -80,8 +80,10 @@ void
 Combine(float * out, const float * const * nodes, std::size_t n, const float * weights)
 {
   // Local copies: the compiler can assume that `out` does not alias them.
-  const float         w[] = { weights[0], weights[1], weights[2], weights[3], weights[4], weights[5], weights[6] };
-  const float * const rows[] = { nodes[0], nodes[1], nodes[2], nodes[3], nodes[4], nodes[5], nodes[6] };
+  float         w[DiffusionArithmetic::NumberOfNodes];
+  const float * rows[DiffusionArithmetic::NumberOfNodes];
+  std::copy(weights, weights + DiffusionArithmetic::NumberOfNodes, w);
+  std::copy(nodes, nodes + DiffusionArithmetic::NumberOfNodes, rows);
   SHAPETON_INDEPENDENT
   for (std::size_t i = 0; i < n; ++i)
   {

@@ -1,6 +1,7 @@
 #include "shapetonHeatDiffusionSolver.h"
 #include "shapetonHeatEngineOnCpu.h"
 #include "shapetonHeatEngineOnGpu.h"
+#include "shapetonHeatInterpolation.h"
 #include "shapetonParallelFor.h"
 #include "shapetonPi.h"
 
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 
 namespace shapeton
@@ -17,17 +19,21 @@ struct HeatDiffusionSolver::Interval
 {
   std::uint64_t              start;
   std::uint64_t              end;
-  std::size_t                endSnapshot; // the number of requested steps up to the end
+  std::size_t                firstSnapshot; // the number of requested steps up to the start
+  std::size_t                endSnapshot;   // and up to the end
   std::vector<std::uint64_t> nodes;       // excluding the start
   bool                       interpolate;
+  std::size_t                stride; // see HeatEngine::SliceStride
 };
 
 namespace
 {
-constexpr std::size_t NumberOfNodes = HeatEngine::MostNodes;
-
-// Time intervals with this end / start ratio and seven nodes achieve an error of 1.3e-6; see the class documentation.
-constexpr double        intervalRatio = 2.5;
+// Interpolation in intervals up to either end / start ratio has an error below 2e-6; see HeatInterpolation.
+constexpr double      intervalRatio = 2.5;
+constexpr std::size_t nodesOfInterval = 7;
+constexpr std::size_t nodesOfLongInterval = HeatEngine::MostNodes;
+// This many requested steps of an interval are its nodes; more are interpolated.
+constexpr std::size_t   few = nodesOfInterval - 1;
 constexpr std::uint64_t explicitStart = 16;
 
 // A long time interval is split if its end / start ratio would exceed this: rounding errors grow with the degree of an
@@ -35,22 +41,15 @@ constexpr std::uint64_t explicitStart = 16;
 constexpr std::uint64_t longestRatio = 32;
 constexpr std::uint64_t shortestStretch = 1000;
 
-/** Seven Lobatto nodes in log(step), rounded to integers; the start is not returned. */
-std::vector<std::uint64_t>
-LobattoNodes(std::uint64_t start, std::uint64_t end)
+/** Between the nodes, histograms of larger volumes count every n-th slice, at least 2^21 voxels and 16 slices: the number in
+ * a bin of a thousandth of them has a standard deviation of 2 % if voxels are independent. */
+std::size_t
+StrideForCounts(const PaddedGrid & grid)
 {
-  std::vector<std::uint64_t> nodes;
-  const double               from = std::log(static_cast<double>(start));
-  const double               to = std::log(static_cast<double>(end));
-  std::uint64_t              previous = start;
-  for (std::size_t k = 1; k < NumberOfNodes; ++k)
-  {
-    const double position = 0.5 * (from + to) - 0.5 * (to - from) * std::cos(Pi * k / (NumberOfNodes - 1.0));
-    const auto   node = static_cast<std::uint64_t>(std::llround(std::exp(position)));
-    previous = k + 1 == NumberOfNodes ? end : std::max(node, previous + 1);
-    nodes.push_back(previous);
-  }
-  return nodes;
+  constexpr std::size_t enoughVoxels = std::size_t{ 1 } << 21;
+  constexpr std::size_t enoughSlices = 16;
+  return std::clamp<std::size_t>(
+    grid.GetNumberOfVoxels() / enoughVoxels, 1, std::max<std::size_t>(1, grid.GetSize()[2] / enoughSlices));
 }
 
 bool
@@ -81,85 +80,130 @@ private:
 };
 } // namespace
 
-std::vector<HeatDiffusionSolver::Interval>
-HeatDiffusionSolver::PlanIntervals(std::uint64_t                      start,
-                                   std::uint64_t                      last,
-                                   const std::vector<std::uint64_t> & steps,
-                                   bool                               checkSteady)
+/** Passes the heat after each requested step to the snapshots. */
+class HeatDiffusionSolver::Recorder
 {
+public:
+  Recorder(HeatEngine & engine, HeatSnapshots & snapshots, const std::vector<std::uint64_t> & steps)
+    : m_Engine(engine), m_Snapshots(snapshots), m_Steps(steps)
+  {}
+
+  const std::vector<std::uint64_t> &
+  GetSteps() const
+  {
+    return m_Steps;
+  }
+
+  /** Whether all requested steps from number `first` to `end` are counted in histograms only. */
+  bool
+  OnlyCounts(std::size_t first, std::size_t end) const
+  {
+    for (; first < end && !m_Snapshots.IsShown(first); ++first)
+    {}
+    return first >= end;
+  }
+
+  /** The next requested step, but at most `otherwise`. */
+  std::uint64_t
+  Next(std::uint64_t otherwise) const
+  {
+    return m_Next < m_Steps.size() ? std::min(m_Steps[m_Next], otherwise) : otherwise;
+  }
+
+  /** `field` is the heat after `step`. */
+  void
+  Show(HeatEngine::Field field, std::uint64_t step)
+  {
+    for (; m_Next < m_Steps.size() && m_Steps[m_Next] == step; ++m_Next)
+    {
+      m_Engine.Show(m_Next, field);
+    }
+  }
+
+  /** Interpolates all requested steps of the interval between the heat and the fields at its nodes. */
+  void
+  ShowInterpolated(const Interval & interval, const std::function<void()> & afterGroup)
+  {
+    std::vector<std::uint64_t> steps{ interval.start };
+    steps.insert(steps.end(), interval.nodes.begin(), interval.nodes.end());
+    const HeatInterpolation                              interpolation(steps);
+    std::array<HeatEngine::Field, HeatEngine::MostNodes> nodes{}; // the heat of the start, also for nodes of weight 0
+    std::iota(nodes.begin() + 1, nodes.begin() + steps.size(), HeatEngine::FirstNode);
+    const std::size_t between = interval.endSnapshot - (m_Steps[interval.endSnapshot - 1] == interval.end ? 1 : 0);
+    while (m_Next < between)
+    {
+      const std::size_t                end = std::min(m_Next + snapshotsAtOnce, between);
+      std::vector<HeatEngine::Weights> weights;
+      for (std::size_t snapshot = m_Next; snapshot < end; ++snapshot)
+      {
+        const std::vector<double> exact = interpolation.WeightsAt(m_Steps[snapshot]);
+        HeatEngine::Weights       rounded{};
+        std::transform(
+          exact.begin(), exact.end(), rounded.begin(), [](double weight) { return static_cast<float>(weight); });
+        weights.push_back(rounded);
+      }
+      m_Engine.ShowCombined(m_Next, nodes, weights, interval.stride);
+      m_Next = end;
+      afterGroup();
+    }
+    this->Show(nodes[steps.size() - 1], interval.end);
+  }
+
+private:
+  // Collected volumes are complete after each group, which limits memory.
+  static constexpr std::size_t snapshotsAtOnce = 4;
+
+  HeatEngine &                       m_Engine;
+  const HeatSnapshots &              m_Snapshots;
+  const std::vector<std::uint64_t> & m_Steps;
+  std::size_t                        m_Next{ 0 };
+};
+
+std::vector<HeatDiffusionSolver::Interval>
+HeatDiffusionSolver::PlanIntervals(std::uint64_t    start,
+                                   std::uint64_t    last,
+                                   const Recorder & recorder,
+                                   Intervals        length) const
+{
+  const auto &          steps = recorder.GetSteps();
   std::vector<Interval> plan;
   std::size_t           snapshot = std::upper_bound(steps.begin(), steps.end(), start) - steps.begin();
   while (start < last)
   {
     std::uint64_t end = last;
-    while (end > shortestStretch && end > longestRatio * start)
+    if (length == Intervals::Short)
+    {
+      end = std::min(last, static_cast<std::uint64_t>(std::ceil(start * intervalRatio)));
+    }
+    while (length == Intervals::Long && end > shortestStretch && end > longestRatio * start)
     {
       end = (end + longestRatio - 1) / longestRatio;
     }
-    Interval   interval{ start, std::max(end, start + 1), snapshot, {}, false };
-    const auto ratioEnd = static_cast<std::uint64_t>(std::ceil(std::max(start * intervalRatio, explicitStart * 1.0)));
-    const std::size_t few = NumberOfNodes - 1;
-    if (checkSteady)
-    {
-      interval.end = std::min(last, ratioEnd);
-    }
-    else if (steps.size() - snapshot > few) // to the last step that can be a node, at least to the ratio
-    {
-      interval.end = std::min(interval.end, std::max(steps[snapshot + few - 1], ratioEnd));
-    }
+    Interval interval{ start, std::max(end, start + 1), snapshot, snapshot, {}, false, 1 };
     interval.endSnapshot = std::upper_bound(steps.begin(), steps.end(), interval.end) - steps.begin();
-    if (interval.endSnapshot - snapshot <= few)
+    interval.interpolate = interval.endSnapshot - snapshot > few && start > 0;
+    if (interval.interpolate)
+    {
+      const bool isShort = static_cast<double>(interval.end) <= std::ceil(intervalRatio * start);
+      interval.nodes =
+        HeatInterpolation::ChooseNodes(start, interval.end, isShort ? nodesOfInterval : nodesOfLongInterval);
+      interval.nodes.erase(interval.nodes.begin());
+      const bool counts = recorder.OnlyCounts(snapshot, interval.endSnapshot);
+      interval.stride = counts ? StrideForCounts(m_VolumeGradient.GetGrid()) : 1;
+    }
+    else if (interval.endSnapshot - snapshot <= few)
     {
       interval.nodes.assign(steps.begin() + snapshot, steps.begin() + interval.endSnapshot);
-      if (interval.nodes.empty() || interval.nodes.back() != interval.end)
-      {
-        interval.nodes.push_back(interval.end);
-      }
     }
-    else
+    if (interval.nodes.empty() || interval.nodes.back() != interval.end)
     {
-      interval.interpolate = true;
-      interval.nodes = LobattoNodes(start, interval.end);
+      interval.nodes.push_back(interval.end);
     }
     start = interval.end;
     snapshot = interval.endSnapshot;
     plan.push_back(interval);
   }
   return plan;
-}
-
-std::array<float, NumberOfNodes>
-HeatDiffusionSolver::InterpolationWeights(const Interval & interval, std::uint64_t step)
-{
-  std::array<double, NumberOfNodes> node{};
-  node[0] = std::log(static_cast<double>(interval.start));
-  std::transform(interval.nodes.begin(), interval.nodes.end(), node.begin() + 1, [](std::uint64_t s) {
-    return std::log(static_cast<double>(s));
-  });
-  std::array<float, NumberOfNodes> weights{};
-  const double                     position = std::log(static_cast<double>(step));
-  const auto                       hit = std::find(node.begin(), node.end(), position);
-  if (hit != node.end())
-  {
-    weights[hit - node.begin()] = 1.0F;
-    return weights;
-  }
-  std::array<double, NumberOfNodes> raw{};
-  double                            sum = 0.0;
-  for (std::size_t k = 0; k < NumberOfNodes; ++k)
-  {
-    raw[k] = 1.0 / (position - node[k]);
-    for (std::size_t j = 0; j < NumberOfNodes; ++j)
-    {
-      raw[k] /= j == k ? 1.0 : node[k] - node[j];
-    }
-    sum += raw[k];
-  }
-  for (std::size_t k = 0; k < NumberOfNodes; ++k)
-  {
-    weights[k] = static_cast<float>(raw[k] / sum);
-  }
-  return weights;
 }
 
 HeatDiffusionSolver::HeatDiffusionSolver(const VolumeGradientOperator & volumeGradient,
@@ -235,7 +279,6 @@ void
 HeatDiffusionSolver::Advance(HeatEngine & engine, std::uint64_t steps, Sums sums)
 {
   const auto dt = static_cast<float>(m_TimeStepLength);
-  engine.Clear(HeatEngine::Odd);
   while (steps > 0)
   {
     const auto count = static_cast<unsigned int>(std::min<std::uint64_t>(steps, engine.GetLongestStretch(false)));
@@ -246,7 +289,7 @@ HeatDiffusionSolver::Advance(HeatEngine & engine, std::uint64_t steps, Sums sums
 }
 
 void
-HeatDiffusionSolver::Expand(HeatEngine & engine, const Expansions & coefficients)
+HeatDiffusionSolver::Expand(HeatEngine & engine, const Expansions & coefficients, std::size_t stride)
 {
   const auto step = static_cast<float>(2.0 / m_VolumeGradient.GetEigenvalueBound());
   engine.Copy(HeatEngine::Heat, HeatEngine::Even);
@@ -256,7 +299,8 @@ HeatDiffusionSolver::Expand(HeatEngine & engine, const Expansions & coefficients
   for (std::size_t g = 0; g < coefficients.size(); ++g)
   {
     const auto node = HeatEngine::FirstNode + static_cast<HeatEngine::Field>(g);
-    engine.Scale(HeatEngine::Heat, node, static_cast<float>(coefficients[g][0]));
+    const bool isLast = g + 1 == coefficients.size();
+    engine.Scale(HeatEngine::Heat, node, static_cast<float>(coefficients[g][0]), isLast ? 1 : stride);
     degree = std::max(degree, coefficients[g].size() - 1);
   }
   const std::size_t longest = engine.GetLongestStretch(true);
@@ -264,65 +308,10 @@ HeatDiffusionSolver::Expand(HeatEngine & engine, const Expansions & coefficients
   {
     // Makes the number of terms even, because they are added in pairs.
     const auto count = static_cast<unsigned int>(std::min(longest, (degree - done + 1) / 2 * 2));
-    engine.StepChebyshev(done, count, 2.0F * step, coefficients);
+    engine.StepChebyshev(done, count, 2.0F * step, coefficients, stride);
     this->ReportProgress(count);
   }
 }
-
-/** Passes the heat after each requested step to the snapshots. */
-class HeatDiffusionSolver::Recorder
-{
-public:
-  Recorder(HeatEngine & engine, const std::vector<std::uint64_t> & steps) : m_Engine(engine), m_Steps(steps) {}
-
-  /** The next requested step, but at most `otherwise`. */
-  std::uint64_t
-  Next(std::uint64_t otherwise) const
-  {
-    return m_Next < m_Steps.size() ? std::min(m_Steps[m_Next], otherwise) : otherwise;
-  }
-
-  /** `field` is the heat after `step`. */
-  void
-  Show(HeatEngine::Field field, std::uint64_t step)
-  {
-    for (; m_Next < m_Steps.size() && m_Steps[m_Next] == step; ++m_Next)
-    {
-      m_Engine.Show(m_Next, field);
-    }
-  }
-
-  /** Interpolates all requested steps of the interval between the heat and the fields at its nodes. */
-  void
-  ShowInterpolated(const Interval & interval, const std::function<void()> & afterGroup)
-  {
-    std::array<HeatEngine::Field, NumberOfNodes> nodes{ HeatEngine::Heat };
-    for (std::size_t k = 1; k < NumberOfNodes; ++k)
-    {
-      nodes[k] = HeatEngine::FirstNode + static_cast<HeatEngine::Field>(k - 1);
-    }
-    while (m_Next < interval.endSnapshot)
-    {
-      const std::size_t                end = std::min(m_Next + snapshotsAtOnce, interval.endSnapshot);
-      std::vector<HeatEngine::Weights> weights;
-      for (std::size_t snapshot = m_Next; snapshot < end; ++snapshot)
-      {
-        weights.push_back(InterpolationWeights(interval, m_Steps[snapshot]));
-      }
-      m_Engine.ShowCombined(m_Next, nodes, weights);
-      m_Next = end;
-      afterGroup();
-    }
-  }
-
-private:
-  // Collected volumes are complete after each group, which limits memory.
-  static constexpr std::size_t snapshotsAtOnce = 4;
-
-  HeatEngine &                       m_Engine;
-  const std::vector<std::uint64_t> & m_Steps;
-  std::size_t                        m_Next{ 0 };
-};
 
 std::uint64_t
 HeatDiffusionSolver::Run(PaddedField &                      heat,
@@ -353,10 +342,10 @@ HeatDiffusionSolver::Run(PaddedField &                      heat,
     m_DeviceUse.gpu
       ? MakeHeatEngineOnGpu(m_DeviceUse, m_VolumeGradient, heat, snapshots, report)
       : std::unique_ptr<HeatEngine>(std::make_unique<HeatEngineOnCpu>(m_VolumeGradient, heat, snapshots, report));
-  Recorder recorder(*engine, steps);
+  Recorder recorder(*engine, snapshots, steps);
   recorder.Show(HeatEngine::Heat, 0);
   const std::uint64_t reached = m_Method == Method::Explicit ? this->RunExplicitly(*engine, lastStep, recorder)
-                                                             : this->RunByExpansion(*engine, lastStep, steps, recorder);
+                                                             : this->RunByExpansion(*engine, lastStep, recorder);
   engine->Finish();
   return reached;
 }
@@ -366,6 +355,7 @@ HeatDiffusionSolver::RunExplicitly(HeatEngine & engine, std::uint64_t lastStep, 
 {
   constexpr HeatEngine::Field before = HeatEngine::Difference; // not needed by explicit steps
   m_PlannedApplications = static_cast<double>(lastStep);
+  engine.Clear(HeatEngine::Odd);
   std::uint64_t step = 0;
   while (step < lastStep && !m_Steady)
   {
@@ -393,28 +383,65 @@ HeatDiffusionSolver::RunExplicitly(HeatEngine & engine, std::uint64_t lastStep, 
   return step;
 }
 
-std::uint64_t
-HeatDiffusionSolver::RunByExpansion(HeatEngine &                       engine,
-                                    std::uint64_t                      lastStep,
-                                    const std::vector<std::uint64_t> & steps,
-                                    Recorder &                         recorder)
+void
+HeatDiffusionSolver::RunFirstSteps(HeatEngine & engine, std::uint64_t lastStep, Recorder & recorder)
 {
-  const bool    dense = m_StopWhenSteady || steps.size() >= NumberOfNodes;
-  std::uint64_t step = 0;
-  const auto    start = dense ? std::min(explicitStart, lastStep) : 0;
-  const auto    plan = PlanIntervals(start, lastStep, steps, m_StopWhenSteady);
-  const auto    expansions = this->PlanExpansions(start, plan);
-
-  while (step < start)
+  for (std::uint64_t step = 0; step < lastStep;)
   {
-    const std::uint64_t next = recorder.Next(start);
+    const std::uint64_t next = recorder.Next(lastStep);
     this->Advance(engine, next - step, Sums::Plain);
     step = next;
     recorder.Show(HeatEngine::Heat, step);
   }
+}
+
+std::uint64_t
+HeatDiffusionSolver::RunByExpansion(HeatEngine & engine, std::uint64_t lastStep, Recorder & recorder)
+{
+  m_PlannedApplications = 0.0;
+  if (m_StopWhenSteady)
+  {
+    const std::uint64_t start = std::min(explicitStart, lastStep);
+    const auto          plan = this->PlanIntervals(start, lastStep, recorder, Intervals::Short);
+    const auto          expansions = this->PlanExpansions(start, plan);
+    this->RunFirstSteps(engine, start, recorder);
+    return std::max(start, this->RunIntervals(engine, plan, expansions, recorder));
+  }
+  // The requested steps do not change the intervals, and thereby not the heat.
+  const auto plan = this->PlanIntervals(0, lastStep, recorder, Intervals::Long);
+  const auto expansions = this->PlanExpansions(0, plan);
+  if (!plan.empty() && plan.front().endSnapshot - plan.front().firstSnapshot > few)
+  {
+    this->ShowEarlySteps(engine, plan.front().end, recorder);
+  }
+  return this->RunIntervals(engine, plan, expansions, recorder);
+}
+
+void
+HeatDiffusionSolver::ShowEarlySteps(HeatEngine & engine, std::uint64_t end, Recorder & recorder)
+{
+  constexpr HeatEngine::Field initial = HeatEngine::MostFields - 1; // not used in intervals of `Short` length
+  const auto &                steps = recorder.GetSteps();
+  const std::uint64_t         last = *std::prev(std::lower_bound(steps.begin(), steps.end(), end));
+  const std::uint64_t         start = std::min(explicitStart, last);
+  const auto                  plan = this->PlanIntervals(start, last, recorder, Intervals::Short);
+  const auto                  expansions = this->PlanExpansions(start, plan);
+  engine.Copy(HeatEngine::Heat, initial);
+  this->RunFirstSteps(engine, start, recorder);
+  this->RunIntervals(engine, plan, expansions, recorder);
+  engine.Exchange(HeatEngine::Heat, initial);
+}
+
+std::uint64_t
+HeatDiffusionSolver::RunIntervals(HeatEngine &                    engine,
+                                  const std::vector<Interval> &   plan,
+                                  const std::vector<Expansions> & expansions,
+                                  Recorder &                      recorder)
+{
+  std::uint64_t step = 0;
   for (std::size_t i = 0; i < plan.size() && !m_Steady; ++i)
   {
-    this->Expand(engine, expansions[i]);
+    this->Expand(engine, expansions[i], plan[i].stride);
     this->ShowNodes(engine, plan[i], recorder);
     const auto last = HeatEngine::FirstNode + static_cast<HeatEngine::Field>(plan[i].nodes.size()) - 1;
     // A truncated last interval is too short for the check.
@@ -429,18 +456,19 @@ HeatDiffusionSolver::RunByExpansion(HeatEngine &                       engine,
 void
 HeatDiffusionSolver::ShowNodes(HeatEngine & engine, const Interval & interval, Recorder & recorder)
 {
-  for (std::size_t k = 0; k < interval.nodes.size(); ++k)
+  const auto last = static_cast<HeatEngine::Field>(interval.nodes.size()) - 1;
+  for (HeatEngine::Field k = 0; k <= last; ++k)
   {
-    engine.ClampToZero(HeatEngine::FirstNode + static_cast<HeatEngine::Field>(k));
+    engine.ClampToZero(HeatEngine::FirstNode + k, k == last ? 1 : interval.stride);
   }
   if (interval.interpolate)
   {
     recorder.ShowInterpolated(interval, [this] { this->ReportProgress(0.0); });
     return;
   }
-  for (std::size_t k = 0; k < interval.nodes.size(); ++k)
+  for (HeatEngine::Field k = 0; k <= last; ++k)
   {
-    recorder.Show(HeatEngine::FirstNode + static_cast<HeatEngine::Field>(k), interval.nodes[k]);
+    recorder.Show(HeatEngine::FirstNode + k, interval.nodes[k]);
     this->ReportProgress(0.0); // passes on complete volumes
   }
 }
@@ -451,7 +479,7 @@ HeatDiffusionSolver::PlanExpansions(std::uint64_t explicitSteps, const std::vect
   const double            beta = std::min(1.0, m_TimeStepLength * m_VolumeGradient.GetEigenvalueBound());
   const double            truncation = 0.02 * m_Tolerance; // most of the tolerance is reserved for rounding
   std::vector<Expansions> expansions;
-  m_PlannedApplications = static_cast<double>(explicitSteps);
+  m_PlannedApplications += static_cast<double>(explicitSteps);
   for (const Interval & interval : plan)
   {
     Expansions  ofNodes;

@@ -23,10 +23,13 @@ public:
   static constexpr Field Difference = 3;
   static constexpr Field FirstNode = 4;
   /** Largest number of fields that the solver requests: the number of interpolation nodes. */
-  static constexpr std::size_t MostNodes = 7;
+  static constexpr std::size_t MostNodes = 13;
   static constexpr std::size_t MostFields = FirstNode + MostNodes;
 
   using Expansions = std::vector<std::vector<double>>; ///< coefficients of each node of an interval
+
+  /** Every n-th slice: all that the nodes of counted snapshots hold in large volumes. An engine may compute the others. */
+  using SliceStride = std::size_t;
 
   HeatEngine() = default;
   HeatEngine(const HeatEngine &) = delete;
@@ -46,9 +49,9 @@ public:
   Clear(Field field) = 0;
   /** to = factor * from. */
   virtual void
-  Scale(Field from, Field to, float factor) = 0;
+  Scale(Field from, Field to, float factor, SliceStride stride) = 0;
   virtual void
-  ClampToZero(Field field) = 0;
+  ClampToZero(Field field, SliceStride stride) = 0;
 
   /** Explicit steps of the heat; overwrites Even. With `compensated`, Odd accumulates the rounding errors. */
   virtual void
@@ -56,9 +59,14 @@ public:
 
   /** Steps done + 1 .. done + steps (`done` and `steps` even) of the recurrence from T_done in Even and its difference.
    * Afterwards the last T_k is in Even, Odd is overwritten, and sum_k coefficients[g][k] T_k is added to the nodes, in
-   * pairs of terms. The first step of the recurrence uses half of `scale`. */
+   * pairs of terms; `stride` applies to all nodes but the last. The first step of the recurrence uses half of `scale`.
+   */
   virtual void
-  StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients) = 0;
+  StepChebyshev(std::size_t         done,
+                unsigned int        steps,
+                float               scale,
+                const Expansions &  coefficients,
+                SliceStride         stride) = 0;
 
   /** The number of voxels that have changed by more than `change` times their heat, or times `least` if they are
    * colder. */
@@ -70,9 +78,13 @@ public:
   Show(std::size_t snapshot, Field field) = 0;
 
   using Weights = std::array<float, MostNodes>;
-  /** Passes max(0, sum_k weights[i][k] * nodes[k]) to the snapshots as the heat of snapshot first + i. */
+  /** Passes max(0, sum_k weights[i][k] * nodes[k]) to the snapshots as the heat of snapshot first + i. With a stride,
+   * a counted slice stands for itself and the slices up to the next. */
   virtual void
-  ShowCombined(std::size_t first, const std::array<Field, MostNodes> & nodes, const std::vector<Weights> & weights) = 0;
+  ShowCombined(std::size_t                          first,
+               const std::array<Field, MostNodes> & nodes,
+               const std::vector<Weights> &         weights,
+               SliceStride                          stride) = 0;
 
   /** Writes the heat back to the input field. */
   virtual void

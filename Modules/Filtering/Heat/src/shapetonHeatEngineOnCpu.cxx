@@ -30,14 +30,16 @@ EdgesOfRow(const VolumeGradientOperator & op, std::size_t row)
            static_cast<std::ptrdiff_t>(op.GetGrid().GetStride(2)) };
 }
 
-/** Calls body(row number, memory index, worker) for all rows, in parallel over slices. */
+/** Calls body(row number, memory index, worker) for all rows of every n-th slice, in parallel over slices. */
 template <typename TBody>
 void
-ForAllRows(const PaddedGrid & grid, const TBody & body)
+ForAllRows(const PaddedGrid & grid, HeatEngine::SliceStride stride, const TBody & body)
 {
   const std::size_t ny = grid.GetSize()[1];
-  ParallelForWorkers(grid.GetSize()[2], [&](std::size_t z, unsigned int worker) {
+  const std::size_t slices = (grid.GetSize()[2] + stride - 1) / stride;
+  ParallelForWorkers(slices, [&](std::size_t slice, unsigned int worker) {
     const FlushToZero flushToZero;
+    const std::size_t z = slice * stride;
     for (std::size_t y = 0; y < ny; ++y)
     {
       body(y + ny * z, grid.GetRow(y, z), worker);
@@ -103,21 +105,22 @@ HeatEngineOnCpu::Clear(Field field)
 }
 
 void
-HeatEngineOnCpu::Scale(Field from, Field to, float factor)
+HeatEngineOnCpu::Scale(Field from, Field to, float factor, SliceStride stride)
 {
   const float * const f = this->Get(from);
   float * const       out = this->Get(to);
-  ForAllRows(m_Grid, [&](std::size_t, std::size_t row, unsigned int) {
+  ForAllRows(m_Grid, stride, [&](std::size_t, std::size_t row, unsigned int) {
     Kernels().Scale(out + row, f + row, m_Grid.GetSize()[0], factor);
   });
 }
 
 void
-HeatEngineOnCpu::ClampToZero(Field field)
+HeatEngineOnCpu::ClampToZero(Field field, SliceStride stride)
 {
   float * const f = this->Get(field);
-  ForAllRows(m_Grid,
-             [&](std::size_t, std::size_t row, unsigned int) { Kernels().ClampToZero(f + row, m_Grid.GetSize()[0]); });
+  ForAllRows(m_Grid, stride, [&](std::size_t, std::size_t row, unsigned int) {
+    Kernels().ClampToZero(f + row, m_Grid.GetSize()[0]);
+  });
 }
 
 void
@@ -144,7 +147,11 @@ HeatEngineOnCpu::StepExplicitly(unsigned int steps, float dt, bool compensated)
 }
 
 void
-HeatEngineOnCpu::StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients)
+HeatEngineOnCpu::StepChebyshev(std::size_t        done,
+                               unsigned int       steps,
+                               float              scale,
+                               const Expansions & coefficients,
+                               SliceStride        stride)
 {
   const std::size_t    nx = m_Grid.GetSize()[0];
   float * const        buffers[2] = { this->Get(Even), this->Get(Odd) };
@@ -161,7 +168,8 @@ HeatEngineOnCpu::StepChebyshev(std::size_t done, unsigned int steps, float scale
     Kernels().ChebyshevStep(
       EdgesOfRow(m_VolumeGradient, row), current, next, difference + row, nx, k == 1 ? 0.5F * scale : scale);
     ChebyshevPair pair{};
-    for (std::size_t g = 0; k % 2 == 0 && g < nodes.size(); ++g)
+    const bool inStride = stride == 1 || (row / m_Grid.GetStride(2) - 1) % stride == 0; // after a slice of padding
+    for (std::size_t g = inStride ? 0 : nodes.size() - 1; k % 2 == 0 && g < nodes.size(); ++g)
     {
       if (FindPair(coefficients[g], k, pair))
       {
@@ -179,7 +187,7 @@ HeatEngineOnCpu::CountMoved(Field before, Field after, float change, float least
   const float * const        f = this->Get(before);
   const float * const        g = this->Get(after);
   std::vector<std::uint64_t> moved(m_Grid.GetSize()[2], 0);
-  ForAllRows(m_Grid, [&](std::size_t row, std::size_t place, unsigned int) {
+  ForAllRows(m_Grid, 1, [&](std::size_t row, std::size_t place, unsigned int) {
     for (std::size_t i = place; i < place + nx; ++i)
     {
       moved[row / ny] += DiffusionArithmetic::HasMoved(f, g, i, change, least) ? 1 : 0;
@@ -189,11 +197,15 @@ HeatEngineOnCpu::CountMoved(Field before, Field after, float change, float least
 }
 
 void
-HeatEngineOnCpu::ShowRow(std::size_t snapshot, std::size_t row, const float * heat, unsigned int worker)
+HeatEngineOnCpu::ShowRow(std::size_t   snapshot,
+                         std::size_t   row,
+                         const float * heat,
+                         std::uint32_t weight,
+                         unsigned int  worker)
 {
   if (m_Snapshots.IsCounted(snapshot))
   {
-    m_Snapshots.CountRow(snapshot, heat, worker);
+    m_Snapshots.CountRow(snapshot, heat, weight, worker);
   }
   if (m_Snapshots.IsShown(snapshot))
   {
@@ -205,27 +217,30 @@ void
 HeatEngineOnCpu::Show(std::size_t snapshot, Field field)
 {
   const float * const f = this->Get(field);
-  ForAllRows(m_Grid, [&](std::size_t row, std::size_t place, unsigned int worker) {
-    this->ShowRow(snapshot, row, f + place, worker);
+  ForAllRows(m_Grid, 1, [&](std::size_t row, std::size_t place, unsigned int worker) {
+    this->ShowRow(snapshot, row, f + place, 1, worker);
   });
 }
 
 void
 HeatEngineOnCpu::ShowCombined(std::size_t                          first,
                               const std::array<Field, MostNodes> & nodes,
-                              const std::vector<Weights> &         weights)
+                              const std::vector<Weights> &         weights,
+                              SliceStride                          stride)
 {
   const std::size_t                    nx = m_Grid.GetSize()[0];
   std::array<const float *, MostNodes> fields{};
   std::transform(nodes.begin(), nodes.end(), fields.begin(), [this](Field node) { return this->Get(node); });
   std::vector<std::vector<float>> buffers(NumberOfThreads(), std::vector<float>(nx));
-  ForAllRows(m_Grid, [&](std::size_t row, std::size_t place, unsigned int worker) {
+  ForAllRows(m_Grid, stride, [&](std::size_t row, std::size_t place, unsigned int worker) {
+    const std::size_t                    following = m_Grid.GetSize()[2] - row / m_Grid.GetSize()[1];
+    const auto                           weight = static_cast<std::uint32_t>(std::min(stride, following));
     std::array<const float *, MostNodes> rows{};
     std::transform(fields.begin(), fields.end(), rows.begin(), [place](const float * field) { return field + place; });
     for (std::size_t i = 0; i < weights.size(); ++i)
     {
       Kernels().Combine(buffers[worker].data(), rows.data(), nx, weights[i].data());
-      this->ShowRow(first + i, row, buffers[worker].data(), worker);
+      this->ShowRow(first + i, row, buffers[worker].data(), weight, worker);
     }
   });
 }

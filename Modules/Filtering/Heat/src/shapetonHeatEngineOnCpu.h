@@ -30,13 +30,17 @@ public:
   void
   Clear(Field field) override;
   void
-  Scale(Field from, Field to, float factor) override;
+  Scale(Field from, Field to, float factor, SliceStride stride) override;
   void
-  ClampToZero(Field field) override;
+  ClampToZero(Field field, SliceStride stride) override;
   void
   StepExplicitly(unsigned int steps, float dt, bool compensated) override;
   void
-  StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients) override;
+  StepChebyshev(std::size_t        done,
+                unsigned int       steps,
+                float              scale,
+                const Expansions & coefficients,
+                SliceStride        stride) override;
   std::uint64_t
   CountMoved(Field before, Field after, float change, float least) override;
   void
@@ -44,7 +48,8 @@ public:
   void
   ShowCombined(std::size_t                          first,
                const std::array<Field, MostNodes> & nodes,
-               const std::vector<Weights> &         weights) override;
+               const std::vector<Weights> &         weights,
+               SliceStride                          stride) override;
   void
   Finish() override;
 
@@ -58,7 +63,7 @@ protected:
 
 private:
   void
-  ShowRow(std::size_t snapshot, std::size_t row, const float * heat, unsigned int worker);
+  ShowRow(std::size_t snapshot, std::size_t row, const float * heat, std::uint32_t weight, unsigned int worker);
 
   PaddedField &           m_Heat;
   HeatSnapshots &         m_Snapshots;

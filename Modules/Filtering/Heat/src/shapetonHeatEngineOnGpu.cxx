@@ -113,7 +113,11 @@ public:
   }
 
   void
-  StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients) override
+  StepChebyshev(std::size_t        done,
+                unsigned int       steps,
+                float              scale,
+                const Expansions & coefficients,
+                SliceStride        stride) override
   {
     this->ForSlabs([&](const Slab & slab, DeviceHeatEngine & engine) {
       this->Upload(slab, engine, Even, Even);
@@ -122,7 +126,7 @@ public:
       {
         this->Upload(slab, engine, node, node);
       }
-      engine.StepChebyshev(done, steps, scale, coefficients);
+      engine.StepChebyshev(done, steps, scale, coefficients, stride);
       this->Download(slab, engine, Even, Odd);
       this->Download(slab, engine, Difference, NextDifference);
       for (Field node = FirstNode; node < FirstNode + coefficients.size(); ++node)

@@ -55,7 +55,7 @@ HeatHistogram::AddToRow(std::size_t row, const float * heats, std::size_t number
 }
 
 void
-HeatHistogram::CountHeats(const float * heats, std::size_t number, std::uint32_t * counts)
+HeatHistogram::CountHeats(const float * heats, std::size_t number, std::uint32_t * counts, std::uint32_t weight)
 {
   constexpr std::size_t block = 512;
   const auto &          kernels = BestKernels<DiffusionKernels::Set>();
@@ -66,7 +66,7 @@ HeatHistogram::CountHeats(const float * heats, std::size_t number, std::uint32_t
     kernels.BinHeats(heats + start, bins, length);
     for (std::size_t i = 0; i < length; ++i)
     {
-      ++counts[bins[i]];
+      counts[bins[i]] += weight;
     }
   }
 }

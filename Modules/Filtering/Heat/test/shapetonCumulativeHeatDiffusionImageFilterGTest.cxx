@@ -255,6 +255,39 @@ TEST(CumulativeHeatDiffusionImageFilter, HistogramAndSnapshotsAgree)
   EXPECT_EQ(last, VoxelsOf(filter->GetOutput()));
 }
 
+TEST(CumulativeHeatDiffusionImageFilter, HistogramsOfLargeVolumesCountSlicesForTheirNeighbors)
+{
+  const std::array<std::size_t, 3> size{ 165, 160, 171 }; // more than 2^22 voxels: every second slice, and a last one
+  const std::uint64_t              voxels = size[0] * size[1] * size[2];
+  const auto                       image = MakeImage<float>(test::MakeScene(size, 0.05));
+  const auto                       steps = MakeSnapshotSteps(1200, 13, SnapshotSpacing::Linear);
+  auto                             counted = MakeFilter(image.GetPointer(), 1200);
+  counted->SetHistogramSteps(steps);
+  counted->Update();
+  auto          shown = MakeFilter(image.GetPointer(), 1200);
+  HeatHistogram exact(steps);
+  std::size_t   number = 0;
+  shown->SetSnapshotSteps(steps, [&](std::uint64_t, const itk::Image<float, 3> * heat) {
+    exact.AddToRow(number++, heat->GetBufferPointer(), voxels);
+  });
+  shown->Update();
+  const HeatHistogram & histogram = counted->GetResult().histogram;
+  bool                  sampled = false;
+  for (std::size_t row = 0; row < steps.size(); ++row)
+  {
+    std::int64_t difference = 0; // of the number of voxels up to a bin
+    for (unsigned int bin = 0; bin < HeatHistogram::NumberOfBins; ++bin)
+    {
+      difference += static_cast<std::int64_t>(histogram.GetCount(row, bin)) - exact.GetCount(row, bin);
+      sampled = sampled || difference != 0;
+      EXPECT_LT(std::abs(difference), static_cast<std::int64_t>(voxels / 100)) << "row " << row << ", bin " << bin;
+    }
+    EXPECT_EQ(difference, 0) << "row " << row; // all voxels are counted
+  }
+  EXPECT_TRUE(sampled);
+  EXPECT_TRUE(std::equal(histogram.GetRow(12), histogram.GetRow(13), exact.GetRow(12))); // the last row is exact
+}
+
 TEST(CumulativeHeatDiffusionImageFilter, RowsAfterTheSteadyStateAreLeftOut)
 {
   const auto steps = MakeSnapshotSteps(1000000, 100, SnapshotSpacing::Logarithmic);

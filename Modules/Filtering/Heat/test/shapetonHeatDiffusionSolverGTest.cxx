@@ -206,6 +206,32 @@ TEST(HeatDiffusionSolver, ThreadsDoNotChangeABit)
     { 2, 3, 8 });
 }
 
+TEST(HeatDiffusionSolver, RequestedStepsDoNotChangeABit)
+{
+  const Volume                 volume = MakeScene({ 31, 22, 27 }, 0.05);
+  const VolumeGradientOperator volumeGradient(volume);
+  const auto                   compare = [&](Method method, std::uint64_t last, bool untilSteady) {
+    const auto alone = Diffuse(volumeGradient, method, last, {}, dt, untilSteady);
+    for (const std::size_t number : { 3, 60, 512 })
+    {
+      for (const auto spacing : { SnapshotSpacing::Linear, SnapshotSpacing::Logarithmic })
+      {
+        const auto run =
+          Diffuse(volumeGradient, method, last, MakeSnapshotSteps(last, number, spacing), dt, untilSteady);
+        EXPECT_EQ(run.last, alone.last) << last << " steps, " << number << " of them requested";
+        EXPECT_EQ(run.lastStep, alone.lastStep);
+        EXPECT_TRUE(untilSteady || run.fields.back() == run.last);
+      }
+    }
+  };
+  for (const std::uint64_t last : { 10, 900, 40000 })
+  {
+    compare(Method::Chebyshev, last, false);
+  }
+  compare(Method::Chebyshev, 100000, true);
+  compare(Method::Explicit, 300, false);
+}
+
 TEST(HeatDiffusionSolver, StopsWhenSteadyAndNotBefore)
 {
   Volume volume({ 20, 20, 20 });

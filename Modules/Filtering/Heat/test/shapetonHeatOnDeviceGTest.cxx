@@ -87,6 +87,15 @@ TEST(HeatOnDevice, ExpansionAndHistogramAreTheSameBytes)
   EXPECT_GT(*std::max_element(heat.begin(), heat.end()), 0.1F); // otherwise the comparison is not meaningful
 }
 
+TEST(HeatOnDevice, SlicesCountedForTheirNeighborsAreTheSame)
+{
+  SHAPETON_REQUIRE_DEVICE();
+  Settings settings;
+  settings.timeSteps = 1001; // two intervals
+  settings.histogramSteps = MakeSnapshotSteps(1001, 20, SnapshotSpacing::Linear);
+  ExpectTheSame(MakeScene({ 165, 160, 171 }, 0.05), settings); // every second slice, and a last one
+}
+
 TEST(HeatOnDevice, OddSizesAndAnisotropicVoxelsAreTheSameBytes)
 {
   SHAPETON_REQUIRE_DEVICE();
