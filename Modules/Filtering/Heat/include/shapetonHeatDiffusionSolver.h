@@ -22,10 +22,10 @@ class HeatEngine;
  * about 1,100 applications of L. The difference form of the recurrence keeps the single-precision rounding error near
  * 3e-6, compared to 1e-4 for t explicit steps. Explicit: single steps with compensated (Kahan) sums.
  *
- * Intermediate fields are cheap and never change the last: the time is divided into intervals with an end / start ratio of
- * at most 32. One Chebyshev pass computes the fields at 13 nodes, and any field between them is a combination of these
- * (error below 2e-6 for every decay rate). Histograms between the nodes count every n-th slice of more than 2^22 voxels,
- * which stands for n slices. Early steps, before the end of the first interval, are computed by themselves.
+ * Intermediate fields are cheap and never change the last: the time is divided into intervals with an end / start ratio
+ * of at most 32. One Chebyshev pass computes the fields at 13 nodes, and any field between them is a combination of
+ * these (error below 2e-6 for every decay rate). Histograms between the nodes count every n-th slice of more than 2^22
+ * voxels, which stands for n slices. Early steps, before the end of the first interval, are computed by themselves.
  *
  * Results are bitwise identical for any number of threads, on every x86-64 CPU and on a GPU.
  *

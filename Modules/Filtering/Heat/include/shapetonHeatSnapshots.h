@@ -20,8 +20,8 @@ public:
   {
     return false;
   }
-  /** Each voxel counts `weight` times. Called concurrently; `worker` identifies the thread and is less than the number of
-   * ITK's threads. */
+  /** Each voxel counts `weight` times. Called concurrently; `worker` identifies the thread and is less than the number
+   * of ITK's threads. */
   virtual void
   CountRow(std::size_t /*snapshot*/, const float * /*heat*/, std::uint32_t /*weight*/, unsigned int /*worker*/)
   {}

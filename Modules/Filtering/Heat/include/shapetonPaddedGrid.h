@@ -71,7 +71,12 @@ class ShapetonHeat_EXPORT PaddedField
 {
 public:
   PaddedField() = default;
-  explicit PaddedField(const PaddedGrid & grid);
+  enum class Memory
+  {
+    Whole,   ///< in large pages, for speed
+    OnDemand ///< where it is written first
+  };
+  explicit PaddedField(const PaddedGrid & grid, Memory memory = Memory::Whole);
 
   float *
   GetData()

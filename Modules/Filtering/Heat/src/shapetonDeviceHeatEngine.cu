@@ -324,7 +324,8 @@ public:
   }
 
   void
-  StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients, SliceStride) override
+  StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients, SliceStride)
+    override
   {
     for (std::size_t k = done + 2; k <= done + steps; k += 2)
     {

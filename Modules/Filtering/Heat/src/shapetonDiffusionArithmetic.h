@@ -122,7 +122,8 @@ Combined(const float * const * nodes, std::size_t i, const float * weights)
   return ClampedToZero(
     (((weights[0] * nodes[0][i] + weights[1] * nodes[1][i]) + (weights[2] * nodes[2][i] + weights[3] * nodes[3][i])) +
      ((weights[4] * nodes[4][i] + weights[5] * nodes[5][i]) + (weights[6] * nodes[6][i] + weights[7] * nodes[7][i]))) +
-    (((weights[8] * nodes[8][i] + weights[9] * nodes[9][i]) + (weights[10] * nodes[10][i] + weights[11] * nodes[11][i])) +
+    (((weights[8] * nodes[8][i] + weights[9] * nodes[9][i]) +
+      (weights[10] * nodes[10][i] + weights[11] * nodes[11][i])) +
      weights[12] * nodes[12][i]));
 }
 

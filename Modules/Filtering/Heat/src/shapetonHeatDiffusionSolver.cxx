@@ -21,7 +21,7 @@ struct HeatDiffusionSolver::Interval
   std::uint64_t              end;
   std::size_t                firstSnapshot; // the number of requested steps up to the start
   std::size_t                endSnapshot;   // and up to the end
-  std::vector<std::uint64_t> nodes;       // excluding the start
+  std::vector<std::uint64_t> nodes;         // excluding the start
   bool                       interpolate;
   std::size_t                stride; // see HeatEngine::SliceStride
 };
@@ -41,8 +41,8 @@ constexpr std::uint64_t explicitStart = 16;
 constexpr std::uint64_t longestRatio = 32;
 constexpr std::uint64_t shortestStretch = 1000;
 
-/** Between the nodes, histograms of larger volumes count every n-th slice, at least 2^21 voxels and 16 slices: the number in
- * a bin of a thousandth of them has a standard deviation of 2 % if voxels are independent. */
+/** Between the nodes, histograms of larger volumes count every n-th slice, at least 2^21 voxels and 16 slices: the
+ * number in a bin of a thousandth of them has a standard deviation of 2 % if voxels are independent. */
 std::size_t
 StrideForCounts(const PaddedGrid & grid)
 {

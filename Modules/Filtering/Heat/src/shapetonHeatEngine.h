@@ -28,7 +28,8 @@ public:
 
   using Expansions = std::vector<std::vector<double>>; ///< coefficients of each node of an interval
 
-  /** Every n-th slice: all that the nodes of counted snapshots hold in large volumes. An engine may compute the others. */
+  /** Every n-th slice: all that the nodes of counted snapshots hold in large volumes. An engine may compute the others.
+   */
   using SliceStride = std::size_t;
 
   HeatEngine() = default;
@@ -62,11 +63,11 @@ public:
    * pairs of terms; `stride` applies to all nodes but the last. The first step of the recurrence uses half of `scale`.
    */
   virtual void
-  StepChebyshev(std::size_t         done,
-                unsigned int        steps,
-                float               scale,
-                const Expansions &  coefficients,
-                SliceStride         stride) = 0;
+  StepChebyshev(std::size_t        done,
+                unsigned int       steps,
+                float              scale,
+                const Expansions & coefficients,
+                SliceStride        stride) = 0;
 
   /** The number of voxels that have changed by more than `change` times their heat, or times `least` if they are
    * colder. */

@@ -68,11 +68,15 @@ HeatEngineOnCpu::Finish()
 }
 
 float *
-HeatEngineOnCpu::Get(Field field)
+HeatEngineOnCpu::Get(Field field, SliceStride stride)
 {
   while (m_Fields.size() <= field)
   {
-    m_Fields.emplace_back(m_Grid);
+    m_Fields.emplace_back();
+  }
+  if (!m_Fields[field].GetData())
+  {
+    m_Fields[field] = PaddedField(m_Grid, stride > 1 ? PaddedField::Memory::OnDemand : PaddedField::Memory::Whole);
     m_Allocated();
   }
   return m_Fields[field].GetData();
@@ -108,7 +112,7 @@ void
 HeatEngineOnCpu::Scale(Field from, Field to, float factor, SliceStride stride)
 {
   const float * const f = this->Get(from);
-  float * const       out = this->Get(to);
+  float * const       out = this->Get(to, stride);
   ForAllRows(m_Grid, stride, [&](std::size_t, std::size_t row, unsigned int) {
     Kernels().Scale(out + row, f + row, m_Grid.GetSize()[0], factor);
   });
@@ -168,7 +172,7 @@ HeatEngineOnCpu::StepChebyshev(std::size_t        done,
     Kernels().ChebyshevStep(
       EdgesOfRow(m_VolumeGradient, row), current, next, difference + row, nx, k == 1 ? 0.5F * scale : scale);
     ChebyshevPair pair{};
-    const bool inStride = stride == 1 || (row / m_Grid.GetStride(2) - 1) % stride == 0; // after a slice of padding
+    const bool    inStride = stride == 1 || (row / m_Grid.GetStride(2) - 1) % stride == 0; // after a slice of padding
     for (std::size_t g = inStride ? 0 : nodes.size() - 1; k % 2 == 0 && g < nodes.size(); ++g)
     {
       if (FindPair(coefficients[g], k, pair))

@@ -36,11 +36,8 @@ public:
   void
   StepExplicitly(unsigned int steps, float dt, bool compensated) override;
   void
-  StepChebyshev(std::size_t        done,
-                unsigned int       steps,
-                float              scale,
-                const Expansions & coefficients,
-                SliceStride        stride) override;
+  StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients, SliceStride stride)
+    override;
   std::uint64_t
   CountMoved(Field before, Field after, float change, float least) override;
   void
@@ -54,9 +51,9 @@ public:
   Finish() override;
 
 protected:
-  /** Returns a field, allocating it on first use. */
+  /** Returns a field, allocating it on first use; with a stride, every n-th slice needs memory. */
   float *
-  Get(Field field);
+  Get(Field field, SliceStride stride = 1);
 
   const VolumeGradientOperator & m_VolumeGradient;
   const PaddedGrid &             m_Grid;

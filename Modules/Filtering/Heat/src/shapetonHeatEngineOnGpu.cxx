@@ -113,11 +113,8 @@ public:
   }
 
   void
-  StepChebyshev(std::size_t        done,
-                unsigned int       steps,
-                float              scale,
-                const Expansions & coefficients,
-                SliceStride        stride) override
+  StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients, SliceStride stride)
+    override
   {
     this->ForSlabs([&](const Slab & slab, DeviceHeatEngine & engine) {
       this->Upload(slab, engine, Even, Even);

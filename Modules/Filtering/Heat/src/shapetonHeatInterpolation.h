@@ -13,10 +13,10 @@ namespace shapeton
 /** \class HeatInterpolation
  * \brief The heat after any step of an interval as a sum of the heats at its nodes.
  *
- * After t steps the heat is a sum of modes, each times (1 - x)^t with x in [0, 1]. The weights minimize the squared error
- * of these functions over samples of x, and equal 1 in total. With 13 nodes and an end / start ratio of 32 the error is
- * below 2e-6 for every x, a fifth of that of polynomials in log(t). Only products, sums and quotients are computed, so the
- * weights are the same on every CPU. */
+ * After t steps the heat is a sum of modes, each times (1 - x)^t with x in [0, 1]. The weights minimize the squared
+ * error of these functions over samples of x, and equal 1 in total. With 13 nodes and an end / start ratio of 32 the
+ * error is below 2e-6 for every x, a fifth of that of polynomials in log(t). Only products, sums and quotients are
+ * computed, so the weights are the same on every CPU. */
 class HeatInterpolation
 {
 public:

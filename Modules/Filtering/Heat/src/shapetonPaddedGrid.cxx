@@ -3,13 +3,24 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <new>
 
 namespace shapeton
 {
-PaddedField::PaddedField(const PaddedGrid & grid)
-  : m_Data(static_cast<float *>(AllocateHuge(grid.GetLength() * sizeof(float))))
+PaddedField::PaddedField(const PaddedGrid & grid, Memory memory)
 {
-  std::memset(m_Data.get(), 0, grid.GetLength() * sizeof(float));
+  const std::size_t bytes = grid.GetLength() * sizeof(float);
+  if (memory == Memory::OnDemand)
+  {
+    m_Data.reset(static_cast<float *>(std::calloc(bytes, 1)));
+    if (!m_Data)
+    {
+      throw std::bad_alloc();
+    }
+    return;
+  }
+  m_Data.reset(static_cast<float *>(AllocateHuge(bytes)));
+  std::memset(m_Data.get(), 0, bytes);
 }
 
 void
