@@ -67,9 +67,12 @@ public:
     return true;
   }
   void
-  AddCounts(std::size_t snapshot, const std::uint32_t * counts) override
+  AddCounts(std::size_t snapshot, const std::uint32_t * counts, std::uint32_t weight) override
   {
-    std::copy_n(counts, HeatHistogram::NumberOfBins, m_Counts.data() + snapshot * HeatHistogram::NumberOfBins);
+    for (unsigned int bin = 0; bin < HeatHistogram::NumberOfBins; ++bin)
+    {
+      m_Counts[snapshot * HeatHistogram::NumberOfBins + bin] += weight * counts[bin];
+    }
   }
   bool
   IsShown(std::size_t) const override

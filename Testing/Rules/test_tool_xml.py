@@ -22,6 +22,8 @@ GOOD = """<?xml version="1.0" encoding="utf-8"?>
     <image type="label" fileExtensions=".nrrd,.nii.gz" reference="inputVolume"><name>outputVolume</name>
       <label>Output</label><channel>output</channel><index>1</index><description>What is written.</description>
       </image>
+    <directory><name>folder</name><label>Folder</label><channel>input</channel><index>2</index><description>What is searched.</description>
+      </directory>
     <string><name>seriesUID</name><longflag>seriesUID</longflag><label>Series</label>
       <description>The series to take.</description></string>
     <boolean><name>resampleGaps</name><longflag>resampleGaps</longflag><label>Resample gaps</label>
@@ -135,6 +137,8 @@ The exponent. | The exponent | <double> gamma must end with a period
 <default>0</default> | <default>0.0</default> | <default> "0.0" is not a number of the type
 <minimum>0</minimum> | <minimum>1</minimum> | threads must be an <integer>
 <name>threads</name><longflag>threads</longflag> | <name>cores</name><longflag>cores</longflag> | the option threads is missing
+<channel>input</channel><index>2 | <channel>output</channel><index>2 | folder: must be a <file>
+<index>2</index><description>What is searched | <longflag>folder</longflag><description>What is searched | folder: must be a <file>
 reference="inputVolume" | reference="input" | the reference to "input" does not match any parameter
 <name>deshear</name><longflag>deshear</longflag> | <name>shear</name><longflag>shear</longflag> | must have the option deshear
 <name>seriesUID</name><longflag>seriesUID</longflag> | <name>series</name><longflag>series</longflag> | must have the option seriesUID

@@ -144,6 +144,8 @@ def basics(parameter):
          "needs a <longflag> or an <index>; only a return value, a simple type with the channel output, has neither"),
         (is_positional and is_option, "<index> excludes <flag> and <longflag>"),
         (is_positional and kind in ("point", "region", "boolean"), "cannot be positional"),
+        (kind == "directory" and (channel == "output" or not is_positional),
+         "must be a <file>, which may stay empty in Slicer's panel; its field for a <directory> never is"),
         (is_positional and position(parameter) < 0, "<index> must be a non-negative integer"),
     ) if is_violated]
 
