@@ -197,11 +197,11 @@ class Option:
 
     # ---- XML ----
 
-    def xml(self) -> str:
+    def xml(self, hidden: bool = False) -> str:
         tag = TYPES["word" if self.words else self.kind][1]
         tag += "-vector" if self.suffix == "[]" and self.kind != "point" else ""
         tag = "string" if self.suffix == "?" and self.is_number else tag  # a number or "auto"
-        attributes = ' multiple="true" coordinateSystem="lps"' if self.kind == "point" else ""
+        attributes = ' multiple="true" coordinateSystem="lps"' if self.kind == "point" else ' hidden="true"' if hidden else ""
         lines = [
             f"<name>{self.name}</name>",
             f"<longflag>{self.name}</longflag>",
@@ -406,7 +406,7 @@ REFERENCE = r"(\w+): ?([\w* ]+)"
 def expand_xml(text: str) -> str:
     def element(match: re.Match[str]) -> str:
         attributes = dict(re.findall(r'(\w+)="([^"]*)"', match[1]))
-        if unknown := set(attributes) - {"of", "names", "default", "minimum", "unset", "automatic"}:
+        if unknown := set(attributes) - {"of", "names", "default", "minimum", "unset", "automatic", "hidden"}:
             fail(f"<option> has the unknown attribute {min(unknown)}")
         chosen = declaration(attributes["of"]).chosen(attributes["names"])
         if "default" in attributes:
@@ -417,7 +417,8 @@ def expand_xml(text: str) -> str:
             chosen = [option.optional().with_default(None) for option in chosen]
         if "unset" in attributes:
             chosen = [option.with_unset(attributes["unset"]) for option in chosen]
-        return "\n    ".join(option.xml() for option in chosen)
+        hidden = "hidden" in attributes  # from panels of 3D Slicer
+        return "\n    ".join(option.xml(hidden) for option in chosen)
 
     return re.sub(r"<option ([^>]*)/>", element, text)
 

@@ -7,6 +7,7 @@ from slicer.util import VTKObservationMixin
 
 from ShapetonLib.colonoscopy import ColonoscopyLogic, positions
 from ShapetonLib.runpanel import RunPanel, section, volumeSelector
+from ShapetonLib.scene import showVolume
 
 
 class ShapetonColonoscopy(ScriptedLoadableModule):
@@ -60,6 +61,9 @@ class FlatMapView:
         self._label.resize(self._picture.size())
         self._area.setMinimumHeight(self._picture.height() + 30)
 
+    def clear(self):
+        self._label.clear()
+
     def mark(self, pixel):
         marked = qt.QPixmap(self._picture)
         if pixel:
@@ -96,6 +100,7 @@ class ShapetonColonoscopyWidget(ScriptedLoadableModuleWidget, VTKObservationMixi
         self.layout.addStretch(1)
         crosshair = slicer.mrmlScene.GetFirstNodeByClass("vtkMRMLCrosshairNode")
         self.addObserver(crosshair, slicer.vtkMRMLCrosshairNode.CursorPositionModifiedEvent, self.onCursor)
+        self.addObserver(slicer.mrmlScene, slicer.vtkMRMLScene.StartCloseEvent, self.onSceneClose)
 
     def cleanup(self):
         self.panel.cancel()
@@ -112,8 +117,14 @@ class ShapetonColonoscopyWidget(ScriptedLoadableModuleWidget, VTKObservationMixi
 
     def onFinished(self, folder):
         self.results = self.logic.load(folder)
-        slicer.util.setSliceViewerLayers(background=self.results.volume, label=self.results.lumen, labelOpacity=0.3)
+        showVolume(self.results.volume)
+        slicer.util.setSliceViewerLayers(label=self.results.lumen, labelOpacity=0.3)
         self.mapView.show(self.results.flatMap)
+
+    def onSceneClose(self, caller, event):
+        self.panel.cancel()
+        self.results = None
+        self.mapView.clear()
 
     def onMapClick(self, column, row):
         if self.results and self.logic.jumpTo(self.results.flatMap, column, row):

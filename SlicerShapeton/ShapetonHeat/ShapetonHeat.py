@@ -3,9 +3,10 @@ import slicer
 from slicer.ScriptedLoadableModule import ScriptedLoadableModule, ScriptedLoadableModuleWidget
 from slicer.util import VTKObservationMixin
 
-from ShapetonLib.heat import HeatLogic, Line
+from ShapetonLib.heat import HeatLogic, Line, presets
 from ShapetonLib.livepanel import LivePanel
 from ShapetonLib.runpanel import RunPanel, section, volumeSelector
+from ShapetonLib.sampledata import registerSampleData
 
 
 class ShapetonHeat(ScriptedLoadableModule):
@@ -15,11 +16,13 @@ class ShapetonHeat(ScriptedLoadableModule):
         parent.categories = ["Shapeton"]
         parent.contributors = ["The Shapeton developers"]
         parent.helpText = (
-            "Computes a shape descriptor of every voxel of a volume by heat diffusion, and renders selected lines of "
-            "the heat histogram. A live session shows shapetons, heat and objects while they are computed. For research "
-            "use; not a diagnosis."
+            "Finds the objects of a volume by heat diffusion, and renders selected lines of the heat histogram. A live "
+            "session shows shapetons, heat and objects while they are computed. For research use; not a diagnosis."
         )
-        parent.acknowledgementText = "Shapeton, Apache License 2.0."
+        parent.acknowledgementText = (
+            "Implements K. Gurijala, Shape-based analysis, Stony Brook University. Apache License 2.0."
+        )
+        slicer.app.connect("startupCompleted()", registerSampleData)
 
 
 class LineTable:
@@ -53,6 +56,8 @@ class LineTable:
 
 
 class ShapetonHeatWidget(ScriptedLoadableModuleWidget, VTKObservationMixin):
+    panelWidth = 450  # pixels of a usual module panel, for the height of the histogram
+
     def __init__(self, parent=None):
         ScriptedLoadableModuleWidget.__init__(self, parent)
         VTKObservationMixin.__init__(self)
@@ -65,21 +70,29 @@ class ShapetonHeatWidget(ScriptedLoadableModuleWidget, VTKObservationMixin):
         form = section(self.layout, "Heat")
         self.volume = volumeSelector(slicer.mrmlScene)
         form.addRow("Volume:", self.volume)
+        self.preset = qt.QComboBox()
+        self.preset.addItems(presets)
+        self.preset.setToolTip("How window, p, smoothing and time are chosen: such that objects separate, or as published.")
+        form.addRow("Preset:", self.preset)
         self.intensityWindow = self._range()
         form.addRow("Intensity window:", self.intensityWindow)
         self.timeSteps = qt.QSpinBox()
         self.timeSteps.setRange(0, 100000000)
-        self.timeSteps.specialValueText = "automatic"  # for 0
+        self.timeSteps.specialValueText = "of the preset"  # for 0
         form.addRow("Time steps:", self.timeSteps)
+        form.addRow(self._button("Find objects", self.onApply))
         self.panel = RunPanel(form)
-        form.addRow(self._button("Apply", self.onApply))
         lines = section(self.layout, "Lines of the histogram")
         self.histogram = qt.QLabel()
+        self.histogram.setSizePolicy(qt.QSizePolicy.Ignored, qt.QSizePolicy.Fixed)  # as wide as the panel
+        self.histogram.setScaledContents(True)
         lines.addRow(self.histogram)
         self.lines = LineTable(lines)
         lines.addRow(self._button("Render the selected lines", self.onRender))
         live = section(self.layout, "Live session")
         self.live = LivePanel(live, self.volume.currentNode, lambda: self.panel.folder)
+        for button in (lines.parentWidget(), live.parentWidget()):
+            button.collapsed = True
         self.layout.addStretch(1)
         self.addObserver(slicer.mrmlScene, slicer.vtkMRMLScene.StartCloseEvent, self.onSceneClose)
 
@@ -89,22 +102,32 @@ class ShapetonHeatWidget(ScriptedLoadableModuleWidget, VTKObservationMixin):
         self.live.cleanup()
 
     def onSceneClose(self, caller, event):
+        self.panel.cancel()
         self.live.cleanup()
+        self.heat = None
+        self.histogram.clear()
+        self.lines.show([])
 
     def onApply(self):
         node = self.volume.currentNode()
         if node is None or self.panel.isBusy:
             return
-        folder, window, timeSteps = self.panel.folder, self._window(), self.timeSteps.value
-        self.panel.start(
-            lambda onProgress: self.logic.start(node, folder, window, timeSteps, onProgress=onProgress),
-            lambda: self.onHeat(folder),
-        )
+        with slicer.util.tryWithErrorDisplay("Shapeton could not start."):
+            folder, preset, window, timeSteps = self.panel.folder, self.preset.currentText, self._window(), self.timeSteps.value
+            self.panel.start(
+                lambda onProgress: self.logic.start(node, folder, preset, window, timeSteps, onProgress),
+                lambda: self.onHeat(node, folder),
+            )
 
-    def onHeat(self, folder):
-        self.heat = self.logic.loadHeat(folder)
+    def onHeat(self, node, folder):
+        self.panel.start(lambda onProgress: self.logic.startObjects(folder, onProgress), lambda: self.onObjects(node, folder))
+
+    def onObjects(self, node, folder):
+        self.heat = self.logic.load(node, folder)
         self.heatFolder = folder
-        self.histogram.setPixmap(qt.QPixmap(self.logic.histogramPath(folder)).scaledToWidth(600))
+        picture = qt.QPixmap(self.logic.histogramPath(folder))
+        self.histogram.setPixmap(picture)
+        self.histogram.setFixedHeight(self.panelWidth * picture.height() // picture.width())
         self.lines.show(self.logic.classLines(folder))
 
     def onRender(self):
@@ -116,14 +139,20 @@ class ShapetonHeatWidget(ScriptedLoadableModuleWidget, VTKObservationMixin):
         )
 
     def _window(self):
-        """Returns the intensity window; None for the whole range."""
+        """Returns the intensity window; None for that of the preset."""
         text = self.intensityWindow.text.strip()
-        return tuple(float(part) for part in text.split(",")) if text else None
+        if not text:
+            return None
+        try:
+            lower, upper = (float(part) for part in text.split(","))
+        except ValueError:
+            raise RuntimeError(f'The intensity window "{text}" is not of the form minimum,maximum') from None
+        return lower, upper
 
     @staticmethod
     def _range():
         edit = qt.QLineEdit()
-        edit.placeholderText = "minimum,maximum in the units of the volume; whole range if empty"
+        edit.placeholderText = "minimum,maximum; of the preset if empty"
         return edit
 
     @staticmethod

@@ -6,6 +6,7 @@ import slicer
 import vtk
 
 from ShapetonLib.flatmap import FlatMap
+from ShapetonLib.scene import loadMarkupsOf, putInFolder
 from ShapetonLib.toolrun import ToolRun, exportVolume
 
 positions = ("auto", "supine", "prone", "leftDecubitus", "rightDecubitus")
@@ -48,10 +49,12 @@ class ColonoscopyLogic:
         results.wall = self._loadWall(path("landmarks/segments.vtp"), path("slicer/segments.ctbl"))
         results.centerline = slicer.util.loadMarkups(path("slicer/centerline.mrk.json"))
         for name in ("landmarks/flexures.mrk.json", "landmarks/taeniae.mrk.json"):
-            results.landmarks += slicer.util.loadNodesFromFile(path(name), "MarkupsFile", {})
+            results.landmarks += loadMarkupsOf(path(name))
         results.candidates = slicer.util.loadMarkups(path("polyps/candidates.mrk.json"))
         results.candidateTable = slicer.util.loadTable(path("polyps/candidates.csv"))
         results.flatMap = FlatMap(path("flattening/coordinates.nrrd"))
+        nodes = [results.volume, results.lumen, results.wall, results.centerline, results.candidates, results.candidateTable]
+        putInFolder("Virtual colonoscopy", nodes + results.landmarks)
         return results
 
     def jumpTo(self, flatMap, column, row):

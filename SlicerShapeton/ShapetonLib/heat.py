@@ -1,11 +1,14 @@
-"""Cumulative heat diffusion of a volume of the scene, and transfer functions of histogram lines."""
+"""Heat of a volume of the scene, its classes and objects, and transfer functions of histogram lines."""
 
 import csv
 import os
 
 import slicer
 
+from ShapetonLib.scene import putInFolder, showSurfaces, showVolume
 from ShapetonLib.toolrun import ToolRun, exportVolume
+
+presets = ("automatic", "published")
 
 
 class Line:
@@ -19,19 +22,37 @@ class Line:
 
 
 class HeatLogic:
-    def start(self, volumeNode, folder, intensityWindow=None, timeSteps=None, p=None, onProgress=lambda share, stage: None):
-        """Runs CumulativeHeatDiffusion; parameters that are None are chosen from the data."""
+    def start(self, volumeNode, folder, preset=presets[0], intensityWindow=None, timeSteps=None, onProgress=lambda share, stage: None):
+        """Runs CumulativeHeatDiffusion; parameters that are None are those of the preset."""
         os.makedirs(folder, exist_ok=True)
         exportVolume(volumeNode, self._path(folder, "input.nrrd"))
         arguments = [self._path(folder, "input.nrrd"), self._path(folder, "heat.nrrd")]
         arguments += ["--histogram", self.histogramPath(folder), "--classTable", self._path(folder, "classes.csv")]
-        arguments += ["--timeSteps", timeSteps or "auto", "--p", p or "auto"]
+        arguments += ["--labels", self._path(folder, "classes.seg.nrrd"), "--preset", preset]
+        arguments += ["--timeSteps", timeSteps] if timeSteps else []
         if intensityWindow:
             arguments += ["--intensityWindow", "{:g},{:g}".format(*intensityWindow)]
         return ToolRun("CumulativeHeatDiffusion", arguments, onProgress)
 
-    def loadHeat(self, folder):
-        return slicer.util.loadVolume(self._path(folder, "heat.nrrd"), {"name": "Heat"})
+    def startObjects(self, folder, onProgress=lambda share, stage: None):
+        """Runs HeatObjects on the heat."""
+        arguments = [self._path(folder, name) for name in ("input.nrrd", "heat.nrrd", "objects.seg.nrrd", "objects.csv")]
+        return ToolRun("HeatObjects", arguments, onProgress)
+
+    def load(self, volumeNode, folder):
+        """Loads heat, classes and objects into a folder of the scene. The classes are shown in the slices, the objects in the
+        3-D view. Returns the heat."""
+        heat = slicer.util.loadVolume(self._path(folder, "heat.nrrd"), {"name": "Heat", "show": False})
+        classes = self._loadSegmentation(folder, "classes.seg.nrrd", "Classes of heat")
+        objects = self._loadSegmentation(folder, "objects.seg.nrrd", "Objects")
+        table = slicer.util.loadTable(self._path(folder, "objects.csv"))
+        table.SetName("Object table")
+        putInFolder(f"Heat of {volumeNode.GetName()}", [heat, classes, objects, table])
+        showVolume(volumeNode)
+        showSurfaces(objects)
+        objects.GetDisplayNode().SetVisibility2D(False)
+        classes.GetDisplayNode().SetVisibility3D(False)
+        return heat
 
     def histogramPath(self, folder):
         return self._path(folder, "histogram.png")
@@ -60,6 +81,11 @@ class HeatLogic:
         display.SetAndObserveVolumePropertyNodeID(volumeProperty.GetID())
         display.SetVisibility(True)
         return volumeProperty
+
+    def _loadSegmentation(self, folder, file, name):
+        node = slicer.util.loadSegmentation(self._path(folder, file))
+        node.SetName(name)
+        return node
 
     @staticmethod
     def _path(folder, name):

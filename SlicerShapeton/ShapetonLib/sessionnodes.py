@@ -37,8 +37,8 @@ class SessionNodes:
         """name: Density or Heat; values: [z, y, x]."""
         node = self._volume("vtkMRMLScalarVolumeNode", name, grid, values)
         if self._shownLayer != name:
-            self._shownLayer = name
-            slicer.util.setSliceViewerLayers(foreground=node, foregroundOpacity=0.5)
+            isFirst, self._shownLayer = self._shownLayer is None, name
+            slicer.util.setSliceViewerLayers(foreground=node, foregroundOpacity=0.5, fit=isFirst)
 
     def showObjects(self, grid, labels, objects):
         isNew = self.find("Objects") is None
@@ -62,6 +62,7 @@ class SessionNodes:
         colors = self._node("vtkMRMLColorTableNode", "Object colors")
         colors.SetTypeToUser()
         colors.SetNumberOfColors(len(objects) + 1)
+        colors.NamesInitialisedOn()  # otherwise the names follow the colors
         colors.SetColor(0, "none", 0.0, 0.0, 0.0, 0.0)
         for entry in objects:
             isShown = self._isIn(entry, selected, objects) if selected else not entry["isOffer"]

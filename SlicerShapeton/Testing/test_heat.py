@@ -10,13 +10,17 @@ class HeatTest(Case):
         Case.setUp(self)
         self.logic = HeatLogic()
         self.volume = slicer.Node("vtkMRMLScalarVolumeNode", self.phantom())
-        run = self.logic.start(self.volume, self.folder, timeSteps=20000)
-        finish(run)
-        run.requireSuccess()
+        for run in (lambda: self.logic.start(self.volume, self.folder, timeSteps=20000), lambda: self.logic.startObjects(self.folder)):
+            run = run()
+            finish(run)
+            run.requireSuccess()
 
     def testThePhantomHasItsClasses(self):
-        heat = self.logic.loadHeat(self.folder)
+        heat = self.logic.load(self.volume, self.folder)
         self.assertEqual((heat._kind, heat.GetName()), ("vtkMRMLScalarVolumeNode", "Heat"))
+        parents = slicer.mrmlScene.GetSubjectHierarchyNode()._parents
+        for name in ("Heat", "Classes of heat", "Objects", "Object table"):
+            self.assertEqual(parents[name], f"Heat of {self.volume.GetName()}")
         with open(self.logic.histogramPath(self.folder), "rb") as picture:
             self.assertEqual(picture.read(4), b"\x89PNG")
         lines = self.logic.classLines(self.folder)
@@ -27,7 +31,7 @@ class HeatTest(Case):
             self.assertLessEqual(line.upper, following.lower)
 
     def testLinesThatArePickedAreRendered(self):
-        heat = self.logic.loadHeat(self.folder)
+        heat = self.logic.load(self.volume, self.folder)
         lines = self.logic.classLines(self.folder)
         run = self.logic.startTransferFunction(self.folder, lines[-1:])
         finish(run)

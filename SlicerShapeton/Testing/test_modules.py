@@ -22,17 +22,25 @@ class ModulesTest(Case):
         widget.setup()
         widget.volume._node = slicer.Node("vtkMRMLScalarVolumeNode", self.phantom())
         widget.panel.outputFolder.currentPath = self.folder
+        widget.preset.currentText = "published"
+        widget.intensityWindow.text = "0"
+        with self.assertRaisesRegex(RuntimeError, "minimum,maximum"):
+            widget.onApply()
         widget.intensityWindow.text = " 0, 1000 "
         widget.timeSteps.value = 2000
         widget.onApply()
         self.finish(widget.panel)
         self.assertEqual(widget.heat.GetName(), "Heat")
+        self.assertGreater(widget.lines._table.rowCount, 1)
         widget.lines._table.item(0, 0).setCheckState(qt.Qt.Checked)
         self.assertEqual(len(widget.lines.picked()), 1)
         widget.onRender()
         self.finish(widget.panel)
         display = slicer.modules.volumerendering.logic().GetFirstVolumeRenderingDisplayNode(widget.heat)
         self.assertIn("SetAndObserveVolumePropertyNodeID", display._asked)
+        widget.onSceneClose(None, None)
+        self.assertIsNone(widget.heat)
+        self.assertEqual(widget.lines._table.rowCount, 0)
         widget.cleanup()
 
     def testColonoscopyTellsWhatIsWrongAndCanBeCanceled(self):

@@ -25,8 +25,8 @@ class StandInTest(unittest.TestCase):
             with open(os.path.join(source, file)) as text:
                 declared = set(re.findall(r"\w+", text.read()))
             for name in wanted:
-                setter = name[3:] if name.startswith(("Set", "Get")) else name  # vtkSetMacro(Opacity, double)
-                self.assertTrue({name, setter} & declared, f"{file} has no {name}")
+                member = re.sub("^[GS]et|On$", "", name)  # vtkSetMacro(Opacity, double)
+                self.assertTrue({name, member} & declared, f"{file} has no {name}")
 
 
 if __name__ == "__main__":

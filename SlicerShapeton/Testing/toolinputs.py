@@ -59,7 +59,7 @@ def makeInputs(tools, folder, patient):
         "ColonViewer": {"exam": colon},
         "ConformalMap": {"inputSurface": flat},
         "CumulativeHeatDiffusion": shapes,
-        "DicomResultsToColon": {"input": path("dicom/segmentation.dcm"), "source": patient, "labels": path("from-dicom.nrrd")},
+        "DicomResultsToColon": {"input": path("dicom/seg.dcm"), "source": patient, "labels": path("from-dicom.nrrd")},
         "DicomSeriesInspector": {"inputFolder": patient},
         "DicomSeriesToImage": {"inputVolume": patient},
         "DynamicGraph": {"sequenceFolder": path("network")},

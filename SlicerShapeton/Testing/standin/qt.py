@@ -70,6 +70,10 @@ class QSettings:
         slicer.util._settings[key] = value
 
 
+class QSizePolicy:
+    Ignored, Fixed = 13, 0
+
+
 class Qt:
     Unchecked, Checked = 0, 2
 

@@ -6,6 +6,11 @@ namespace shapeton
 {
 namespace
 {
+// 3D Slicer's entry for a part without a more specific term.
+constexpr auto terminology =
+  "TerminologyEntry:Segmentation category and type - 3D Slicer General Anatomy list~SCT^85756007^Tissue~"
+  "SCT^85756007^Tissue~^^~Anatomic codes - DICOM master list~^^~^^|";
+
 /** First and last index of each axis in the file, whose indices start at 0. */
 std::string
 ExtentOf(const itk::ImageBase<3> * image)
@@ -39,7 +44,8 @@ SegmentMetadata(const itk::ImageBase<3> * labels, const std::vector<Segment> & s
                       { key + "Color", color },
                       { key + "LabelValue", std::to_string(segment.label) },
                       { key + "Layer", "0" },
-                      { key + "Extent", ExtentOf(labels) } });
+                      { key + "Extent", ExtentOf(labels) },
+                      { key + "Tags", terminology } });
   }
   return metadata;
 }

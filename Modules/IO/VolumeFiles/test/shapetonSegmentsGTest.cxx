@@ -23,6 +23,7 @@ TEST(Segments, AreEntriesOfTheHeaderThat3DSlicerReads)
                                     "Segment0_LabelValue:=2\n",
                                     "Segment0_Layer:=0\n",
                                     "Segment0_Extent:=0 3 0 2 0 1\n",
+                                    "Segment0_Tags:=TerminologyEntry:Segmentation category and type",
                                     "Segment1_ID:=Segment_7\n",
                                     "Segment1_Name:=class 7: heat 0.1 to 0.2\n",
                                     "Segment1_Color:=0 0.333333 1\n",

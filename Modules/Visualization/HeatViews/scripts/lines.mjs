@@ -60,8 +60,8 @@ export function rounded(x, digits) {
   return short(`${figures.slice(0, exponent + 1)}.${figures.slice(exponent + 1)}`);
 }
 
-// Width of the ramp that approximates a step, as in ShapeTransferFunction.
-const rampOf = (line) => Math.min(1e-6, 0.125 * (line.upper - line.lower));
+// Least distance of points, and width of the ramp that approximates a step, as in ShapeTransferFunction.
+const CLOSEST = 1 / 16000;
 
 function opacityPoints(lines) {
   const points = [];
@@ -69,8 +69,8 @@ function opacityPoints(lines) {
   if (!lines.length || lines[0].lower > 0) points.push([0, 0]);
   lines.forEach((line, i) => {
     const gap = line.lower - end;
-    if (gap > 0) points.push([line.lower - Math.min(rampOf(line), 0.5 * gap), 0]);
-    points.push([line.lower, line.opacity], [line.upper - rampOf(line), line.opacity]);
+    if (gap > 0) points.push([line.lower - Math.min(CLOSEST, 0.5 * gap), 0]);
+    points.push([line.lower, line.opacity], [line.upper - CLOSEST, line.opacity]);
     if (!(i + 1 < lines.length && lines[i + 1].lower <= line.upper)) points.push([line.upper, 0]);
     end = line.upper;
   });
@@ -80,8 +80,13 @@ function opacityPoints(lines) {
 function colorPoints(lines) {
   return lines.flatMap((line) => {
     const color = channelsOf(line.color).map((c) => c / 255);
-    return [[line.lower, ...color], [line.upper - rampOf(line), ...color]];
+    return [[line.lower, ...color], [line.upper - CLOSEST, ...color]];
   });
+}
+
+function spread(points) {
+  for (let k = 1; k < points.length; ++k) points[k][0] = Math.max(points[k][0], points[k - 1][0] + CLOSEST);
+  return points;
 }
 
 function pointsText(points, unit) {
@@ -91,7 +96,7 @@ function pointsText(points, unit) {
 
 // The lines as a volume property of 3D Slicer, with the same bytes as HeatTransferFunction. unit: volume value of heat 1.
 export function volumeProperty(lines, unit) {
-  const points = [opacityPoints(lines), [[0, 1], [1, 1]], colorPoints(lines)];
+  const points = [spread(opacityPoints(lines)), [[0, 1], [1, 1]], spread(colorPoints(lines))];
   return `${['0', '1', '0.6', '0.3', '0.2', '10', ...points.map((p) => pointsText(p, unit))].join('\n')}\n`;
 }
 

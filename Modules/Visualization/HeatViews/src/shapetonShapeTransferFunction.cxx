@@ -21,8 +21,10 @@ namespace shapeton
 namespace
 {
 constexpr double narrowestLine = 1e-7; // heat; narrower lines are refused
-// 3D Slicer reads the lines of a .vp file into a buffer of 1024 characters.
+// 3D Slicer reads the lines of a .vp file into a buffer of 1024 characters, and samples a function at 16,384 places at most,
+// as many as fit a texture: more than it needs for points of this distance over all heats.
 constexpr std::size_t greatestLineLength = 1023;
+constexpr double      closestForSlicer = 1.0 / 16000.0;
 
 // Lighting of a shaded heat volume.
 constexpr double ambient = 0.3;
@@ -174,17 +176,36 @@ MiddleNumberOfVoxels(const std::vector<HeatClass> & classes)
 template <std::size_t Size>
 using Points = std::vector<std::array<double, Size + 1>>;
 
-/** Width of the ramp that approximates a step: small relative to the line, but wide enough for renderers that sample
- * the function at its smallest point distance. */
+/** Width of the ramp that approximates a step, small relative to the line. */
 double
-RampOf(const TransferFunctionLine & line)
+NarrowRamp(const TransferFunctionLine & line)
 {
   constexpr double widest = 1e-6;
   return std::min(widest, 0.125 * (line.upperHeat - line.lowerHeat));
 }
 
+double
+RampForSlicer(const TransferFunctionLine &)
+{
+  return closestForSlicer;
+}
+
+/** Moves points up that are closer than 3D Slicer samples. */
+template <typename TPoints>
+TPoints
+SpreadForSlicer(TPoints points)
+{
+  for (std::size_t k = 1; k < points.size(); ++k)
+  {
+    points[k][0] = std::max(points[k][0], points[k - 1][0] + closestForSlicer);
+  }
+  return points;
+}
+
+using Ramp = double(const TransferFunctionLine &);
+
 Points<1>
-OpacityPoints(const std::vector<TransferFunctionLine> & lines)
+OpacityPoints(const std::vector<TransferFunctionLine> & lines, Ramp & rampOf)
 {
   Points<1> points;
   double    previousEnd = 0.0;
@@ -197,10 +218,10 @@ OpacityPoints(const std::vector<TransferFunctionLine> & lines)
     const double gap = line.lowerHeat - previousEnd;
     if (gap > 0.0)
     {
-      points.push_back({ line.lowerHeat - std::min(RampOf(line), 0.5 * gap), 0.0 });
+      points.push_back({ line.lowerHeat - std::min(rampOf(line), 0.5 * gap), 0.0 });
     }
     points.push_back({ line.lowerHeat, line.opacity });
-    points.push_back({ line.upperHeat - RampOf(line), line.opacity });
+    points.push_back({ line.upperHeat - rampOf(line), line.opacity });
     const bool isFollowed = &line != &lines.back() && (&line + 1)->lowerHeat <= line.upperHeat;
     if (!isFollowed)
     {
@@ -212,7 +233,7 @@ OpacityPoints(const std::vector<TransferFunctionLine> & lines)
 }
 
 Points<3>
-ColorPoints(const std::vector<TransferFunctionLine> & lines)
+ColorPoints(const std::vector<TransferFunctionLine> & lines, Ramp & rampOf)
 {
   Points<3> points;
   for (const TransferFunctionLine & line : lines)
@@ -221,7 +242,7 @@ ColorPoints(const std::vector<TransferFunctionLine> & lines)
     const double green = line.color[1] / 255.0;
     const double blue = line.color[2] / 255.0;
     points.push_back({ line.lowerHeat, red, green, blue });
-    points.push_back({ line.upperHeat - RampOf(line), red, green, blue });
+    points.push_back({ line.upperHeat - rampOf(line), red, green, blue });
   }
   return points;
 }
@@ -353,12 +374,12 @@ vtkSmartPointer<vtkVolumeProperty>
 ShapeTransferFunction::ToVolumeProperty() const
 {
   auto opacity = vtkSmartPointer<vtkPiecewiseFunction>::New();
-  for (const auto & point : OpacityPoints(m_Lines))
+  for (const auto & point : OpacityPoints(m_Lines, NarrowRamp))
   {
     opacity->AddPoint(point[0], point[1]);
   }
   auto color = vtkSmartPointer<vtkColorTransferFunction>::New();
-  for (const auto & point : ColorPoints(m_Lines))
+  for (const auto & point : ColorPoints(m_Lines, NarrowRamp))
   {
     color->AddRGBPoint(point[0], point[1], point[2], point[3]);
   }
@@ -385,9 +406,9 @@ ShapeTransferFunction::WriteVolumeProperty(const std::string & path, double unit
                                        CsvTable::Number(ambient),
                                        CsvTable::Number(specular),
                                        CsvTable::Number(specularPower),
-                                       PointsText(OpacityPoints(m_Lines), unit),
+                                       PointsText(SpreadForSlicer(OpacityPoints(m_Lines, RampForSlicer)), unit),
                                        PointsText(Points<1>{ { 0.0, 1.0 }, { 1.0, 1.0 } }, unit),
-                                       PointsText(ColorPoints(m_Lines), unit) };
+                                       PointsText(SpreadForSlicer(ColorPoints(m_Lines, RampForSlicer)), unit) };
   std::ofstream                  file(path, std::ios::binary);
   for (const std::string & row : rows)
   {

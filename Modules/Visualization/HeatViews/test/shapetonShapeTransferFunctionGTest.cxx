@@ -258,7 +258,7 @@ TEST(ShapeTransferFunction, SlicerReadsTheVolumeProperty)
   EXPECT_EQ(property.specular, 0.2);
   EXPECT_EQ(property.specularPower, 10.0);
   EXPECT_EQ(property.gradientOpacity, (std::vector<std::vector<double>>{ { 0.0, 1.0 }, { 1.0, 1.0 } }));
-  ExpectSameFunction(function, property, 2e-6);
+  ExpectSameFunction(function, property, 7e-5);
   // Half-open: the line includes its lower end, but not its upper end.
   EXPECT_NEAR(Interpolate(property.opacity, 0.1, 1), 0.5, 1e-6);
   EXPECT_NEAR(Interpolate(property.opacity, 0.2, 1), 1.0, 1e-6);
@@ -270,8 +270,8 @@ TEST(ShapeTransferFunction, TheLargestFunctionFitsIntoSlicersBuffer)
   std::vector<shapeton::TransferFunctionLine> lines;
   for (std::size_t i = 0; i < shapeton::ShapeTransferFunction::MaximumNumberOfLines; ++i)
   {
-    const double lower = 1.2345678901e-5 + 1.111111111e-6 * static_cast<double>(i);
-    lines.push_back({ lower, lower + 1.0123456789e-6, shapeton::MakeColor(23, 101, 211), 0.123456 });
+    const double lower = 1.2345678901e-3 + 1.234567891e-3 * static_cast<double>(i);
+    lines.push_back({ lower, lower + 1.0123456789e-3, shapeton::MakeColor(23, 101, 211), 0.123456 });
   }
   const shapeton::ShapeTransferFunction function(lines);
   const std::string                     path = shapeton::TemporaryFolder("vp-largest") + "/a.vp";
@@ -283,6 +283,23 @@ TEST(ShapeTransferFunction, TheLargestFunctionFitsIntoSlicersBuffer)
     EXPECT_NEAR(Interpolate(property.opacity, 0.5 * (line.lowerHeat + line.upperHeat), 1), 0.1235, 1e-9);
     EXPECT_NEAR(Interpolate(property.opacity, line.upperHeat + 4e-8, 1), 0.0, 1e-6);
   }
+}
+
+TEST(ShapeTransferFunction, SlicerSamplesEveryPointInATextureOfItsSize)
+{
+  const auto function = shapeton::ShapeTransferFunction::Parse("1e-5-2e-5:red:1,3e-5-0.02:lime:1,0.02-0.020001:blue:1,0.5-1:red:1");
+  const std::string path = shapeton::TemporaryFolder("vp-narrow") + "/a.vp";
+  function.WriteVolumeProperty(path);
+  const SlicerVolumeProperty property = ReadLikeSlicer(path);
+  for (const auto * points : { &property.opacity, &property.color })
+  {
+    for (std::size_t k = 1; k < points->size(); ++k)
+    {
+      EXPECT_GE((*points)[k][0] - (*points)[k - 1][0], 1.0 / 16384.0); // VTK takes as many samples as the least distance needs
+    }
+  }
+  EXPECT_EQ(Interpolate(property.opacity, 0.01, 1), 1.0);
+  EXPECT_EQ(Interpolate(property.opacity, 0.3, 1), 0.0);
 }
 
 TEST(ShapeTransferFunction, AnEmptyFunctionAndLinesAtTheEndsAreWritten)

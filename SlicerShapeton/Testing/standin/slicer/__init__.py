@@ -14,7 +14,7 @@ api = {
         "exportNode", "loadVolume", "loadLabelVolume", "loadColorTable", "loadModel", "loadMarkups", "loadNodesFromFile",
         "loadTable", "settingsValue", "startupEnvironment", "tryWithErrorDisplay", "tempDirectory", "setSliceViewerLayers",
         "VTKObservationMixin", "addObserver", "removeObservers", "updateVolumeFromArray", "arrayFromVolume",
-        "updateTableFromArray",
+        "updateTableFromArray", "loadSegmentation", "getNodesByClass", "resetThreeDViews",
     ],
     "Base/Python/slicer/ScriptedLoadableModule.py": [
         "ScriptedLoadableModule", "ScriptedLoadableModuleWidget", "setup", "cleanup",
@@ -23,18 +23,23 @@ api = {
     "Libs/MRML/Core/vtkMRMLTransformableNode.h": ["GetParentTransformNode"],
     "Libs/MRML/Core/vtkMRMLDisplayableNode.h": ["GetDisplayNode", "CreateDefaultDisplayNodes"],
     "Libs/MRML/Core/vtkMRMLVolumeNode.h": ["SetIJKToRASMatrix"],
-    "Libs/MRML/Core/vtkMRMLColorNode.h": ["SetTypeToUser"],
+    "Libs/MRML/Core/vtkMRMLColorNode.h": ["SetTypeToUser", "NamesInitialisedOn"],
+    "Libs/MRML/Core/vtkMRMLSegmentationNode.h": ["CreateClosedSurfaceRepresentation"],
+    "Libs/MRML/Core/vtkMRMLSubjectHierarchyNode.h": [
+        "GetSceneItemID", "CreateFolderItem", "GetItemByDataNode", "SetItemParent",
+    ],
     "Libs/MRML/Core/vtkMRMLColorTableNode.h": ["SetNumberOfColors", "SetColor"],
-    "Libs/MRML/Core/vtkMRMLMarkupsNode.h": [
+    "Modules/Loadable/Markups/MRML/vtkMRMLMarkupsNode.h": [
         "GetNumberOfControlPoints", "GetNthControlPointPositionWorld", "PointPositionDefinedEvent",
     ],
-    "Libs/MRML/Core/vtkMRMLMarkupsROINode.h": ["GetCenterWorld", "GetSizeWorld"],
+    "Modules/Loadable/Markups/MRML/vtkMRMLMarkupsROINode.h": ["GetCenterWorld", "GetSizeWorld"],
     "Libs/MRML/Core/vtkMRMLDisplayNode.h": [
         "SetOpacity", "SetActiveScalar", "SetAndObserveColorNodeID", "SetScalarRangeFlag", "SetScalarVisibility",
-        "SetVisibility", "UseColorNodeScalarRange",
+        "SetVisibility", "SetVisibility2D", "SetVisibility3D", "UseColorNodeScalarRange",
     ],
     "Libs/MRML/Core/vtkMRMLScene.h": [
         "GetFirstNodeByClass", "AddNewNodeByClass", "IsNodePresent", "RemoveNode", "StartCloseEvent",
+        "GetSubjectHierarchyNode",
     ],
     "Libs/MRML/Core/vtkMRMLCrosshairNode.h": ["SetCrosshairRAS", "GetCursorPositionRAS", "CursorPositionModifiedEvent"],
     "Modules/Loadable/Markups/Logic/vtkSlicerMarkupsLogic.h": ["JumpSlicesToLocation", "SetActiveList", "StartPlaceMode"],
@@ -43,7 +48,7 @@ api = {
     ],
     "Modules/Loadable/VolumeRendering/MRML/vtkMRMLVolumeRenderingDisplayNode.h": ["SetAndObserveVolumePropertyNodeID"],
     "Base/QTCore/qSlicerAbstractCoreModule.h": ["path", "logic"],
-    "Base/QTCore/qSlicerCoreApplication.h": ["temporaryPath"],
+    "Base/QTCore/qSlicerCoreApplication.h": ["temporaryPath", "connect"],
 }
 
 
@@ -60,7 +65,7 @@ class vtkMRMLDisplayNode:
         return set
 
     for _name in ("SetOpacity", "SetActiveScalar", "SetAndObserveColorNodeID", "SetScalarRangeFlag", "SetScalarVisibility",
-                  "SetVisibility", "SetAndObserveVolumePropertyNodeID"):
+                  "SetVisibility", "SetVisibility2D", "SetVisibility3D", "SetAndObserveVolumePropertyNodeID"):
         locals()[_name] = _setter(_name)
     del _name, _setter
 
@@ -93,6 +98,9 @@ class Node:
     def GetParentTransformNode(self):
         return None
 
+    def CreateClosedSurfaceRepresentation(self):
+        assert self._kind == "vtkMRMLSegmentationNode"
+
 
 class vtkMRMLVolumeNode(Node):
     """A volume without a file."""
@@ -108,16 +116,19 @@ class vtkMRMLVolumeNode(Node):
 class vtkMRMLColorTableNode(Node):
     def __init__(self):
         Node.__init__(self, "vtkMRMLColorTableNode")
-        self._colors = []
+        self._colors, self._hasNames = [], False
 
     def SetTypeToUser(self):
         pass
+
+    def NamesInitialisedOn(self):
+        self._hasNames = True
 
     def SetNumberOfColors(self, number):
         self._colors = (self._colors + [None] * number)[:number]
 
     def SetColor(self, entry, name, red, green, blue, opacity):
-        self._colors[entry] = (name, red, green, blue, opacity)
+        self._colors[entry] = (name if self._hasNames else f"R={red} G={green} B={blue}", red, green, blue, opacity)
 
 
 class vtkMRMLMarkupsNode(vtk.vtkObject):
@@ -167,6 +178,26 @@ class vtkMRMLCrosshairNode(Node):
         return True
 
 
+class vtkMRMLSubjectHierarchyNode:
+    """The items are names of folders and nodes."""
+
+    def __init__(self):
+        self._parents = {}
+
+    def GetSceneItemID(self):
+        return "scene"
+
+    def CreateFolderItem(self, parent, name):
+        self._parents[name] = parent
+        return name
+
+    def GetItemByDataNode(self, node):
+        return node.GetName()
+
+    def SetItemParent(self, item, parent):
+        self._parents[item] = parent
+
+
 class vtkMRMLScene:
     StartCloseEvent = 66000
 
@@ -174,11 +205,14 @@ class vtkMRMLScene:
 class _Scene:
     def __init__(self):
         self._crosshair = vtkMRMLCrosshairNode()
-
+        self._hierarchy = vtkMRMLSubjectHierarchyNode()
         self._nodes = []
 
     def GetFirstNodeByClass(self, kind):
         return {"vtkMRMLCrosshairNode": self._crosshair}[kind]
+
+    def GetSubjectHierarchyNode(self):
+        return self._hierarchy
 
     def AddNewNodeByClass(self, kind, name):
         makers = {"vtkMRMLColorTableNode": vtkMRMLColorTableNode, "vtkMRMLMarkupsFiducialNode": vtkMRMLMarkupsNode,
@@ -235,6 +269,10 @@ class modules:
 
 class app:
     temporaryPath = tempfile.gettempdir()
+
+    @staticmethod
+    def connect(signal, slot):
+        pass
 
 
 mrmlScene = _Scene()

@@ -28,8 +28,17 @@ def tryWithErrorDisplay(message, waitCursor=False):
     yield  # Slicer shows the exception; tests need it raised
 
 
-def setSliceViewerLayers(background=None, foreground=None, label=None, foregroundOpacity=None, labelOpacity=None):
+def setSliceViewerLayers(background=None, foreground=None, label=None, foregroundOpacity=None, labelOpacity=None, fit=False):
     pass
+
+
+def resetThreeDViews():
+    pass
+
+
+def getNodesByClass(kind):
+    assert kind == "vtkMRMLMarkupsNode"
+    return [node for node in slicer.mrmlScene._nodes if node._kind.startswith("vtkMRMLMarkups")]
 
 
 def updateVolumeFromArray(node, array):
@@ -65,13 +74,17 @@ loadLabelVolume = _loader("vtkMRMLLabelMapVolumeNode", ".nrrd")
 loadColorTable = _loader("vtkMRMLColorTableNode", ".ctbl")
 loadModel = _loader("vtkMRMLModelNode", ".vtp")
 loadMarkups = _loader("vtkMRMLMarkupsNode", ".mrk.json")
+loadSegmentation = _loader("vtkMRMLSegmentationNode", ".seg.nrrd")
 loadTable = _loader("vtkMRMLTableNode", ".csv")
 
 
 def loadNodesFromFile(path, filetype, properties):
+    """Adds the nodes of all markups, but returns the first, as Slicer does."""
     assert filetype == "MarkupsFile"
     with open(path) as file:
-        return iter([slicer.Node("vtkMRMLMarkups" + markup["type"] + "Node", path) for markup in json.load(file)["markups"]])
+        nodes = [slicer.Node("vtkMRMLMarkups" + markup["type"] + "Node", path) for markup in json.load(file)["markups"]]
+    slicer.mrmlScene._nodes += nodes
+    return iter(nodes[:1])
 
 
 class VTKObservationMixin:
