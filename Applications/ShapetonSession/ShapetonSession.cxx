@@ -56,7 +56,8 @@ void
 Serve(CommandLine & commandLine)
 {
   RequireIntensityWindow(commandLine);
-  const SessionFolder folder(commandLine.GetString("folder"));
+  const std::string   chosen = commandLine.GetString("folder");
+  const SessionFolder folder(chosen.empty() ? "." : chosen);
   Volume              volume = ReadVolume(commandLine, "inputVolume", true);
   LiveSessionSettings settings;
   settings.input = commandLine.GetString("inputVolume");

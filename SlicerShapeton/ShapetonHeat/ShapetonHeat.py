@@ -91,8 +91,9 @@ class ShapetonHeatWidget(ScriptedLoadableModuleWidget, VTKObservationMixin):
         lines.addRow(self._button("Render the selected lines", self.onRender))
         live = section(self.layout, "Live session")
         self.live = LivePanel(live, self.volume.currentNode, lambda: self.panel.folder)
-        for button in (lines.parentWidget(), live.parentWidget()):
-            button.collapsed = True
+        self.sections = [form.parentWidget(), lines.parentWidget(), live.parentWidget()]
+        for further in self.sections[1:]:
+            further.collapsed = True
         self.layout.addStretch(1)
         self.addObserver(slicer.mrmlScene, slicer.vtkMRMLScene.StartCloseEvent, self.onSceneClose)
 

@@ -18,18 +18,23 @@ class RunPanel:
         self._run = None
         self._finished = None
 
+        folders = ctk.ctkCollapsibleGroupBox()
+        folders.title = "Folders"
+        folders.collapsed = True
+        rows = qt.QFormLayout(folders)
         self.outputFolder = ctk.ctkPathLineEdit()
         self.outputFolder.filters = ctk.ctkPathLineEdit.Dirs
         self.outputFolder.currentPath = os.path.join(slicer.app.temporaryPath, "Shapeton")
         self.outputFolder.setToolTip("Folder for result files; another run on the same volume resumes from them.")
-        layout.addRow("Results:", self.outputFolder)
+        rows.addRow("Results:", self.outputFolder)
 
         self.toolsFolder = ctk.ctkPathLineEdit()
         self.toolsFolder.filters = ctk.ctkPathLineEdit.Dirs
         self.toolsFolder.currentPath = slicer.util.settingsValue(toolsFolderKey, "")
         self.toolsFolder.setToolTip("Folder of Shapeton's tools; by default the tools of this extension.")
         self.toolsFolder.connect("currentPathChanged(QString)", self._rememberToolsFolder)
-        layout.addRow("Tools folder:", self.toolsFolder)
+        rows.addRow("Tools:", self.toolsFolder)
+        layout.addRow(folders)
 
         self.progress = qt.QProgressBar()
         self.progress.setRange(0, 1000)

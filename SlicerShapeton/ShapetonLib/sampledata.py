@@ -37,6 +37,8 @@ def makePhantom(name, tool, arguments):
 def registerSampleData():
     import SampleData
 
+    if "Shapeton" in getattr(slicer.modules, "sampleDataSources", {}):
+        return
     for name, tool, arguments in phantoms:
         SampleData.SampleDataLogic.registerCustomSampleDataSource(
             category="Shapeton", sampleName=name, uris="", fileNames=f"{name}.nrrd", nodeNames=name,

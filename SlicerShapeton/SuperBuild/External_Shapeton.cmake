@@ -4,11 +4,17 @@ set(${proj}_DEPENDS Boost Eigen3 METIS OpenCV SQLite3 Spectra nauty nlohmann_jso
 ExternalProject_Include_Dependencies(${proj} PROJECT_VAR proj)
 set(inner ${CMAKE_BINARY_DIR}/${EXTENSION_BUILD_SUBDIRECTORY})
 set(opencv_lib ${inner}/${Slicer_THIRDPARTY_LIB_DIR})
+if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/../Modules/Filtering/Heat)
+  set(source DOWNLOAD_COMMAND "" SOURCE_DIR ${CMAKE_CURRENT_SOURCE_DIR}/..)
+elseif(Shapeton_GIT_REPOSITORY)
+  set(source GIT_REPOSITORY ${Shapeton_GIT_REPOSITORY} GIT_TAG ${Shapeton_GIT_TAG} SOURCE_DIR ${CMAKE_BINARY_DIR}/${proj})
+else()
+  message(FATAL_ERROR "The sources of Shapeton are not in the folder above; set Shapeton_GIT_REPOSITORY and Shapeton_GIT_TAG")
+endif()
 ExternalProject_Add(${proj}
   ${${proj}_EP_ARGS}
-  DOWNLOAD_COMMAND ""
+  ${source}
   INSTALL_COMMAND ""
-  SOURCE_DIR ${CMAKE_CURRENT_SOURCE_DIR}/..
   BINARY_DIR ${CMAKE_BINARY_DIR}/${proj}-build
   CMAKE_CACHE_ARGS ${ep_compiler}
     -DBUILD_TESTING:BOOL=OFF

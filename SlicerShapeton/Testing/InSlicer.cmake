@@ -23,6 +23,7 @@ if(NOT DEFINED ENV{DISPLAY} AND XVFB_RUN)
 endif()
 get_filename_component(extension ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
 set(ENV{PYTHONPATH} ${extension})
+set(ENV{PYTHONFAULTHANDLER} 1)
 set(ENV{SHAPETON_TOOLS} ${TOOLS})
 set(ENV{SHAPETON_PATIENT} ${PATIENT})
 execute_process(

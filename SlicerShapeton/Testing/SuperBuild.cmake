@@ -31,16 +31,25 @@ if(NOT shapeton LESS inner)
   message(FATAL_ERROR "Shapeton is not configured before the inner project (${shapeton}, ${inner}):\n${out}")
 endif()
 
+# In a repository of its own, the sources of Shapeton are cloned.
+file(COPY ${source} DESTINATION ${WORK_DIR}/own)
+run(${CMAKE_COMMAND} -S ${WORK_DIR}/own/SlicerShapeton -B ${WORK_DIR}/own/build -G Ninja -DCMAKE_BUILD_TYPE=Release ${slicer}
+  -DShapeton_GIT_REPOSITORY=https://example.org/Shapeton.git -DShapeton_GIT_TAG=main)
+run(${CMAKE_COMMAND} --build ${WORK_DIR}/own/build --target inner -- -n -v)
+if(NOT out MATCHES "Shapeton-stamp/Shapeton-download")
+  message(FATAL_ERROR "the sources of Shapeton are not cloned:\n${out}")
+endif()
+
 file(WRITE ${WORK_DIR}/OpenCV/cmake_install.cmake "") # OpenCV's libraries are the system's here
-run(${CMAKE_COMMAND} -S ${source} -B ${WORK_DIR}/inner -G Ninja -DSlicerShapeton_SUPERBUILD=OFF ${slicer}
+run(${CMAKE_COMMAND} -S ${source} -B ${WORK_DIR}/inner -G Ninja -DShapeton_SUPERBUILD=OFF ${slicer}
   -DShapeton_DIR=${BUILD_DIR} -DOpenCV_DIR=${WORK_DIR}/OpenCV)
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/inner --target package)
-file(ARCHIVE_EXTRACT INPUT ${WORK_DIR}/inner/SlicerShapeton.tar.gz DESTINATION ${WORK_DIR}/package)
-set(modules ${WORK_DIR}/package/SlicerShapeton/lib/Slicer-5.9/qt-scripted-modules)
+file(ARCHIVE_EXTRACT INPUT ${WORK_DIR}/inner/Shapeton.tar.gz DESTINATION ${WORK_DIR}/package)
+set(modules ${WORK_DIR}/package/Shapeton/lib/Slicer-5.9/qt-scripted-modules)
 foreach(file ShapetonHeat.py ShapetonColonoscopy.py ShapetonLib/toolrun.py ShapetonLib/livesession.py Resources/Icons/ShapetonHeat.svg)
   if(NOT EXISTS ${modules}/${file})
     message(FATAL_ERROR "the package does not contain ${modules}/${file}")
   endif()
 endforeach()
-run(${WORK_DIR}/package/SlicerShapeton/bin/ShapePhantom --version)
+run(${WORK_DIR}/package/Shapeton/bin/ShapePhantom --version)
 message("${out}")

@@ -31,7 +31,7 @@ def makeInputs(tools, folder, patient):
         return os.path.join(folder, name)
 
     run = tools.run
-    run("ShapePhantom", path("shapes.nrrd"), "--shape", "figure2.7a", "--size", "48,44,40", "--labels", path("labels.nrrd"), *oblique)
+    run("ShapePhantom", path("shapes.nrrd"), "--shape", "figure2.7a", "--size", "72,66,60", "--labels", path("labels.nrrd"), *oblique)
     run("CumulativeHeatDiffusion", path("shapes.nrrd"), path("heat.nrrd"), "--labels", path("classes.nrrd"))
     run("ShapeSignature", path("shapes.nrrd"), path("labels.nrrd"), path("shapes.csv"))
     run("ShapeSearch", path("shapes.csv"), path("shapes.sqlite"), "--add", "phantom")

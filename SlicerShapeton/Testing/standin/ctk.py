@@ -5,4 +5,4 @@ class ctkPathLineEdit(Widget):
     Dirs = 1
 
 
-ctkCollapsibleButton = Widget
+ctkCollapsibleButton = ctkCollapsibleGroupBox = Widget

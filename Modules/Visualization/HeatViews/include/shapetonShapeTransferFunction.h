@@ -91,8 +91,8 @@ public:
   ToVolumeProperty() const;
 
   /** Writes a 3D Slicer volume property, `.vp`, that shows the heat volume with this transfer function. `unit` is the
-   * value in the displayed volume that corresponds to heat 1: 1, or the maximum number of visits. Slicer samples heat at
-   * 16,384 places: narrower lines are widened to 3 / 16,000, which moves those after them. Throws OutputError. */
+   * value in the displayed volume that corresponds to heat 1: 1, or the maximum number of visits. Slicer samples heat
+   * at 16,384 places: narrower lines are widened to 3 / 16,000, which moves those after them. Throws OutputError. */
   void
   WriteVolumeProperty(const std::string & path, double unit = 1.0) const;
 

@@ -21,8 +21,8 @@ namespace shapeton
 namespace
 {
 constexpr double narrowestLine = 1e-7; // heat; narrower lines are refused
-// 3D Slicer reads the lines of a .vp file into a buffer of 1024 characters, and samples a function at 16,384 places at most,
-// as many as fit a texture: more than it needs for points of this distance over all heats.
+// 3D Slicer reads the lines of a .vp file into a buffer of 1024 characters, and samples a function at 16,384 places at
+// most, as many as fit a texture: more than it needs for points of this distance over all heats.
 constexpr std::size_t greatestLineLength = 1023;
 constexpr double      closestForSlicer = 1.0 / 16000.0;
 

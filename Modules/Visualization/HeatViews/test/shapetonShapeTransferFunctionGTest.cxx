@@ -287,7 +287,8 @@ TEST(ShapeTransferFunction, TheLargestFunctionFitsIntoSlicersBuffer)
 
 TEST(ShapeTransferFunction, SlicerSamplesEveryPointInATextureOfItsSize)
 {
-  const auto function = shapeton::ShapeTransferFunction::Parse("1e-5-2e-5:red:1,3e-5-0.02:lime:1,0.02-0.020001:blue:1,0.5-1:red:1");
+  const auto function =
+    shapeton::ShapeTransferFunction::Parse("1e-5-2e-5:red:1,3e-5-0.02:lime:1,0.02-0.020001:blue:1,0.5-1:red:1");
   const std::string path = shapeton::TemporaryFolder("vp-narrow") + "/a.vp";
   function.WriteVolumeProperty(path);
   const SlicerVolumeProperty property = ReadLikeSlicer(path);
@@ -295,7 +296,8 @@ TEST(ShapeTransferFunction, SlicerSamplesEveryPointInATextureOfItsSize)
   {
     for (std::size_t k = 1; k < points->size(); ++k)
     {
-      EXPECT_GE((*points)[k][0] - (*points)[k - 1][0], 1.0 / 16384.0); // VTK takes as many samples as the least distance needs
+      EXPECT_GE((*points)[k][0] - (*points)[k - 1][0],
+                1.0 / 16384.0); // VTK takes as many samples as the least distance needs
     }
   }
   EXPECT_EQ(Interpolate(property.opacity, 0.01, 1), 1.0);
