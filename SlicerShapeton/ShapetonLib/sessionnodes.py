@@ -62,7 +62,8 @@ class SessionNodes:
         colors = self._node("vtkMRMLColorTableNode", "Object colors")
         colors.SetTypeToUser()
         colors.SetNumberOfColors(len(objects) + 1)
-        colors.NamesInitialisedOn()  # otherwise the names follow the colors
+        if not hasattr(colors, "SetColorDefined"):  # before Slicer 5.10, names follow the colors otherwise
+            colors.NamesInitialisedOn()
         colors.SetColor(0, "none", 0.0, 0.0, 0.0, 0.0)
         for entry in objects:
             isShown = self._isIn(entry, selected, objects) if selected else not entry["isOffer"]

@@ -48,6 +48,12 @@ def waitFor(condition, seconds, what):
         time.sleep(0.01)
 
 
+def clearScene():
+    """Closes the scene when no requests for its nodes are pending."""
+    slicer.app.processEvents()
+    slicer.mrmlScene.Clear(0)
+
+
 def screenshot(name):
     for _ in range(5):
         slicer.app.processEvents()
@@ -137,7 +143,7 @@ def runTool(name, values):
     module = getattr(slicer.modules, name.lower(), None)
     check(module is not None, "is not registered")
     module.widgetRepresentation()  # its panel
-    slicer.mrmlScene.Clear(0)
+    clearScene()
     parameters, outputs = parametersFor(name, values)
     if name == "ShapetonSession":  # serves until it is canceled
         node = slicer.cli.run(module, None, parameters)
@@ -174,7 +180,7 @@ def start(widget, volume, folder):
 
 
 def testHeat(inputs):
-    slicer.mrmlScene.Clear(0)
+    clearScene()
     volume = slicer.util.loadVolume(inputs["CumulativeHeatDiffusion"]["inputVolume"])
     widget = widgetOf("ShapetonHeat")
     screenshot("heat-before")
@@ -204,7 +210,7 @@ def testScene():
     path = os.path.join(work, "scene", "scene.mrml")
     os.makedirs(os.path.dirname(path), exist_ok=True)
     check(slicer.util.saveScene(path), "not saved")
-    slicer.mrmlScene.Clear(0)
+    clearScene()
     widget = widgetOf("ShapetonHeat")
     check(widget.heat is None and widget.lines._table.rowCount == 0, "results stay after the scene is closed")
     slicer.util.loadScene(path)
@@ -226,7 +232,7 @@ def describeScene():
 
 
 def testSession(inputs):
-    slicer.mrmlScene.Clear(0)
+    clearScene()
     volume = slicer.util.loadVolume(inputs["CumulativeHeatDiffusion"]["inputVolume"])
     widget = widgetOf("ShapetonHeat")
     start(widget, volume, "session")
@@ -260,7 +266,7 @@ def testSession(inputs):
 
 
 def testColonoscopy(patient):
-    slicer.mrmlScene.Clear(0)
+    clearScene()
     volume = slicer.util.loadVolume(os.path.join(work, "inputs", "patient.nrrd"))
     widget = widgetOf("ShapetonColonoscopy")
     start(widget, volume, "colonoscopy")
@@ -276,7 +282,7 @@ def testColonoscopy(patient):
     columns, rows = results.flatMap.size
     widget.onMapClick(columns // 2, rows // 2)
     screenshot("colonoscopy")
-    slicer.mrmlScene.Clear(0)
+    clearScene()
     check(widget.results is None, "results stay after the scene is closed")
     return f"{len(results.landmarks)} landmarks"
 
@@ -290,7 +296,7 @@ def testSampleData():
 
 
 def testScript(inputs):
-    slicer.mrmlScene.Clear(0)
+    clearScene()
     volume = slicer.util.loadVolume(inputs["CumulativeHeatDiffusion"]["inputVolume"])
     parts = findObjects(volume, os.path.join(work, "objects.csv")).GetSegmentation()
     check(parts.GetNumberOfSegments() > 0 and os.path.isfile(os.path.join(work, "objects.csv")), "no objects")

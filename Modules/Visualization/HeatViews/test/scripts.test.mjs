@@ -53,9 +53,9 @@ test('numbers match %g of C', () => { // printf("%.9g"), including ties to even
 test('a volume property has ramps at the ends of lines, but not between adjacent lines', () => {
   const rows = volumeProperty([line(0.25, 0.5), line(0.5, 0.75, '#00ff00', 1)], 1).split('\n');
   assert.deepEqual(rows.slice(0, 6), ['0', '1', '0.6', '0.3', '0.2', '10']);
-  assert.equal(rows[6], '14 0 0 0.249999 0 0.25 0.5 0.499999 0.5 0.5 1 0.749999 1 0.75 0');
+  assert.equal(rows[6], '14 0 0 0.2499375 0 0.25 0.5 0.4999375 0.5 0.5 1 0.7499375 1 0.75 0');
   assert.equal(rows[7], '4 0 1 1 1');
-  assert.equal(rows[8], '16 0.25 1 0 0 0.499999 1 0 0 0.5 0 1 0 0.749999 0 1 0');
+  assert.equal(rows[8], '16 0.25 1 0 0 0.4999375 1 0 0 0.5 0 1 0 0.7499375 0 1 0');
   assert.equal(volumeProperty([line(0.25, 0.5)], 400).split('\n')[7], '4 0 1 400 1');
 });
 
