@@ -49,7 +49,7 @@ def waitFor(condition, seconds, what):
 
 
 def clearScene():
-    """Closes the scene when no requests for its nodes are pending."""
+    """Closes the scene; pending requests for its nodes come first."""
     slicer.app.processEvents()
     slicer.mrmlScene.Clear(0)
 
@@ -142,7 +142,6 @@ def checkOutput(parameter, node, parameters):
 def runTool(name, values):
     module = getattr(slicer.modules, name.lower(), None)
     check(module is not None, "is not registered")
-    module.widgetRepresentation()  # its panel
     clearScene()
     parameters, outputs = parametersFor(name, values)
     if name == "ShapetonSession":  # serves until it is canceled
@@ -295,6 +294,15 @@ def testSampleData():
     return f"{node.GetName()} of {len(sources)}"
 
 
+def testPanels(inputs):
+    """Last, because Slicer may crash when a scene is closed whose command-line nodes panels refer to."""
+    for name in inputs:
+        slicer.util.selectModule(name)
+        slicer.app.processEvents()
+        check(getattr(slicer.modules, name.lower()).widgetRepresentation() is not None, f"{name} has no panel")
+    return f"{len(inputs)} panels"
+
+
 def testScript(inputs):
     clearScene()
     volume = slicer.util.loadVolume(inputs["CumulativeHeatDiffusion"]["inputVolume"])
@@ -319,6 +327,7 @@ def main():
     report("the scene", testScene)
     report("live session", testSession, inputs)
     report("Shapeton Colonoscopy", testColonoscopy, os.environ["SHAPETON_PATIENT"])
+    report("panels", testPanels, inputs)
     print(f"failed: {', '.join(failures)}" if failures else "all tests passed in Slicer", flush=True)
     slicer.util.exit(1 if failures else 0)
 
