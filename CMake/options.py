@@ -205,7 +205,7 @@ class Option:
         lines = [
             f"<name>{self.name}</name>",
             f"<longflag>{self.name}</longflag>",
-            f"<label>{self.label}</label>",
+            f"<label>{self.label}{self.unit and f' ({self.unit})'}</label>",
             f"<description><![CDATA[{self.sentence}{self.unit and f' In {self.unit}.'}]]></description>",
         ]
         lines += [f"<default>{self.xml_default()}</default>"] if self.kind != "point" else []

@@ -20,7 +20,7 @@ main(int argc, char * argv[])
   const shapeton::VolumeView view(volume.image.GetPointer());
   const auto                 diffusion = shapeton::CumulativeHeatDiffusionImageFilter<ImageType>::New();
   diffusion->SetInput(volume.image);
-  diffusion->UseParameters(shapeton::ChooseHeatParameters(view, diffusion->GetOptions(), {}, volume.modality));
+  diffusion->UseParameters(shapeton::ChooseHeatParameters(view, diffusion->GetOptions()));
   diffusion->Update();
   const auto list = shapeton::FindHeatObjects(diffusion->GetOutput());
   std::cout << list.objects.size() << " objects\n";

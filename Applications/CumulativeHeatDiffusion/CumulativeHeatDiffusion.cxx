@@ -36,7 +36,7 @@ CheckUsage(const CommandLine & commandLine)
 
 /** Sets the parameters that are not given, unless the preset is the published one; returns the choice, if any. */
 std::optional<HeatParameterChoice>
-ChooseParameters(CommandLine & commandLine, const std::string & modality, FilterType * filter)
+ChooseParameters(CommandLine & commandLine, FilterType * filter)
 {
   if (commandLine.GetString("preset") == "published")
   {
@@ -45,7 +45,7 @@ ChooseParameters(CommandLine & commandLine, const std::string & modality, Filter
   auto       options = filter->GetOptions();
   const auto given = GivenAmong(ReadGivenOptions(commandLine, options), options);
   const auto progress = commandLine.PartOfProgress(0.0, shareOfChoice).Part("Choosing parameters", 0.0, 1.0);
-  const auto choice = ChooseHeatParameters(filter->GetVolume(), options, given, modality, progress);
+  const auto choice = ChooseHeatParameters(filter->GetVolume(), options, given, progress);
   filter->UseParameters(choice);
   for (const auto & [name, value] : ChosenValues(choice))
   {
@@ -95,7 +95,7 @@ Diffuse(CommandLine & commandLine)
   const Volume volume = ReadVolume(commandLine, "inputVolume");
   filter->SetInput(volume.image);
   filter->SetDomain(ReadDomain(commandLine, volume.image));
-  const auto choice = ChooseParameters(commandLine, volume.modality, filter);
+  const auto choice = ChooseParameters(commandLine, filter);
   filter->SetWantInitialHeat(files.WantInitialHeat());
   filter->SetWantComponents(files.WantClasses());
   if (files.WantHistogram())

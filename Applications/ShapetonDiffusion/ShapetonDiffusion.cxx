@@ -39,7 +39,7 @@ ChooseOptions(CommandLine & commandLine, const Volume & volume)
   ShapetonPresetOptions options;
   const auto            given = ReadGivenOptions(commandLine, options);
   const auto            progress = commandLine.PartOfProgress(0.0, shareOfChoice).Part("Choosing parameters", 0.0, 1.0);
-  return ChooseShapetonParameters(VolumeView(volume.image.GetPointer()), options, given, volume.modality, progress);
+  return ChooseShapetonParameters(VolumeView(volume.image.GetPointer()), options, given, progress);
 }
 
 /** Time steps of the rows of the report's histogram. */

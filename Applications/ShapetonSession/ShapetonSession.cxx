@@ -22,7 +22,7 @@ ChooseOptions(CommandLine & commandLine, const Volume & volume, LiveSessionSetti
 {
   ShapetonPresetOptions options;
   const auto            given = ReadGivenOptions(commandLine, options);
-  const auto choice = ChooseShapetonParameters(VolumeView(volume.image.GetPointer()), options, given, volume.modality);
+  const auto            choice = ChooseShapetonParameters(VolumeView(volume.image.GetPointer()), options, given);
   settings.walk = choice.options;
   settings.walk.device = ReadDevice(commandLine);
   const auto fixed = GivenAmong(given, options);

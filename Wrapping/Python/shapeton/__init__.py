@@ -11,8 +11,8 @@ points are LPS in mm. This module contains volumes, heat and shapetons; the othe
 
 Long functions accept ``progress``, a function of the completed share (0 to 1) and the stage name. It is called at
 most ten times a second; if it returns False, `Aborted` is raised. Ctrl-C works as usual in Python. The GIL is
-released. Errors are `ParameterError` and `InputError`, which are ValueErrors, and `OutputError`, an OSError; the
-message contains a remedy. A missing file is `MissingFileError`, an InputError and a FileNotFoundError.
+released. Errors are `ParameterError` and `InputError`, which are ValueErrors, `OutputError`, an OSError, and
+`DeviceError`, a RuntimeError; the message contains a remedy. A missing file is `MissingFileError`, an InputError and a FileNotFoundError.
 """
 
 from . import _shapeton
@@ -20,6 +20,7 @@ from ._arguments import MissingFileError
 from ._repr import describe_results
 from ._shapeton import (
     Aborted,
+    DeviceError,
     DicomDefect,
     DicomSeries,
     Error,
@@ -57,6 +58,7 @@ describe_results(_shapeton)
 __all__ = [
     "Aborted",
     "Curves",
+    "DeviceError",
     "DicomDefect",
     "DicomSeries",
     "Error",

@@ -106,6 +106,11 @@ def check_steps(**lists: Sequence[int]) -> None:
                 raise ParameterError(f"the parameter \"{name}\": {step} is out of range")
 
 
+def modality_of(image: Any, given: str) -> str:
+    """The given modality, else that of the image, which `read_volume` stores in its facts."""
+    return given or str(getattr(image, "facts", {}).get("modality") or "")
+
+
 def lacks_file(hints: Dict[str, Any], values: Dict[str, Any]) -> bool:
     """Whether an argument is the path of nothing."""
     return any(hints.get(name) == Path and not os.path.exists(value) for name, value in values.items())

@@ -480,6 +480,9 @@ class ConformalTypeResult:
         """"parabolic", "hyperbolic" or "not decided"."""
 
 
+class DeviceError(Error, RuntimeError):
+    """A requested GPU is not available or failed; also a RuntimeError."""
+
 class DicomDefect:
     """A defect or peculiarity of a DICOM series."""
     @property

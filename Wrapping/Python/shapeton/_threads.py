@@ -6,7 +6,7 @@ from ._calls import public
 
 @public
 def set_threads(number: int) -> None:
-    """Sets the number of threads of all functions of this process; results do not depend on it."""
+    """Sets the number of threads of all functions of this process, 0 to 128; 0: all cores. Results do not depend on it."""
     _shapeton.set_threads(number)
 
 

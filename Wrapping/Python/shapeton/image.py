@@ -214,7 +214,9 @@ def for_vtk(values: NDArray[Any]) -> NDArray[Any]:
 
 
 def _volume(array: Any) -> NDArray[Any]:
-    voxels: NDArray[Any] = np.asanyarray(array)
+    if np.ma.is_masked(array):
+        raise ParameterError("the parameter \"array\" is masked; fill it, and give the mask as domain or mask of the function")
+    voxels: NDArray[Any] = np.asarray(array)
     if voxels.dtype.kind not in "buif":
         raise ParameterError(f"the parameter \"array\" has the type {voxels.dtype}; an image requires real numbers")
     if voxels.ndim != 3 or voxels.size == 0:

@@ -55,7 +55,10 @@ PixelsOf(const py::array & array)
   {
     throw py::error_already_set();
   }
-  if (std::is_integral_v<TPixel> && !array.dtype().is(pixels.dtype()) &&
+  constexpr py::ssize_t exactInFloat = 2; // bytes of integers
+  const bool            isWideInteger =
+    (array.dtype().kind() == 'i' || array.dtype().kind() == 'u') && array.itemsize() > exactInFloat;
+  if ((std::is_integral_v<TPixel> || isWideInteger) && !array.dtype().is(pixels.dtype()) &&
       !ClassOf("numpy", "array_equal")(pixels, array).template cast<bool>())
   {
     throw InputError("the image of " + std::string(py::str(array.dtype())) + " contains values not representable in " +

@@ -1,5 +1,6 @@
 #include "Errors.h"
 
+#include "shapetonDevice.h"
 #include "shapetonExceptions.h"
 #include "shapetonParticleDiffusionImageFilter.h"
 
@@ -74,6 +75,7 @@ AddErrors(py::module_ & module)
   static py::handle parameterError;
   static py::handle inputError;
   static py::handle outputError;
+  static py::handle deviceError;
   const py::handle  base = AddError(module, "Error", PyExc_Exception, "Base class of all exceptions of Shapeton.");
   parameterError = AddError(module,
                             "ParameterError",
@@ -87,6 +89,10 @@ AddErrors(py::module_ & module)
                          "OutputError",
                          py::make_tuple(base, py::handle(PyExc_OSError)),
                          "A result cannot be written; also an OSError.");
+  deviceError = AddError(module,
+                         "DeviceError",
+                         py::make_tuple(base, py::handle(PyExc_RuntimeError)),
+                         "A requested GPU is not available or failed; also a RuntimeError.");
   AddError(module,
            "Aborted",
            py::make_tuple(base, py::handle(PyExc_RuntimeError)),
@@ -111,6 +117,10 @@ AddErrors(py::module_ & module)
     catch (const OutputError & error)
     {
       Raise(outputError, error);
+    }
+    catch (const DeviceError & error)
+    {
+      PyErr_SetString(deviceError.ptr(), error.what());
     }
     catch (const itk::ExceptionObject & error)
     {

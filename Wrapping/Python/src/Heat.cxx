@@ -64,6 +64,7 @@ Diffuse(const ImageType::Pointer &                    image,
   static_cast<CumulativeHeatDiffusionOptions &>(settings) = given.options;
   settings.histogramSteps = histogramSteps;
   settings.wantComponents = components;
+  itk::EncapsulateMetaData(image->GetMetaDataDictionary(), VolumeView::ModalityField, modality);
   const auto filter = FilterType::New();
   filter->SetInput(image);
   filter->SetDomain(domain.value_or(nullptr));
@@ -72,11 +73,8 @@ Diffuse(const ImageType::Pointer &                    image,
   const bool isAutomatic = OptionInfo("preset").Words({ "automatic", "published" }).PositionOf(presetName) == 0;
   if (isAutomatic)
   {
-    choice = ChooseHeatParameters(filter->GetVolume(),
-                                  settings,
-                                  GivenAmong(names, settings),
-                                  modality,
-                                  progress.Part("Choosing parameters", 0.0, 0.0));
+    choice = ChooseHeatParameters(
+      filter->GetVolume(), settings, GivenAmong(names, settings), progress.Part("Choosing parameters", 0.0, 0.0));
     filter->UseParameters(choice);
   }
   filter->SetSnapshotSteps(snapshotSteps, ConsumerOf(snapshot));

@@ -38,6 +38,7 @@ Diffuse(const ImageType::Pointer &                                image,
         const std::vector<std::uint64_t> &                        histogramSteps,
         const Progress &                                          progress)
 {
+  itk::EncapsulateMetaData(image->GetMetaDataDictionary(), VolumeView::ModalityField, modality);
   const auto filter = FilterType::New();
   filter->SetInput(image);
   if (mask)
@@ -45,7 +46,7 @@ Diffuse(const ImageType::Pointer &                                image,
     filter->SetMaskImage(*mask);
   }
   const auto choice = ChooseShapetonParameters(
-    VolumeView(image.GetPointer()), given.options, names, modality, progress.Part("Choosing parameters", 0.0, 0.0));
+    VolumeView(image.GetPointer()), given.options, names, progress.Part("Choosing parameters", 0.0, 0.0));
   filter->SetOptions(choice.options);
   filter->SetHistogramSteps(histogramSteps);
   UpdateWithProgress(filter.GetPointer(), "Diffusing shapetons", progress);

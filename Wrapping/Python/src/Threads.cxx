@@ -2,6 +2,7 @@
 #include "Timer.h"
 
 #include "shapetonOperatingSystem.h"
+#include "shapetonOptions.h"
 #include "shapetonParallelFor.h"
 
 #include <atomic>
@@ -150,7 +151,10 @@ WithoutGil::WithoutGil() : m_Interruption(StopCheck()) {}
 void
 AddThreads(py::module_ & module)
 {
-  module.def("set_threads", &SetNumberOfThreads);
+  module.def("set_threads", [all = NumberOfThreads()](int number) {
+    OptionInfo("number").AtLeast(0.0, "0").AtMost(128.0, "128").Check(number);
+    SetNumberOfThreads(number > 0 ? static_cast<unsigned int>(number) : all);
+  });
   module.def("threads", &NumberOfThreads);
   py::class_<StopFlag, std::shared_ptr<StopFlag>>(module, "_StopFlag", "Stops the functions called by a thread.")
     .def(py::init<>())

@@ -55,9 +55,9 @@ input_error = error_of(shapeton.read_volume, numpy.__file__)
 missing_file_error = error_of(shapeton.read_volume, "there is none")
 output_error = error_of(shapeton.write_volume, image, "/there/is/none.nrrd")
 aborted = error_of(shapeton.diffuse_heat, image, time_steps=1000, progress=lambda *_: False)
-error = shapeton.Error("mine")
+error, device_error = shapeton.Error("mine"), shapeton.DeviceError("mine")
 """,
-        "Error ParameterError InputError MissingFileError OutputError Aborted",
+        "Error ParameterError InputError MissingFileError OutputError DeviceError Aborted",
     ),
     "shapes": (
         """

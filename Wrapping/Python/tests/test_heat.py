@@ -1,5 +1,6 @@
 import _thread
 import os
+import shutil
 import signal
 import threading
 import time
@@ -180,6 +181,20 @@ class ThreadsTest(TestCase):
         for other in (1, 2):
             self.assertSame(heats[other], heats[0])
             self.assertSame(visits[other], visits[0])
+
+    def test_zero_threads_are_all_cores(self):
+        before = shapeton.threads()
+        shapeton.set_threads(1)
+        shapeton.set_threads(0)
+        self.assertEqual(shapeton.threads(), before)
+        for number in (-1, 129, 5000):
+            with self.assertRaises(shapeton.ParameterError):
+                shapeton.set_threads(number)
+
+    @unittest.skipIf(shutil.which("nvidia-smi"), "a GPU may be present")
+    def test_a_missing_gpu_is_an_error_of_shapeton(self):
+        with self.assertRaises(shapeton.DeviceError):
+            shapeton.diffuse_heat(balls(), device="cuda", preset="published", time_steps=10)
 
     def test_calls_from_several_threads_of_python_give_the_same_bytes(self):
         image = balls()

@@ -98,6 +98,13 @@ class LayoutTest(TestCase):
         self.heat(self.image)
         self.assertSame(self.image.array, before)
 
+    def test_what_float32_would_lose_is_refused(self):
+        with self.assertRaisesRegex(shapeton.InputError, "not representable in float32"):
+            shapeton.diffuse_heat(shapeton.Image(np.arange(8).reshape(2, 2, 2) + 2**40))
+        with self.assertRaisesRegex(shapeton.ParameterError, "masked"):
+            shapeton.Image(np.ma.masked_less(np.arange(8.0).reshape(2, 2, 2), 3))
+        self.assertEqual(shapeton.Image(np.ma.array(np.ones((2, 2, 2)))).array.sum(), 8)
+
     def test_values_that_are_not_finite_are_refused_with_their_place(self):
         for value in (np.nan, np.inf, 1e300):
             voxels = self.image.array.astype(np.float64)

@@ -34,6 +34,16 @@ class SameAsToolsTest(TestCase):
         labels, _ = shapeton.classify_heat(result.heat, result.components)
         self.assertSame(labels.array.astype(np.float32), self.read("labels.nrrd"))
 
+    def test_defaults_on_dicom(self):
+        """The modality travels with the volume, so the window is that of CT, although the values do not look like HU."""
+        image = shapeton.read_volume(SERIES)
+        self.assertEqual(shapeton.diffuse_heat(image).window, (-160.0, 240.0))
+        self.assertNotEqual(shapeton.diffuse_heat(shapeton.Image(image.array)).window, (-160.0, 240.0))
+        run_tool("CumulativeHeatDiffusion", SERIES, self.folder / "heat.nrrd")
+        self.assertSame(shapeton.diffuse_heat(image).heat.array, self.read("heat.nrrd"))
+        run_tool("ShapetonDiffusion", SERIES, self.folder / "visits.nrrd")
+        self.assertSame(shapeton.diffuse_shapetons(image).visits.array.astype(np.float32), self.read("visits.nrrd"))
+
     def test_rows_of_the_histogram(self):
         table = self.folder / "histogram.csv"
         run_tool("CumulativeHeatDiffusion", self.volume, self.folder / "heat.nrrd", "--timeSteps", 700,

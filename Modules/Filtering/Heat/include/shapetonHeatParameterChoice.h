@@ -53,9 +53,9 @@ struct ShapetonHeat_EXPORT HeatParameterChoice
  *
  * Windows: for CT, soft tissue (-160 to 240 HU); otherwise, and if that shows hardly more than one region, four
  * windows: from the mean or the upper end of the darkest of three intensity classes (Otsu 1979) to the mean or the
- * lower end of the brightest. `modality` is the DICOM modality, such as "CT"; if it is empty, values that look like HU
- * count as CT. p: 1/p is one or two times the median difference between neighbors inside the window. Smoothing: 0.35
- * times the smallest spacing of the copy if noise would insulate voxels.
+ * lower end of the brightest. If the modality of the volume is unknown, values that look like HU count as CT. p: 1/p is
+ * one or two times the median difference between neighbors inside the window. Smoothing: 0.35 times the smallest
+ * spacing of the copy if noise would insulate voxels.
  *
  * `options` supplies the conductance, the device and so on. Throws as DiffuseCumulativeHeat(). For an image in a
  * pipeline, update it first: `filter->UseParameters(ChooseHeatParameters(VolumeView(image), filter->GetOptions()))`.
@@ -65,7 +65,6 @@ ShapetonHeat_EXPORT HeatParameterChoice
 ChooseHeatParameters(const VolumeView &                     volume,
                      const CumulativeHeatDiffusionOptions & options = {},
                      const GivenHeatParameters &            given = {},
-                     const std::string &                    modality = {},
                      const Progress &                       progress = {});
 } // namespace shapeton
 

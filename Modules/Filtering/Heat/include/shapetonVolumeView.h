@@ -1,10 +1,13 @@
 #ifndef shapetonVolumeView_h
 #define shapetonVolumeView_h
 
+#include "itkMetaDataObject.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -19,6 +22,10 @@ namespace shapeton
  * \ingroup ShapetonHeat */
 struct VolumeView
 {
+  /** Key of the DICOM modality in the MetaDataDictionary of an image, as written by ReadVolume() and itk::GDCMImageIO.
+   */
+  static constexpr auto ModalityField = "0008|0060";
+
   VolumeView(const float *                      intensities,
              const std::array<std::size_t, 3> & sizeInVoxels,
              const std::array<double, 3> &      spacingInMm = { { 1.0, 1.0, 1.0 } })
@@ -51,6 +58,8 @@ struct VolumeView
     {
       *this = VolumeView(std::vector<float>(pixels, pixels + this->NumberOfVoxels()), size, spacing);
     }
+    itk::ExposeMetaData(image->GetMetaDataDictionary(), ModalityField, modality);
+    modality.erase(modality.find_last_not_of(' ') + 1); // DICOM pads to an even length
   }
 
   std::size_t
@@ -80,6 +89,7 @@ struct VolumeView
   std::array<double, 3>                     spacing{ { 1.0, 1.0, 1.0 } }; ///< mm
   /** 0 for each voxel outside the domain; null if all voxels are in it. */
   std::shared_ptr<const std::vector<unsigned char>> domain;
+  std::string                                       modality; ///< of DICOM, such as "CT"; empty if unknown
 };
 } // namespace shapeton
 

@@ -350,7 +350,6 @@ HeatParameterChoice
 ChooseHeatParameters(const VolumeView &                     volume,
                      const CumulativeHeatDiffusionOptions & options,
                      const GivenHeatParameters &            given,
-                     const std::string &                    modality,
                      const Progress &                       progress)
 {
   CheckOptions(options);
@@ -366,7 +365,7 @@ ChooseHeatParameters(const VolumeView &                     volume,
   VolumeView relative(volume);
   relative.spacing = options.ignoreSpacing ? Spacing{ { 1.0, 1.0, 1.0 } } : volume.spacing;
   Trials trials(ReduceVolume(relative), options, given);
-  choice.windowReason = TryWindows(trials, given, modality, progress);
+  choice.windowReason = TryWindows(trials, given, volume.modality, progress);
   const ReducedVolume & copy = trials.GetCopy();
   const Trial &         best = trials.GetBest();
   const double          factor = copy.factor;

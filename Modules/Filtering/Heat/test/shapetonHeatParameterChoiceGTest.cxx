@@ -94,7 +94,9 @@ With(const HeatParameterChoice & choice)
 HeatParameterChoice
 Choose(const Volume & volume, const GivenHeatParameters & given = {}, const std::string & modality = "MR")
 {
-  return ChooseHeatParameters(volume, {}, given, modality);
+  VolumeView view(volume);
+  view.modality = modality;
+  return ChooseHeatParameters(view, {}, given);
 }
 } // namespace
 

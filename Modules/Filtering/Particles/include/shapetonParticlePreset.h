@@ -31,14 +31,13 @@ struct ShapetonParameterChoice
  * The number of shapetons is chosen for 200 visits per voxel on average, but at most 1e8 visits in total. With a
  * feature size, ChooseShapetons() replaces the distance, and the number of shapetons unless it is given.
  *
- * `modality` as for ChooseHeatParameters(). Throws ParameterError for options out of range, and the exceptions of
+ * Throws ParameterError for options out of range, and the exceptions of
  * ChooseShapetons().
  * \ingroup ShapetonParticles */
 ShapetonParticles_EXPORT ShapetonParameterChoice
 ChooseShapetonParameters(const VolumeView &               volume,
                          const ShapetonPresetOptions &    options,
                          const std::vector<std::string> & given = {},
-                         const std::string &              modality = {},
                          const Progress &                 progress = {});
 } // namespace shapeton
 

@@ -95,7 +95,6 @@ HeatParameterChoice
 ChooseByHeat(const VolumeView &         volume,
              ShapetonPreset             preset,
              const Names &              given,
-             const std::string &        modality,
              ParticleDiffusionOptions & options,
              const Progress &           progress)
 {
@@ -104,7 +103,7 @@ ChooseByHeat(const VolumeView &         volume,
   const double smallest = SmallestSpacing(volume.spacing);
   const double perStep = EquivalentHeatTimeSteps(
     1.0, options.distance * LongestSide(volume.size, volume.spacing) / smallest, heat.timeStepLength);
-  const auto choice = ChooseHeatParameters(volume, heat, GivenOfHeat(given, options, perStep), modality, progress);
+  const auto               choice = ChooseHeatParameters(volume, heat, GivenOfHeat(given, options, perStep), progress);
   ParticleDiffusionOptions chosen = options;
   choice.ApplyTo(chosen);
   chosen.timeSteps = options.timeSteps;
@@ -147,7 +146,6 @@ ShapetonParameterChoice
 ChooseShapetonParameters(const VolumeView &               volume,
                          const ShapetonPresetOptions &    options,
                          const std::vector<std::string> & given,
-                         const std::string &              modality,
                          const Progress &                 progress)
 {
   CheckOptions(options);
@@ -156,7 +154,7 @@ ChooseShapetonParameters(const VolumeView &               volume,
   TakeOthers(OptionsOfPreset(options.preset, volume.size, volume.spacing), given, choice.options);
   if (options.preset != ShapetonPreset::Published)
   {
-    choice.heat = ChooseByHeat(volume, options.preset, given, modality, choice.options, progress);
+    choice.heat = ChooseByHeat(volume, options.preset, given, choice.options, progress);
   }
   if (options.featureSize > 0.0)
   {

@@ -9,6 +9,8 @@
 #include "shapetonExceptions.h"
 #include "shapetonMappedImage.h"
 
+#include "itkMetaDataObject.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -400,6 +402,7 @@ ReadDicomVolume(const DicomSeries & series, const VolumeReadOptions & options, c
   {
     volume.image = ResampleGaps(series, slices, volume.image, progress.Part("Resampling", 0.9, 1.0), volume);
   }
+  itk::EncapsulateMetaData(volume.image->GetMetaDataDictionary(), "0008|0060", volume.modality); // as itk::GDCMImageIO
   AddNotes(series, volume);
   progress("Reading slices", 1.0);
   return volume;

@@ -129,8 +129,8 @@ public:
   void
   AllowReplacing(const std::string & name);
 
-  /** Creates a folder for outputs, including parents; throws OutputError. If the run fails, a folder created here is
-   * removed again if empty. */
+  /** Creates a folder for outputs, including parents; throws OutputError, and ParameterError in a DICOM series that is
+   * read, which it would spoil. If the run fails, a folder created here is removed again if empty. */
   void
   MakeFolder(const std::string & path);
 

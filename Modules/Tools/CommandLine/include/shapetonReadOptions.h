@@ -41,7 +41,12 @@ ReadOption(const CommandLine & commandLine, const OptionInfo & info, TOption & o
   }
   else if constexpr (std::is_integral_v<TOption>)
   {
-    option = static_cast<TOption>(ReadInteger(commandLine, info).value_or(option));
+    const auto number = ReadInteger(commandLine, info);
+    if (std::is_unsigned_v<TOption> && number && *number < 0)
+    {
+      info.Check(static_cast<double>(*number));
+    }
+    option = static_cast<TOption>(number.value_or(option));
   }
   else if constexpr (std::is_same_v<TOption, double>)
   {

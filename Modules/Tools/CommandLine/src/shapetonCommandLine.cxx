@@ -480,6 +480,14 @@ CommandLine::MainOutput(const std::string & name)
 void
 CommandLine::MakeFolder(const std::string & path)
 {
+  for (const auto & parameter : m_State->module.parameters)
+  {
+    const bool isRead = parameter.tag == "image" && parameter.channel == "input" && this->IsGiven(parameter.name);
+    if (isRead && std::filesystem::is_directory(this->GetString(parameter.name)))
+    {
+      RequireApart(this->GetString(parameter.name), path, "");
+    }
+  }
   m_State->outputs.MakeFolder(path);
 }
 

@@ -37,8 +37,9 @@ ReadNumber(const CommandLine & commandLine, const OptionInfo & info)
 std::optional<std::int64_t>
 ReadInteger(const CommandLine & commandLine, const OptionInfo & info)
 {
-  const auto number = ReadNumber(commandLine, info); // 1e5 is an integer, too
-  RequireParameter(!number || *number == std::trunc(*number),
+  const auto       number = ReadNumber(commandLine, info); // 1e5 is an integer, too
+  constexpr double mostExact = 9007199254740992.0;         // 2^53
+  RequireParameter(!number || (*number == std::trunc(*number) && std::abs(*number) <= mostExact),
                    "the parameter \"" + std::string(info.GetName()) + "\": \"" + commandLine.GetString(info.GetName()) +
                      "\" is not an integer or auto");
   return number;

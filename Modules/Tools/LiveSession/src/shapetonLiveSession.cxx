@@ -332,8 +332,7 @@ struct LiveSession::Impl
       Tell("choosing parameters", 0.0);
       auto settings = HeatSettings();
       settings.intensityWindow.reset();
-      choice = ChooseHeatParameters(
-        view, settings, {}, volume.modality, [this](double part) { Tell("choosing parameters", part); });
+      choice = ChooseHeatParameters(view, settings, {}, [this](double part) { Tell("choosing parameters", part); });
     }
     SessionValues values = Values();
     const auto    timeSteps = values.options.timeSteps;

@@ -793,8 +793,7 @@ TEST(LiveSession, UsesTheChoiceThatWasMadeAtItsStart)
 {
   const basetest::SessionInput input(3);
   const auto                   volume = input.Volume();
-  const auto                   choice =
-    shapeton::ChooseShapetonParameters(shapeton::VolumeView(volume.image.GetPointer()), {}, {}, volume.modality);
+  const auto choice = shapeton::ChooseShapetonParameters(shapeton::VolumeView(volume.image.GetPointer()), {}, {});
   std::vector<Json> states;
   for (const bool isGiven : { false, true })
   {
