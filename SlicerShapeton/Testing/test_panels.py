@@ -14,7 +14,7 @@ from toolinputs import Tools, argumentsOfPanel, extensionOf, makeInputs, paramet
 
 serving = ("ShapetonSession",)  # run until they are canceled
 # Outputs that need more than the inputs of makeInputs().
-special = {"dicomMap", "dicomSegmentation", "pairs", "checkpoint", "snapshotFolder", "markers", "verdicts"}
+special = {"dicomMap", "checkpoint", "snapshotFolder", "markers", "verdicts"}
 
 
 class PanelTest(unittest.TestCase):
