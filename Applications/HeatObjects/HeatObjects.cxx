@@ -67,10 +67,7 @@ ListObjects(CommandLine & commandLine)
   const Heat   heat = ReadHeat(commandLine, volume.image);
   const auto   tree = BuildTree(commandLine, heat.image);
   const auto   list = tree.List(IsSelectionGiven(commandLine));
-  if (list.objects.size() == list.numberOfOffers)
-  {
-    commandLine.Warn("no object was found: diffuse heat with the preset automatic, or reduce --leastProbability");
-  }
+  commandLine.Warn(list.warnings);
   const auto selection = SelectHeatObjects(commandLine, list);
   HeatObjectTable(list, selection.listed, volume.image).Write(table);
   explorer.Write(volume.image, heat.image, heat.file, tree, list);

@@ -1,6 +1,6 @@
 #!@Python_EXECUTABLE@
-"""Benchmark of the Python package against the tool: time and memory of heat, import, and delay from Ctrl-C to the end
-of a call.
+"""Benchmark of the Python package against the tool: time and memory of heat, import, two diffusions in two threads, and
+delay from Ctrl-C to the end of a call.
 
 usage: PythonBenchmark [--size VOXELS] [--steps STEPS] [--repeats NUMBER]
 
@@ -42,6 +42,23 @@ try:
     shapeton.diffuse_heat(image, time_steps=10**7)
 except KeyboardInterrupt:
     print(time.perf_counter() - sent[0])
+"""
+
+
+THREADS = """
+import sys, time, shapeton
+from concurrent.futures import ThreadPoolExecutor
+image = shapeton.read_volume(sys.argv[1])
+shapeton.set_threads(1)
+def diffuse(_):
+    return shapeton.diffuse_heat(image, time_steps=int(sys.argv[2]))
+begin = time.perf_counter()
+for i in range(2):
+    diffuse(i)
+middle = time.perf_counter()
+with ThreadPoolExecutor(2) as pool:
+    list(pool.map(diffuse, range(2)))
+print((time.perf_counter() - middle) / (middle - begin))
 """
 
 
@@ -100,6 +117,8 @@ def main():
         folder = Path(name)
         volume = volume_of(options.size, folder)
         compare_heat(volume, folder, options.steps, options.repeats)
+        share = float(run([sys.executable, "-c", THREADS, volume, str(options.steps)])[3])
+        print(f"two diffusions of one thread each, at once against one after the other: ratio {share:.3f}")
         for delay in (0.05, 0.2, 0.4, 0.6, 3.0, 5.0):
             elapsed = float(run([sys.executable, "-c", ABORT, volume, str(delay)])[3])
             print(f"Ctrl-C {delay} s after the start of heat: the call ends after {elapsed:.3f} s")

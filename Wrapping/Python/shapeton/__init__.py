@@ -12,12 +12,18 @@ points are LPS in mm. This module contains volumes, heat and shapetons; the othe
 Long functions accept ``progress``, a function of the completed share (0 to 1) and the stage name. It is called at
 most ten times a second; if it returns False, `Aborted` is raised. Ctrl-C works as usual in Python. The GIL is
 released. Errors are `ParameterError` and `InputError`, which are ValueErrors, `OutputError`, an OSError, and
-`DeviceError`, a RuntimeError; the message contains a remedy. A missing file is `MissingFileError`, an InputError and a FileNotFoundError.
+`DeviceError`, a RuntimeError; the message contains a remedy. A missing file is `MissingFileError`, an InputError and a
+FileNotFoundError.
+
+Where an image is expected, images of nibabel, SimpleITK, itk, VTK and xarray are accepted, see `Image.of`; where a graph
+is expected, those of networkx, lists of edges and adjacency matrices, see `graphs.as_graph`.
 """
 
-from . import _shapeton
+import sys
+
+from . import _shapeton, colon, flattening, graphs, shapes, surfaces
 from ._arguments import MissingFileError
-from ._repr import describe_results
+from ._repr import describe_results, show_public_names
 from ._shapeton import (
     Aborted,
     DeviceError,
@@ -53,8 +59,6 @@ from .volumes import list_series, read_volume, write_volume
 
 __version__ = "0.2.0"
 
-describe_results(_shapeton)
-
 __all__ = [
     "Aborted",
     "Curves",
@@ -78,15 +82,24 @@ __all__ = [
     "ShapetonResult",
     "classify_heat",
     "classify_visits",
+    "colon",
     "diffuse_heat",
     "diffuse_shapetons",
     "find_objects",
+    "flattening",
+    "graphs",
     "heat_histogram",
     "list_series",
     "read_volume",
     "recorded_steps",
     "set_threads",
+    "shapes",
+    "surfaces",
     "threads",
     "visit_density",
     "write_volume",
 ]
+
+describe_results(_shapeton)
+for _module in (colon, flattening, graphs, shapes, surfaces, sys.modules[__name__]):  # the last one names common classes
+    show_public_names(_module)

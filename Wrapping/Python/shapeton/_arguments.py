@@ -13,7 +13,9 @@ from typing import Any, Callable, Dict, Sequence, Tuple, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._shapeton import InputError, ParameterError
+from ._graphs import graph_of
+from ._shapeton import Graph, InputError, ParameterError
+from .image import Image
 from .mesh import Curves
 
 Path = Union[str, os.PathLike[str]]
@@ -73,6 +75,9 @@ _ADVICE = {
     "a shapeton.Mesh": "; wrap it in shapeton.Mesh(vertices, faces)",
 }
 
+#: Converters of objects of other packages; each raises TypeError for an unknown object.
+_CONVERTERS: Dict[Any, Callable[[Any], Any]] = {Image: Image.of, Graph: graph_of}
+
 
 def bound(name: str, signature: inspect.Signature, arguments: Any, options: Any) -> inspect.BoundArguments:
     """The arguments of a call by name; a TypeError suggests the nearest name of an unknown one."""
@@ -85,7 +90,30 @@ def bound(name: str, signature: inspect.Signature, arguments: Any, options: Any)
     try:
         return signature.bind(*arguments, **options)
     except TypeError as error:
-        raise TypeError(f"{name}(): {error}") from None
+        raise TypeError(f"{name}(): {error}{_advice_by_name(signature, arguments)}") from None
+
+
+def _advice_by_name(signature: inspect.Signature, arguments: Any) -> str:
+    """For more positional arguments than allowed: how to pass the first one too many."""
+    parameters = signature.parameters.values()
+    positional = sum(parameter.kind is not inspect.Parameter.KEYWORD_ONLY for parameter in parameters)
+    for parameter in parameters:
+        if len(arguments) > positional and type(parameter.default) is type(arguments[positional]):
+            return f"; give it by name: {parameter.name}={arguments[positional]!r}"
+    return ""
+
+
+def adapted(hint: Any, value: Any) -> Any:
+    """The value, as an image or a graph if the annotation is one and the value is one of another package."""
+    inner = _without_none(hint) or hint
+    if inner in _CONVERTERS and value is not None:
+        try:
+            return _CONVERTERS[inner](value)
+        except TypeError:
+            return value  # reported by check()
+    if typing.get_origin(inner) is collections.abc.Sequence and isinstance(value, (list, tuple)):
+        return [adapted(typing.get_args(inner)[0], one) for one in value]
+    return value
 
 
 def check(name: str, hints: Dict[str, Any], values: Dict[str, Any]) -> None:
@@ -95,6 +123,7 @@ def check(name: str, hints: Dict[str, Any], values: Dict[str, Any]) -> None:
         if not _is(value, hint):
             words = _words(hint)
             advice = next((text for kind, text in _ADVICE.items() if kind in words and isinstance(value, np.ndarray)), "")
+            advice = "; use shapeton.graphs.as_graph(edges)" if (name, argument) == ("Graph", "nodes") else advice
             raise TypeError(f"{name}(): the argument \"{argument}\" must be {words}, not {_kind(value)}{advice}")
 
 
@@ -154,7 +183,7 @@ def _words(hint: Any) -> str:
         return f"({', '.join(map(_words, inner))})"
     if origin is collections.abc.Sequence:
         return f"a sequence of ({_words(inner[0])})" if typing.get_args(inner[0]) else f"a sequence, each {_words(inner[0])}"
-    return "a function" if origin is collections.abc.Callable else f"a shapeton.{hint.__name__}"
+    return "a function" if origin is collections.abc.Callable else f"a {hint.__module__}.{hint.__qualname__}"
 
 
 def _kind(value: Any) -> str:

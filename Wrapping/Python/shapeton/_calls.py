@@ -12,7 +12,7 @@ import threading
 from queue import Empty, SimpleQueue
 from typing import Any, Callable, Dict, Tuple, TypeVar, cast, get_type_hints
 
-from ._arguments import MissingFileError, bound, check, lacks_file
+from ._arguments import MissingFileError, adapted, bound, check, lacks_file
 from ._shapeton import InputError, _StopFlag
 
 _Function = Callable[..., Any]
@@ -107,6 +107,8 @@ def public(function: _AnyFunction) -> _AnyFunction:
     def call(*arguments: Any, **options: Any) -> Any:
         given = bound(name, signature, arguments, options)
         hints.update({} if hints else get_type_hints(function))
+        for argument, value in given.arguments.items():
+            given.arguments[argument] = adapted(hints.get(argument), value)
         check(name, hints, given.arguments)
         try:
             return work(*given.args, **given.kwargs)

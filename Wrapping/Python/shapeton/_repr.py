@@ -1,4 +1,4 @@
-"""`repr` of the results of the library."""
+"""What users see of the package: names in `dir`, names of classes, `repr` of results."""
 
 from __future__ import annotations
 
@@ -18,6 +18,8 @@ def _short(value: Any) -> str:
         if value.size <= _MOST:
             return _short(value.tolist())
         return f"<array {' x '.join(str(n) for n in value.shape)}, {value.dtype}>"
+    if isinstance(value, list) and value and _is_described(value[0]):
+        return f"<{len(value)} of {_name_of(value[0])}>"
     if isinstance(value, (list, tuple, dict)) and len(value) > _MOST:
         return f"<{len(value)} values>"
     if isinstance(value, (list, tuple)):
@@ -25,15 +27,21 @@ def _short(value: Any) -> str:
         return f"[{inside}]" if isinstance(value, list) else f"({inside})"
     if isinstance(value, dict):
         return "{" + ", ".join(f"{key!r}: {_short(one)}" for key, one in value.items()) + "}"
-    if type(value).__repr__ is _describe:
-        return f"<shapeton.{type(value).__name__}>"
-    return repr(value)
+    return f"<{_name_of(value)}>" if _is_described(value) else repr(value)
+
+
+def _is_described(value: Any) -> bool:
+    return type(value).__repr__ is _describe
+
+
+def _name_of(value: Any) -> str:
+    return f"{type(value).__module__}.{type(value).__qualname__}"
 
 
 def _describe(result: Any) -> str:
     members = [name for name, member in vars(type(result)).items() if isinstance(member, property)]
     values = ", ".join(f"{name}={_short(getattr(result, name))}" for name in members)
-    return f"<shapeton.{type(result).__name__} {values}>"
+    return f"<{_name_of(result)} {values}>"
 
 
 def describe_results(compiled: ModuleType) -> None:
@@ -41,3 +49,12 @@ def describe_results(compiled: ModuleType) -> None:
     for thing in vars(compiled).values():
         if inspect.isclass(thing) and not issubclass(thing, BaseException) and "__repr__" not in vars(thing):
             thing.__repr__ = _describe  # type: ignore[method-assign]
+
+
+def show_public_names(module: ModuleType) -> None:
+    """`dir` lists only public names of the module, and its classes are named after it."""
+    names = sorted([*module.__all__, *(name for name in vars(module) if name.startswith("__"))])
+    setattr(module, "__dir__", lambda: names)
+    for thing in (getattr(module, name) for name in module.__all__):
+        if inspect.isclass(thing):
+            thing.__module__ = module.__name__

@@ -677,7 +677,7 @@ class FlatColon:
 
 class Graph:
     """An undirected graph; loops and multiple edges are allowed."""
-    def __init__(self: Graph, nodes: int, edges: Pairs, names: Sequence[str] = ()) -> None:
+    def __init__(self: Graph, nodes: int, edges: Pairs = (), names: Sequence[str] = ()) -> None:
         """nodes: their number.
             edges: m x 2, indices of nodes.
             names: none, or one per node.
@@ -959,6 +959,10 @@ class HeatObjects:
     @property
     def objects(self) -> List[HeatObject]:
         """By descending volume; the number of the first one is 1."""
+
+    @property
+    def warnings(self) -> List[str]:
+        """What to do if no object was found."""
 
 
 class HeatResult:

@@ -14,6 +14,8 @@ _RAS = np.diag([-1.0, -1.0, 1.0, 1.0])
 
 _PERPENDICULAR = 1e-3  # tolerance for rounded headers
 
+_MODALITY = "0008|0060"  # its key in the headers of ITK and SimpleITK
+
 #: Units of lengths of NIfTI.
 _MILLIMETERS = {"meter": 1000.0, "mm": 1.0, "micron": 0.001}
 
@@ -103,11 +105,29 @@ class Image:
         return np.asarray(xyz[..., ::-1])
 
     def __repr__(self) -> str:
-        shape = " x ".join(str(n) for n in self._array.shape)
-        spacing = " x ".join(f"{s:g}" for s in reversed(self._spacing))
-        return f"<shapeton.Image {shape} voxels (z, y, x) of {spacing} mm, {self._array.dtype}>"
+        x, y, z = (f"{n} x {s:g} mm" for n, s in zip(reversed(self._array.shape), self._spacing))
+        return f"<shapeton.Image x: {x}, y: {y}, z: {z}, {self._array.dtype}>"
 
     # ---- other packages, imported on first use ----
+
+    @classmethod
+    def of(cls, image: Any) -> Image:
+        """From an image of nibabel, SimpleITK, itk, VTK or xarray, which is recognized by its attributes.
+
+        All functions that take an image do this.
+        """
+        if isinstance(image, cls):
+            return image
+        for attributes, convert in (
+            (("dataobj", "affine"), cls.from_nibabel),
+            (("GetDirectionMatrix", "GetPointData"), cls.from_vtk),
+            (("GetPixelIDTypeAsString", "GetDirection"), cls.from_sitk),
+            (("GetLargestPossibleRegion", "GetDirection"), cls.from_itk),
+            (("dims", "coords", "attrs"), cls.from_xarray),
+        ):
+            if all(hasattr(image, name) for name in attributes):
+                return convert(image)
+        raise TypeError(f"{type(image).__name__} is not an image of nibabel, SimpleITK, itk, VTK or xarray")
 
     @classmethod
     def from_affine(cls, array: Any, affine: Any, facts: Optional[Mapping[str, Any]] = None) -> Image:
@@ -146,7 +166,8 @@ class Image:
             SimpleITK.GetArrayViewFromImage(image),
             image.GetSpacing(),
             image.GetOrigin(),
-            np.reshape(image.GetDirection(), (3, 3)),
+            np.reshape(image.GetDirection(), (3, 3)) if image.GetDimension() == 3 else None,
+            {"modality": image.GetMetaData(_MODALITY).strip()} if image.HasMetaDataKey(_MODALITY) else None,
         )
 
     def to_sitk(self) -> Any:
@@ -157,6 +178,8 @@ class Image:
         image.SetSpacing(self._spacing)
         image.SetOrigin(self._origin)
         image.SetDirection(self._direction.ravel().tolist())
+        if self.facts.get("modality"):
+            image.SetMetaData(_MODALITY, self.facts["modality"])
         return image
 
     @classmethod
@@ -164,8 +187,14 @@ class Image:
         """From an image of the package itk; its voxels are a view."""
         import itk
 
-        direction = itk.array_from_matrix(image.GetDirection())
-        return cls(itk.array_view_from_image(image), tuple(image.GetSpacing()), tuple(image.GetOrigin()), direction)
+        header = image.GetMetaDataDictionary()
+        return cls(
+            itk.array_view_from_image(image),
+            tuple(image.GetSpacing()),
+            tuple(image.GetOrigin()),
+            itk.array_from_matrix(image.GetDirection()),
+            {"modality": str(header[_MODALITY]).strip()} if header.HasKey(_MODALITY) else None,
+        )
 
     def to_itk(self) -> Any:
         """An image of the package itk; its voxels are a view if they are C-contiguous."""
@@ -176,6 +205,22 @@ class Image:
         image.SetOrigin(self._origin)
         image.SetDirection(itk.matrix_from_array(self._direction))
         return image
+
+    @classmethod
+    def from_xarray(cls, array: Any) -> Image:
+        """From an xarray.DataArray such as that of `itk.xarray_from_image`; its voxels are a view.
+
+        It has the axes x, y, z in any order with coordinates in mm, and may have an attribute "direction": the matrix of
+        directions with reversed rows and columns.
+        """
+        if sorted(map(str, array.dims)) != ["x", "y", "z"]:
+            raise InputError(f"the axes of the DataArray must be z, y, x, got {', '.join(map(str, array.dims))}")
+        axes = [np.asarray(array.coords[name], dtype=np.float64) if name in array.coords else np.empty(0) for name in "xyz"]
+        steps = [_step(name, axis) for name, axis in zip("xyz", axes)]
+        affine = np.eye(4)
+        affine[:3, :3] = np.flip(np.asarray(array.attrs.get("direction", np.eye(3)))) * steps
+        affine[:3, 3] = [axis[0] for axis in axes]
+        return cls.from_affine(array.transpose("z", "y", "x").values, affine)
 
     @classmethod
     def from_vtk(cls, image: Any) -> Image:
@@ -226,11 +271,21 @@ def _volume(array: Any) -> NDArray[Any]:
     return voxels
 
 
+def _step(name: str, axis: NDArray[Any]) -> float:
+    """The distance of the coordinates along an axis, which must be constant; negative if they descend."""
+    steps = np.diff(axis)
+    if len(steps) == 0 or not np.allclose(steps, steps[0], rtol=_PERPENDICULAR, atol=0.0):
+        raise InputError(f"the DataArray must have two or more equally spaced coordinates along {name}")
+    return float((axis[-1] - axis[0]) / len(steps))
+
+
 def _triple(name: str, values: Triple) -> tuple[float, float, float]:
-    numbers = [float(v) for v in values]
-    if len(numbers) != 3 or not np.all(np.isfinite(numbers)):
-        raise ParameterError(f"the parameter \"{name}\" = {numbers}: three finite numbers for x, y, z are required")
-    return numbers[0], numbers[1], numbers[2]
+    numbers = np.asarray(values)
+    if numbers.shape != (3,) or numbers.dtype.kind not in "uif" or not np.all(np.isfinite(numbers)):
+        raise ParameterError(
+            f"the parameter \"{name}\" = {values}: three finite numbers for x, y, z are required, such as (1, 1, 1)"
+        )
+    return float(numbers[0]), float(numbers[1]), float(numbers[2])
 
 
 def _axes(direction: Any) -> NDArray[Any]:

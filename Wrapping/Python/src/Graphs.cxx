@@ -133,7 +133,7 @@ AddGraph(py::module_ & module)
                                  py::make_tuple(self.attr("nodes"), self.attr("edges"), self.attr("names")));
          })
     .def("__repr__", [](const Graph & graph) {
-      return "<shapeton.Graph " + std::to_string(graph.nodes) + " nodes, " + std::to_string(graph.edges.size()) +
+      return "<shapeton.graphs.Graph " + std::to_string(graph.nodes) + " nodes, " + std::to_string(graph.edges.size()) +
              " edges>";
     });
 
@@ -195,7 +195,7 @@ disk (radius: a length; in the disk, hyperbolic). Half-edge 2e leaves the first 
       "statistics", [](const Certificate & c) { return DictOf(c.statistics); }, "Measurements by name.")
     .def_readonly("warnings", &Certificate::warnings, "Doubtful results, one per line.")
     .def("__repr__", [](const Certificate & c) {
-      return "<shapeton.EmbeddingCertificate of " + std::to_string(c.graph.nodes) + " nodes, genus " +
+      return "<shapeton.graphs.EmbeddingCertificate of " + std::to_string(c.graph.nodes) + " nodes, genus " +
              std::to_string(c.genus) + ", " + NameOf(c.geometry) + ">";
     });
 

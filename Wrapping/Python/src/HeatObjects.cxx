@@ -54,6 +54,7 @@ AddHeatObjects(py::module_ & module)
       "labels",
       [](const HeatObjectList & list) { return list.labels; },
       "uint16: the number of the smallest object at each voxel; 0 for none.")
+    .def_readonly("warnings", &HeatObjectList::warnings, "What to do if no object was found.")
     .def(
       "mask",
       [](const HeatObjectList & list, int number) { return MaskOfObject(list, number); },

@@ -120,7 +120,7 @@ AddSpectrum(py::module_ & module)
          "time"_a,
          "Remaining fraction of the last pair at `time` (mm^2): order of magnitude of the truncation error.")
     .def("__repr__", [](const SurfaceSpectrum & spectrum) {
-      return "<shapeton.SurfaceSpectrum of " + std::to_string(spectrum.NumberOfPairs()) + " eigenpairs>";
+      return "<shapeton.surfaces.SurfaceSpectrum of " + std::to_string(spectrum.NumberOfPairs()) + " eigenpairs>";
     });
 
   module.def("spectrum",

@@ -14,12 +14,20 @@ from support import TestCase, needs_tools, run_tool, stored
 
 
 class Examination:
-    """One position of a synthetic patient, processed by the tools, in the folders of VirtualColonoscopy, and the package."""
+    """One position of a synthetic patient, processed by the tools, in the folders of VirtualColonoscopy, and the package.
+
+    The supine position is a DICOM series, the prone one a NIfTI file.
+    """
 
     def __init__(self, name, folder):
         self.folder = folder / name
-        self.ct = colon.colon_phantom(position=name, size=(120, 120, 112), spacing=(3.0, 3.0, 3.0)).ct
-        self.run_tools(folder / (name + ".nrrd"))
+        volume = folder / (name + "-series")
+        run_tool("ColonPhantom", volume, "--position", name, "--size", "120,120,112", "--spacing", "3,3,3")
+        if name == "prone":
+            ct, volume = shapeton.read_volume(volume), folder / "prone.nii.gz"
+            shapeton.write_volume(ct, volume)
+        self.ct = shapeton.read_volume(volume)
+        self.run_tools(volume)
         self.model = colon.build_colon(self.ct)
         line = self.model.centerline.curve
         self.flattened = flattening.flatten_tube(self.model.wall.simplified, line)
@@ -29,7 +37,6 @@ class Examination:
         self.position = colon.ColonPosition(name, self.landmarks, line, self.folds)
 
     def run_tools(self, volume):
-        shapeton.write_volume(self.ct, volume)
         segmentation, flat = self.folder / "segmentation", self.folder / "flattening/flat.vtp"
         for name in ("flattening", "folds"):
             (self.folder / name).mkdir(parents=True)

@@ -1,7 +1,7 @@
 """Images and surfaces of other packages.
 
-nibabel and VTK are Debian packages. SimpleITK, itk and pyvista, which Debian lacks, are replaced by small stand-ins, which
-only verify the calls of the converters.
+nibabel and VTK are Debian packages. SimpleITK, itk, pyvista and xarray are replaced by small stand-ins, which only verify
+the calls of the converters.
 """
 
 import gc
@@ -57,6 +57,18 @@ class NibabelTest(TestCase):
         self.assertSame(back.array, image.array)
         self.assertTrue(np.shares_memory(back.array, image.array))
         np.testing.assert_allclose(back.affine, image.affine, atol=1e-12)
+
+
+    def test_a_function_takes_images_of_other_packages(self):
+        image = balls((12, 14, 16))
+        domain = image.like((image.array > 0.0).astype(np.uint8))
+        expected = shapeton.diffuse_heat(image, domain=domain, time_steps=10)
+        for other, mask in ((image.to_nibabel(), domain.to_vtk()), (image.to_vtk(), domain.to_nibabel())):
+            self.assertSame(shapeton.diffuse_heat(other, domain=mask, time_steps=10).heat.array, expected.heat.array)
+        histogram = shapeton.heat_histogram([expected.heat.to_nibabel()], [10])
+        self.assertSame(histogram.counts, shapeton.heat_histogram([expected.heat], [10]).counts)
+        with self.assertRaisesRegex(TypeError, "dict is not an image of nibabel, SimpleITK, itk, VTK or xarray"):
+            Image.of({})
 
 
 class VtkTest(TestCase):
@@ -151,6 +163,7 @@ class FakeImage:
 
     def __init__(self, array):
         self.array, self.spacing, self.origin, self.direction = array, (1.0,) * 3, (0.0,) * 3, tuple(np.eye(3).ravel())
+        self.header = {}
 
     def SetSpacing(self, spacing):
         self.spacing = tuple(float(s) for s in spacing)
@@ -171,29 +184,94 @@ class FakeImage:
         return self.direction
 
 
+class FakeSimpleITKImage(FakeImage):
+    def GetPixelIDTypeAsString(self):
+        return "32-bit float"
+
+    def GetDimension(self):
+        return 3
+
+    def HasMetaDataKey(self, key):
+        return key in self.header
+
+    def GetMetaData(self, key):
+        return self.header[key]
+
+    def SetMetaData(self, key, value):
+        self.header[key] = value
+
+
+class FakeITKHeader(dict):
+    HasKey = dict.__contains__
+
+
+class FakeITKImage(FakeImage):
+    def GetLargestPossibleRegion(self):
+        raise NotImplementedError
+
+    def GetMetaDataDictionary(self):
+        return FakeITKHeader(self.header)
+
+
 class StandInTest(TestCase):
     def assertThereAndBack(self, image, back):
         self.assertSame(back.array, image.array)
         np.testing.assert_allclose(back.affine, image.affine)
 
     def test_simple_itk(self):
-        fake = types.SimpleNamespace(GetImageFromArray=FakeImage, GetArrayViewFromImage=lambda image: image.array)
+        fake = types.SimpleNamespace(
+            GetImageFromArray=FakeSimpleITKImage, GetArrayViewFromImage=lambda image: image.array
+        )
         with mock.patch.dict(sys.modules, SimpleITK=fake):
             image = balls()
+            image.facts["modality"] = "CT"
             other = image.to_sitk()
             self.assertEqual(len(other.direction), 9)
-            self.assertThereAndBack(image, Image.from_sitk(other))
+            for convert in (Image.from_sitk, Image.of):
+                self.assertThereAndBack(image, convert(other))
+                self.assertEqual(convert(other).facts, {"modality": "CT"})
 
     def test_itk(self):
         fake = types.SimpleNamespace(
-            image_view_from_array=FakeImage,
+            image_view_from_array=FakeITKImage,
             array_view_from_image=lambda image: image.array,
             matrix_from_array=np.array,
             array_from_matrix=np.array,
         )
         with mock.patch.dict(sys.modules, itk=fake):
             image = balls()
-            self.assertThereAndBack(image, Image.from_itk(image.to_itk()))
+            other = image.to_itk()
+            other.header["0008|0060"] = "CT "
+            for convert in (Image.from_itk, Image.of):
+                self.assertThereAndBack(image, convert(other))
+                self.assertEqual(convert(other).facts, {"modality": "CT"})
+
+    def test_xarray(self):
+        image = balls()
+        axes = {
+            name: origin + step * np.arange(n)
+            for name, origin, step, n in zip("xyz", image.origin, image.spacing, reversed(image.array.shape))
+        }
+        other = types.SimpleNamespace(
+            dims=("x", "y", "z"),
+            coords=axes,
+            attrs={"direction": np.flip(image.direction)},
+            transpose=lambda *dims: types.SimpleNamespace(values={("z", "y", "x"): image.array}[dims]),
+        )
+        for convert in (Image.from_xarray, Image.of):
+            self.assertThereAndBack(image, convert(other))
+        other.attrs = {}
+        np.testing.assert_array_equal(Image.of(other).direction, np.eye(3))
+        for name, axis, error in (
+            ("y", axes["y"] ** 2, "equally spaced coordinates along y"),
+            ("z", axes["z"][:1], "equally spaced coordinates along z"),
+        ):
+            other.coords = {**axes, name: axis}
+            with self.assertRaisesRegex(shapeton.InputError, error):
+                Image.of(other)
+        other.dims = ("t", "y", "x")
+        with self.assertRaisesRegex(shapeton.InputError, "must be z, y, x, got t, y, x"):
+            Image.of(other)
 
     def test_pyvista(self):
         with mock.patch.dict(sys.modules, pyvista=types.SimpleNamespace(wrap=lambda data: data)):

@@ -1,4 +1,5 @@
 import pickle
+import types
 import unittest
 
 import numpy as np
@@ -52,6 +53,45 @@ class GraphTest(TestCase):
             with self.assertRaisesRegex(shapeton.ParameterError, "edges"):
                 graphs.Graph(3, wrong)
         self.assertEqual(graphs.Graph(3, []).edges.shape, (0, 2))
+
+    def test_graphs_of_other_packages(self):
+        k4 = graphs.complete_graph(4)
+        matrix = np.ones((4, 4)) - np.eye(4)
+        sparse = types.SimpleNamespace(tocoo=None, toarray=lambda: matrix)
+        for other in (k4.edges.tolist(), k4.edges.astype(np.int16), [tuple(edge) for edge in k4.edges], matrix, sparse):
+            np.testing.assert_array_equal(graphs.as_graph(other).edges, k4.edges)
+            self.assertEqual(graphs.ricci_curvature(other).edges.tolist(), graphs.ricci_curvature(k4).edges.tolist())
+        self.assertTrue(graphs.compare_graphs(matrix, k4).isomorphic)
+        named = graphs.as_graph([("b", "a"), ("a", "c"), ("b", "a")])
+        self.assertEqual((named.names, named.edges.tolist()), (["b", "a", "c"], [[0, 1], [1, 2], [0, 1]]))
+        with self.assertRaisesRegex(shapeton.InputError, "no nodes"):
+            graphs.as_graph([])
+        self.assertEqual(graphs.Graph(3).edges.shape, (0, 2))
+
+    def test_graphs_of_networkx(self):
+        import networkx
+
+        other = networkx.petersen_graph()
+        other.add_node("alone")
+        graph = graphs.as_graph(other)
+        self.assertEqual((graph.nodes, graph.names[-2:]), (11, ["9", "alone"]))
+        self.assertEqual(graph.edges.tolist(), [list(edge) for edge in other.edges])
+        self.assertEqual(graphs.embed_graph(networkx.complete_graph(7)).genus, 1)
+        double = graphs.as_graph(networkx.MultiGraph([(5, 3), (5, 3), (3, 3)]))
+        self.assertEqual((double.names, double.edges.tolist()), (["5", "3"], [[0, 1], [0, 1], [1, 1]]))
+        with self.assertRaisesRegex(shapeton.InputError, r"directed; use graph.to_undirected\(\)"):
+            graphs.ricci_curvature(networkx.DiGraph([(0, 1)]))
+
+    def test_what_is_not_a_graph_is_refused_with_advice(self):
+        edges = [[0, 1], [1, 2]]
+        with self.assertRaisesRegex(TypeError, r"\"nodes\" must be a whole number, .*use shapeton.graphs.as_graph\(edges\)"):
+            graphs.Graph(edges)
+        with self.assertRaisesRegex(TypeError, "must be a shapeton.graphs.Graph, not str"):
+            graphs.embed_graph("k7")
+        with self.assertRaisesRegex(TypeError, "dict is not a graph of networkx"):
+            graphs.as_graph({})
+        with self.assertRaisesRegex(shapeton.ParameterError, "not symmetric"):
+            graphs.embed_graph(np.triu(np.ones((4, 4))))
 
     def test_families_refuse_counts_that_are_none(self):
         self.assertEqual(graphs.hypercube_graph(4).nodes, 16)

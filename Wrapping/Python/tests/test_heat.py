@@ -92,6 +92,7 @@ class HeatTest(TestCase):
     def test_wrong_objects_and_heats_are_rejected(self):
         image = balls()
         heat = shapeton.diffuse_heat(image, time_steps=1000).heat
+        self.assertEqual(shapeton.find_objects(heat).warnings, [])
         found = shapeton.find_objects(heat, least_probability=0.1)
         most = len(found.objects)
         for number in (0, most + 1):

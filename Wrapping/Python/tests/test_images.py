@@ -43,6 +43,7 @@ class ImageTest(TestCase):
             lambda: Image(np.full((2, 2, 2), "text")),
             lambda: Image(volume, spacing=(1.0, 0.0, 1.0)),
             lambda: Image(volume, spacing=(1.0, 1.0)),
+            lambda: Image(volume, spacing=1),
             lambda: Image(volume, origin=(0.0, np.nan, 0.0)),
             lambda: Image(volume, direction=np.ones((3, 3))),
             lambda: Image.from_affine(volume, np.eye(3)),

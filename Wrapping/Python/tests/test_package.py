@@ -1,7 +1,9 @@
 import inspect
 import subprocess
 import sys
+import threading
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -107,12 +109,42 @@ print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
     def test_results_describe_themselves_by_their_attributes(self):
         image = shapeton.Image(np.eye(9, dtype=np.float32).reshape(9, 3, 3))
         result = shapeton.diffuse_heat(image, preset="published", time_steps=3, components=True)
-        self.assertRegex(repr(result), r"^<shapeton.HeatResult .*heat=<shapeton.Image 9 x 3 x 3 voxels.*histogram=")
+        self.assertRegex(repr(result), r"^<shapeton.HeatResult .*heat=<shapeton.Image x: 3 x 1 mm, .*histogram=")
+        self.assertIn("components=<1 of shapeton.ShapeComponent>", repr(result))
+        placed = shapeton.Image(np.zeros((4, 3, 2), np.int16), (0.5, 1.5, 2.0))
+        self.assertEqual(repr(placed), "<shapeton.Image x: 2 x 0.5 mm, y: 3 x 1.5 mm, z: 4 x 2 mm, int16>")
         self.assertRegex(repr(result.components[0]), r"^<shapeton.ShapeComponent index=\(\d, \d, \d\), voxels=\d+, ")
         self.assertRegex(repr(colon.colon_phantom(size=(24, 24, 24))), r"centerline=<shapeton.Curves 1")
         described = [name for name, thing in vars(_shapeton).items() if inspect.isclass(thing)]
         for name in described:
             self.assertIsNot(getattr(_shapeton, name).__repr__, object.__repr__, name)
+
+    def test_dir_lists_public_names_and_classes_have_their_public_module(self):
+        for module in MODULES:
+            names = [name for name in dir(module) if not name.startswith("__")]
+            self.assertEqual(names, module.__all__)
+            for name in names:
+                thing = getattr(module, name)
+                if inspect.isclass(thing):
+                    self.assertIn(thing.__module__, ("shapeton", "shapeton.shapes", module.__name__))
+                    self.assertIs(getattr(sys.modules[thing.__module__], name), thing)
+
+    def test_two_threads_compute_at_once(self):
+        image = shapeton.Image(np.random.default_rng(1).random((24, 24, 24), dtype=np.float32))
+        both = threading.Barrier(2, timeout=600)
+        arrived = []
+
+        def meet(share, stage):
+            if threading.current_thread() not in arrived:
+                arrived.append(threading.current_thread())
+                both.wait()  # returns only if the other thread computes, too
+
+        def diffuse():
+            return shapeton.diffuse_heat(image, preset="published", time_steps=3000, progress=meet).heat.array
+
+        with ThreadPoolExecutor(2) as pool:
+            one, other = (call.result() for call in [pool.submit(diffuse), pool.submit(diffuse)])
+        self.assertSame(one, other)
 
     def test_errors_belong_to_the_classes_of_python(self):
         for error, kinds in (

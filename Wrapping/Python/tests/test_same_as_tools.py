@@ -34,15 +34,44 @@ class SameAsToolsTest(TestCase):
         labels, _ = shapeton.classify_heat(result.heat, result.components)
         self.assertSame(labels.array.astype(np.float32), self.read("labels.nrrd"))
 
-    def test_defaults_on_dicom(self):
-        """The modality travels with the volume, so the window is that of CT, although the values do not look like HU."""
-        image = shapeton.read_volume(SERIES)
-        self.assertEqual(shapeton.diffuse_heat(image).window, (-160.0, 240.0))
-        self.assertNotEqual(shapeton.diffuse_heat(shapeton.Image(image.array)).window, (-160.0, 240.0))
-        run_tool("CumulativeHeatDiffusion", SERIES, self.folder / "heat.nrrd")
-        self.assertSame(shapeton.diffuse_heat(image).heat.array, self.read("heat.nrrd"))
-        run_tool("ShapetonDiffusion", SERIES, self.folder / "visits.nrrd")
-        self.assertSame(shapeton.diffuse_shapetons(image).visits.array.astype(np.float32), self.read("visits.nrrd"))
+    def test_volumes_of_dicom_and_nifti(self):
+        """The modality travels with the volume: the window of the series is that of CT, although its values are not in HU."""
+        series, nifti = shapeton.read_volume(SERIES), self.folder / "volume.nii.gz"
+        shapeton.write_volume(series, nifti)
+        self.assertEqual(shapeton.diffuse_heat(series).window, (-160.0, 240.0))
+        self.assertNotEqual(shapeton.diffuse_heat(shapeton.read_volume(nifti)).window, (-160.0, 240.0))
+        for path in (SERIES, nifti):
+            with self.subTest(path=path.name):
+                self.assertSameResults(path)
+
+    def assertSameResults(self, volume):
+        """Compares all tools that compute something from any volume."""
+        heat, classes, visits, objects, labels, doubt, seeds, table = (
+            self.folder / name for name in ("heat.nrrd", "classes.nrrd", "visits.nrrd", "objects.nrrd", "labels.nrrd",
+                                            "doubt.nrrd", "seeds.nrrd", "table.csv"))
+        image = shapeton.read_volume(volume)
+        result = shapeton.diffuse_heat(image, components=True)
+        found, _ = shapeton.classify_heat(result.heat, result.components)
+        strokes = image.like(np.zeros(image.array.shape, np.uint16))
+        strokes.array[:, 0, 0], strokes.array[np.unravel_index(image.array.argmax(), image.array.shape)] = 1, 2
+        shapeton.write_volume(strokes, seeds)
+        run_tool("CumulativeHeatDiffusion", volume, heat, "--labels", classes)
+        run_tool("ShapetonDiffusion", volume, visits)
+        run_tool("HeatObjects", volume, heat, objects, table)
+        run_tool("SeededHeatSegmentation", volume, seeds, labels, "--uncertainty", doubt)
+        run_tool("ShapeSignature", volume, classes, table)
+        segmented = shapes.SeededHeat(image).segment(strokes)
+        for path, expected in (
+            (heat, result.heat),
+            (classes, found),
+            (visits, shapeton.diffuse_shapetons(image).visits),
+            (objects, shapeton.find_objects(result.heat).labels),
+            (labels, segmented.labels),
+            (doubt, segmented.uncertainty),
+        ):
+            self.assertSame(expected.array.astype(np.float32), shapeton.read_volume(path).array)
+        shapes.write_shape_table(shapes.describe_shapes(image, found), self.folder / "own.csv")
+        self.assertEqual((self.folder / "own.csv").read_bytes(), table.read_bytes())
 
     def test_rows_of_the_histogram(self):
         table = self.folder / "histogram.csv"

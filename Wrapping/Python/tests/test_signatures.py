@@ -111,6 +111,9 @@ class ArgumentTest(TestCase):
     def test_missing_and_surplus_arguments_are_named(self):
         self.assertRefused("diffuse_heat(): missing a required argument: 'image'", shapeton.diffuse_heat)
         self.assertRefused("threads(): too many positional arguments", shapeton.threads, 3)
+        self.assertRefused(
+            "diffuse_heat(): too many positional arguments; give it by name: preset='published'",
+            shapeton.diffuse_heat, self.image, "published")  # fmt: skip
 
     def test_a_wrong_type_is_named(self):
         for words, call, wrong in (
@@ -135,7 +138,7 @@ class ArgumentTest(TestCase):
             flattening.flatten_tube, self.tube, cut="x")  # fmt: skip
         self.assertRefused('read_volume(): the argument "path" must be a path, not int 3', shapeton.read_volume, 3)
         self.assertRefused(
-            'verify_embedding(): the argument "certificate" must be a shapeton.EmbeddingCertificate, not None',
+            'verify_embedding(): the argument "certificate" must be a shapeton.graphs.EmbeddingCertificate, not None',
             graphs.verify_embedding, None)  # fmt: skip
 
     def test_an_array_without_geometry_is_wrapped(self):

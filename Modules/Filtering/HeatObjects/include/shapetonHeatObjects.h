@@ -4,6 +4,7 @@
 #include "shapetonHeatObjectOptions.h"
 #include "shapetonPartitionTree.h"
 #include "shapetonProgress.h"
+#include "shapetonRemarks.h"
 #include "ShapetonHeatObjectsExport.h"
 
 #include "itkImage.h"
@@ -70,6 +71,7 @@ struct HeatObjectList
   LabelImage::Pointer labels;
   /** The voxels of each object, including those of the objects inside it; ascending. */
   std::vector<std::vector<VoxelRange>> ranges;
+  Remarks                              warnings; ///< what to do if no object was found
 
   bool
   IsOffer(int object) const

@@ -388,12 +388,17 @@ HeatObjectTree::List(bool withOffers) const
   const Choice           choice = ChooseObjects(m_Candidates, m_Tree, m_Options.leastProbability);
   std::vector<Candidate> chosen;
   AddBySize(m_Candidates, choice.listed, chosen);
+  HeatObjectList    list;
   const std::size_t listed = chosen.size();
+  if (listed == 0)
+  {
+    list.warnings.emplace_back("no object was found: diffuse heat with the preset automatic, or reduce the parameter "
+                               "\"leastProbability\"");
+  }
   if (withOffers)
   {
     AddBySize(m_Candidates, choice.offers, chosen);
   }
-  HeatObjectList list;
   list.numberOfOffers = chosen.size() - listed;
   list.objects.resize(chosen.size());
   list.ranges.resize(chosen.size());
