@@ -11,7 +11,7 @@ from .xml_tree import parse, text_of
 sys.path.append(str(Path(__file__).resolve().parents[3] / "CMake"))
 from options import expand_xml  # noqa: E402
 
-BUILT_IN = {"help", "version", "xml", "quiet", "returnparameterfile"}
+BUILT_IN = {"help", "version", "xml", "quiet", "echo", "returnparameterfile", "processinformationaddress"}
 # Values in messages that a tool rejects but never prints. `component` = -1 is omitted if
 # SurfaceReadOptions::takesOneComponent is set; the test SurfaceReader.ASurfaceThatIsNotManifoldIsCutIntoComponents and
 # the tests of Testing/Advice check this.

@@ -394,6 +394,13 @@ IndicesOf(const Items & items, const std::function<bool(const DicomFile &)> & is
   return indices;
 }
 
+std::string
+EncodingInWords(const std::string & transferSyntax)
+{
+  return transferSyntax.empty() ? "a header without an encoding (transfer syntax), "
+                                : "the encoding " + transferSyntax + " is not supported, ";
+}
+
 /** Defects found in the headers of individual files. */
 void
 AddFileDefects(DicomSeries & series, const Items & items)
@@ -423,7 +430,7 @@ AddFileDefects(DicomSeries & series, const Items & items)
   {
     AddDefect(series,
               DicomDefectKind::unsupportedTransferSyntax,
-              "the encoding " + items[unsupported.front()].file->transferSyntax + " is not supported, " +
+              EncodingInWords(items[unsupported.front()].file->transferSyntax) +
                 NameOfSlice(series, unsupported.front()),
               unsupported);
   }

@@ -64,7 +64,7 @@ RefusalOf(const DicomSeries & series, const VolumeReadOptions & options)
   {
     if (!IsRepaired(defect, options, isChosenPart))
     {
-      return std::string(GetDicomDefectName(defect.kind)) + ": " + defect.message + "; " +
+      return defect.message + "; " +
              (MayAdvise(defect, options) ? GetDicomDefectAdvice(defect) : "a series without this defect is required");
     }
   }
@@ -262,7 +262,7 @@ ListOthers(const DicomScan & scan, const DicomSeries & taken, Volume & volume)
   {
     if (&series != &taken && !series.Has(DicomDefectKind::localizer))
     {
-      const std::string reason = series.defects.empty() ? series.refusal : GetDicomDefectName(series.defects[0].kind);
+      const std::string reason = series.defects.empty() ? series.refusal : series.defects[0].message;
       volume.notes.push_back("skipped: series " + Describe(series) + (reason.empty() ? "" : ": " + reason));
     }
   }
@@ -274,8 +274,7 @@ NoteOthers(const DicomScan & scan, const DicomSeries & taken, bool isChosen, Vol
 {
   for (const DicomDefect & remark : taken.remarks)
   {
-    volume.notes.push_back(std::string(GetDicomDefectName(remark.kind)) + ": " + remark.message + "; " +
-                           GetDicomDefectAdvice(remark));
+    volume.notes.push_back(remark.message + "; " + GetDicomDefectAdvice(remark));
   }
   if (isChosen)
   {
@@ -348,7 +347,7 @@ RequireDicomImages(const DicomScan & scan, const std::string & wanted)
                                             : "none of its " + std::to_string(scan.files) + " files is a DICOM image";
   const std::string found = scan.otherObjects.empty() ? first : "DICOM objects without one: " + ListObjects(scan);
   ThrowUnsuitable(scan.path,
-                  "notAnImage: " + which + " (" + found + (isDamaged && found != first ? "; " + first : "") + "); " +
+                  which + " (" + found + (isDamaged && found != first ? "; " + first : "") + "); " +
                     (scan.otherObjects.empty() ? wanted : AdviceOnObjects(scan)));
 }
 

@@ -210,17 +210,17 @@ TEST(DicomRealData, EachFileOfPydicomGivesAVolumeOrANamedMessage)
   }
   const std::map<std::string, std::string> messages = { { "MR_truncated.dcm", "truncated: " },
                                                         { "rtplan_truncated.dcm", "truncated: " },
-                                                        { "README.txt", "notAnImage: " },
-                                                        { "test-SR.dcm", "notAnImage: " },
+                                                        { "README.txt", "the file is not a DICOM image" },
+                                                        { "test-SR.dcm", "the file is not a DICOM image" },
                                                         { "rtstruct.dcm", "RTStructureSetStorage" },
-                                                        { "waveform_ecg.dcm", "notAnImage: " },
+                                                        { "waveform_ecg.dcm", "the file is not a DICOM image" },
                                                         { "SC_rgb_jpeg_gdcm.dcm", "a color image" },
                                                         { "examples_palette.dcm", "PALETTE COLOR" },
                                                         { "liver_1frame.dcm", "a segmentation" },
                                                         { "rtdose_1frame.dcm", "a dose grid" },
                                                         { "image_dfl.dcm", "a 2-D image" },
                                                         { "JPEG2000.dcm", "a 2-D image" },
-                                                        { "zipMR.gz", "notAnImage: " } };
+                                                        { "zipMR.gz", "the file is not a DICOM image" } };
   for (const auto & message : messages)
   {
     EXPECT_TRUE(shapeton::Contains(outcome[message.first], message.second)) << outcome[message.first];

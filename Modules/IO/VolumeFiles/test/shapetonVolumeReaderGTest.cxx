@@ -246,7 +246,7 @@ TEST(VolumeReader, SlicesWithAFrameOfReferenceEachAreAVolumeWithANote)
   const Volume volume = ReadVolume(folder);
   EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantization);
   ASSERT_EQ(volume.notes.size(), 1U);
-  EXPECT_NE(volume.notes[0].find("mixedFrameOfReference: the slices have 6 frames of reference"), std::string::npos);
+  EXPECT_NE(volume.notes[0].find("the slices have 6 frames of reference"), std::string::npos);
 }
 
 TEST(VolumeReader, SlicesApartAreOneEntryOfTheRefusal)
@@ -395,13 +395,13 @@ TEST(VolumeReader, IrregularSeriesAreRefusedWithDefectSlicesAndAdvice)
 {
   const DicomFixture fixture;
   const std::string  gap = RefusalOf(SlicesAt(fixture, { 0, 2, 8, 10 }));
-  EXPECT_TRUE(Contains(gap, "gap: 2 slices are missing between slice 2 (im0002.dcm) and slice 3 (im0003.dcm)")) << gap;
+  EXPECT_TRUE(Contains(gap, "2 slices are missing between slice 2 (im0002.dcm) and slice 3 (im0003.dcm)")) << gap;
   EXPECT_TRUE(Contains(gap, "the parameter \"resampleGaps\"")) << gap;
   EXPECT_TRUE(Contains(gap, fixture.seriesUID)) << gap;
   const std::string variable = RefusalOf(SlicesAt(fixture, { 0, 2, 4.5, 6, 8 }));
-  EXPECT_TRUE(Contains(variable, "variableSpacing: ")) << variable;
+  EXPECT_TRUE(Contains(variable, "the distance between slices varies from 1.5 mm to 2.5 mm")) << variable;
   const std::string duplicate = RefusalOf(SlicesAt(fixture, { 0, 2, 2, 4 }));
-  EXPECT_TRUE(Contains(duplicate, "duplicateIdentical: ")) << duplicate;
+  EXPECT_TRUE(Contains(duplicate, "1 position with several slices with equal pixels")) << duplicate;
   EXPECT_TRUE(Contains(duplicate, "the parameter \"dropDuplicates\"")) << duplicate;
 }
 
@@ -461,10 +461,10 @@ TEST(VolumeReader, PartsOfAMixedSeriesCanBeChosen)
   small.slices = 3;
   SaveDicom(axial.MakeSeries(), folder, EXS_LittleEndianExplicit, "a");
   SaveDicom(small.MakeSeries(), folder, EXS_LittleEndianExplicit, "b");
-  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadVolume(folder); }), "mixedSeries: "));
+  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadVolume(folder); }), "contains images of 2 kinds"));
   VolumeReadOptions options;
   options.seriesUID = axial.seriesUID;
-  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadVolume(folder, options); }), "mixedSeries: "));
+  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadVolume(folder, options); }), "contains images of 2 kinds"));
   options.seriesUID = axial.seriesUID + "#2";
   const Volume volume = ReadVolume(folder, options);
   ExpectSize(volume, 7, 5, 3);
@@ -575,7 +575,7 @@ TEST(VolumeReader, EnhancedGapsAndDuplicatesAreFound)
   const std::string  folder = TestFolder();
   const DicomFixture fixture;
   SaveDicom(*fixture.MakeEnhanced({ 0, 2, 8, 10 }), folder + "/multi.dcm");
-  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadVolume(folder); }), "gap: 2 slices are missing"));
+  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadVolume(folder); }), "2 slices are missing"));
   SaveDicom(*fixture.MakeEnhanced({ 0, 2, 4, 4 }), folder + "/multi.dcm");
   EXPECT_TRUE(Contains(InputErrorOf([&] { ReadVolume(folder); }), "duplicate"));
 }
@@ -731,7 +731,7 @@ TEST(VolumeReader, RepairsCombine)
   VolumeReadOptions options;
   options.deshear = true;
   options.dropDuplicates = true;
-  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadSaved(files, options); }), "gap: "));
+  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadSaved(files, options); }), "slices are missing"));
   options.resampleGaps = true;
   const Volume volume = ReadSaved(files, options);
   EXPECT_EQ(volume.repairs.size(), 3u);

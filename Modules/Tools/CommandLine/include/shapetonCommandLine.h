@@ -32,26 +32,29 @@ namespace shapeton
  *
  * Arguments: options may be anywhere; `--` ends them. A value follows its option or an equals sign (`--gamma 2`,
  * `--gamma=2`, `-g 2`); a value that begins with two hyphens requires the equals sign. A boolean is a bare flag, or has
- * `=true` or `=false`. Negative numbers are values. Numbers must be finite, with a decimal point in every locale. If
- * an option is repeated, the last one wins, unless the XML has multiple="true". An unknown option, an empty file name,
- * or a wrong number of arguments is a ParameterError.
+ * `=true` or `=false`. Negative numbers are values. Numbers must be finite, with a decimal point in every locale. An
+ * unknown option, an empty file name, a wrong number of arguments, or an option given twice without multiple="true" in
+ * the XML is a ParameterError.
  *
- * Every tool has --help (-h), --version, --xml, --quiet, --returnparameterfile FILE. The first of --help, --version
- * and --xml before a `--` is executed even if other arguments are wrong. An option --threads N, if the XML declares
- * it, sets ITK's global number of threads before the body runs; 0 keeps the default.
+ * Every tool has --help (-h), --version, --xml, --quiet, --returnparameterfile FILE; for module hosts also --echo,
+ * which prints the values, and --processinformationaddress ADDRESS, which has no effect in a separate process. The
+ * first of
+ * --help, --version and --xml before a `--` is executed even if other arguments are wrong. An option --threads N, if
+ * the XML declares it, sets ITK's global number of threads before the body runs; 0 keeps the default.
  *
  * Exit status: 0 success, 1 other failure, 2 wrong usage (ParameterError), 3 unsuitable input (InputError). Only this
  * class sets it. On failure stderr contains one line; on success it is empty. If the message of an exception or a
- * warning contains a parameter in the form `the parameter "p" = 2`, it is printed as the option (`--p 2`). stdout
- * shows a progress bar on a terminal and Slicer's progress XML otherwise; nothing with --quiet, or if the body reports
- * neither progress nor warnings. Progress never decreases, and reaches 1 once, after the body has returned.
+ * warning contains a parameter in the form `the parameter "p" = 2`, it is printed as the option (`--p 2`). On a
+ * terminal, stdout shows a progress bar, warnings, and at the end the names of written pages; otherwise Slicer's
+ * progress XML. It shows nothing with --quiet, or if the body reports nothing. Progress never decreases, and reaches 1
+ * once, after the body has returned.
  *
  * Outputs are written to temporary names returned by Output() and renamed after the body has returned, so a failed or
  * killed run leaves neither a half-written file nor a damaged old one. Temporary files left after SIGKILL are removed
- * by the next run that writes to the folder. A symbolic link is kept and its target is replaced. A hard link is
- * separated, so the file's other name keeps the old result. The new file has the permissions of the old one, or the
- * default of the umask. Only regular files that are not inputs of the run are replaced: a folder, a device, a pipe or a
- * write-protected file is rejected before the work starts.
+ * by the next run that writes to the folder. Missing folders are created, and removed after a failure. A symbolic link
+ * is kept and its target is replaced. A hard link is separated, so the file's other name keeps the old result. The new
+ * file has the permissions of the old one, or the default of the umask. Only regular files that are not inputs of the
+ * run are replaced: a folder, a device, a pipe or a write-protected file is rejected before the work starts.
  *
  * \ingroup ShapetonCommandLine
  */

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 namespace shapeton
 {
@@ -132,6 +133,14 @@ private:
     {
       m_Result.quiet = this->TakeBoolean();
     }
+    else if (m_Option == "--echo")
+    {
+      m_Result.echo = this->TakeBoolean();
+    }
+    else if (m_Option == "--processinformationaddress")
+    {
+      this->TakeAddress();
+    }
     else if (m_Option == "--returnparameterfile")
     {
       m_Result.returnFile = this->TakeValue();
@@ -146,24 +155,34 @@ private:
     }
   }
 
+  /** A module host passes the address of a structure for progress, which only a module in its own process can use. */
+  void
+  TakeAddress()
+  {
+    const std::string value = this->TakeValue();
+    if (value.empty() || value.find_first_not_of("0123456789") != std::string::npos)
+    {
+      throw ParameterError(m_Option + ": " + Quoted(value) + " is not an address, a whole number");
+    }
+  }
+
   void
   TakeParameter(const Parameter & parameter)
   {
+    if (!parameter.multiple && !m_Seen.insert(&parameter).second)
+    {
+      throw ParameterError(parameter.Display() + " is given twice; give it once");
+    }
     if (parameter.tag == "boolean")
     {
       m_Result.given[parameter.name] = { this->TakeBoolean() ? "true" : "false" };
       return;
     }
     const std::string value = this->TakeValue();
-    if (!parameter.multiple)
+    if (parameter.multiple || !IsDefault(parameter, value))
     {
-      m_Result.given.erase(parameter.name); // the last value wins
-      if (IsDefault(parameter, value))
-      {
-        return;
-      }
+      this->Store(parameter, value);
     }
-    this->Store(parameter, value);
   }
 
   void
@@ -255,6 +274,7 @@ private:
   std::size_t                      m_Next{ 0 };
   std::vector<const Parameter *>   m_Positionals;
   std::size_t                      m_NextPositional{ 0 };
+  std::set<const Parameter *>      m_Seen;
   Arguments                        m_Result;
 
   // the current option

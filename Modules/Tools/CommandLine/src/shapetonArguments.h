@@ -15,6 +15,7 @@ struct Arguments
   std::map<std::string, std::vector<std::string>> given; ///< validated values by parameter name
   std::string                                     returnFile;
   bool                                            quiet{ false };
+  bool                                            echo{ false };
 };
 
 /** The first of --help, -h, --version and --xml before a "--"; empty if there is none. */

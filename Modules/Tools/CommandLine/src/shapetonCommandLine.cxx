@@ -225,6 +225,10 @@ struct CommandLine::State
   {
     parsed = ParseArguments(module, arguments);
     display.SetMode(parsed.quiet ? ProgressDisplay::Mode::Off : ProgressDisplay::ModeOfStdout());
+    if (parsed.echo)
+    {
+      this->Echo();
+    }
     if (!parsed.returnFile.empty())
     {
       returnFile = outputs.Add(parsed.returnFile);
@@ -235,6 +239,18 @@ struct CommandLine::State
     {
       SetNumberOfThreads(static_cast<unsigned int>(options.threads));
     }
+  }
+
+  /** As programs of the Slicer execution model do. */
+  void
+  Echo() const
+  {
+    std::string text = "Command Line Arguments\n";
+    for (const auto & parameter : module.parameters)
+    {
+      text += "    " + parameter.name + ": " + Printable(this->ProvenanceOf(parameter)) + '\n';
+    }
+    std::fputs(text.c_str(), stdout);
   }
 
   void
@@ -252,6 +268,10 @@ struct CommandLine::State
       WriteFileBytes(returnFile, this->ReturnText());
     }
     outputs.Commit();
+    for (const auto & page : outputs.GetPages())
+    {
+      display.Print("Page: " + page);
+    }
   }
 
   std::string

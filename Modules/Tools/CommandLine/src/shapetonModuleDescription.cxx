@@ -50,6 +50,7 @@ struct Reader
 {
   ModuleDescription        module;
   Parameter                parameter;
+  std::string              group;
   std::vector<std::string> path;
   std::string              text;
 
@@ -107,9 +108,11 @@ OnStart(void * data, const char * tag, const char ** attributes)
   {
     reader.parameter = {};
     reader.parameter.tag = tag;
+    reader.parameter.group = reader.group;
     for (; *attributes; attributes += 2)
     {
       reader.parameter.multiple |= !std::strcmp(attributes[0], "multiple") && !std::strcmp(attributes[1], "true");
+      reader.parameter.hasExtensions |= !std::strcmp(attributes[0], "fileExtensions");
     }
   }
 }
@@ -131,6 +134,10 @@ OnEnd(void * data, const char * tag)
       reader.parameter.name = reader.parameter.longflag;
     }
     reader.module.parameters.push_back(reader.parameter);
+  }
+  else if (reader.path.size() == 3 && reader.path[2] == "label")
+  {
+    reader.group = value;
   }
   else if (reader.path.size() > 3 && reader.InParameter())
   {

@@ -18,11 +18,13 @@ struct ModuleDescription
     std::string              description;
     std::string              defaultValue;
     std::string              channel;
+    std::string              group; ///< label of its group
     std::string              minimum;
     std::string              maximum;
     std::vector<std::string> elements;
     int                      index{ -1 };
     bool                     multiple{ false };
+    bool                     hasExtensions{ false }; ///< of files; a path without may be a folder
 
     /** Whether the type is a point of three coordinates. */
     bool

@@ -1,7 +1,9 @@
 #include "shapetonModuleHelp.h"
+#include "shapetonOperatingSystem.h"
 #include "shapetonPrintable.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace shapeton
 {
@@ -9,12 +11,69 @@ namespace
 {
 using Parameter = ModuleDescription::Parameter;
 
+constexpr std::size_t TextColumn = 30; // of the descriptions of options
+
+/** The text in lines of the given width; `column` is the current one, and lines after the first start at `indent`. */
 std::string
-Line(std::string left, const std::string & text)
+Wrapped(const std::string & text, std::size_t column, std::size_t indent, std::size_t width)
 {
-  constexpr std::size_t column = 40;
-  left.resize(std::max(left.size() + 2, column), ' ');
-  return "  " + left + text + '\n';
+  std::string        wrapped;
+  std::istringstream words(text);
+  bool               isFirst = true; // of its line
+  for (std::string word; words >> word; isFirst = false)
+  {
+    if (!isFirst && column + 1 + word.size() > width)
+    {
+      wrapped += '\n' + std::string(indent, ' ');
+      column = indent;
+      isFirst = true;
+    }
+    wrapped += (isFirst ? "" : " ") + word;
+    column += word.size() + (isFirst ? 0 : 1);
+  }
+  return wrapped + '\n';
+}
+
+std::string
+Entry(const std::string & left, const std::string & text, std::size_t width)
+{
+  std::string start = "  " + left;
+  if (start.size() + 2 > TextColumn)
+  {
+    start += '\n' + std::string(TextColumn, ' ');
+  }
+  else
+  {
+    start.resize(TextColumn, ' ');
+  }
+  return start + Wrapped(text, TextColumn, TextColumn, width);
+}
+
+/** What the value of a parameter is. */
+std::string
+KindOf(const Parameter & parameter)
+{
+  if (parameter.IsPoint())
+  {
+    return "x,y,z";
+  }
+  if (parameter.IsNumeric())
+  {
+    return (parameter.IsInteger() ? "integer" : "number") + std::string(parameter.IsVector() ? ",..." : "");
+  }
+  if (parameter.IsPath())
+  {
+    return parameter.tag == "image"       ? "volume"
+           : parameter.tag == "geometry"  ? "surface"
+           : parameter.tag == "directory" ? "folder"
+           : parameter.hasExtensions      ? "file"
+                                          : "path";
+  }
+  if (!parameter.elements.empty())
+  {
+    return "word";
+  }
+  return parameter.defaultValue == "auto" ? "number|auto" : "text";
 }
 
 std::string
@@ -29,7 +88,7 @@ LeftSideOf(const Parameter & parameter)
   {
     left += (left.empty() ? "--" : ", --") + parameter.longflag;
   }
-  return parameter.tag == "boolean" ? left : left + " <" + parameter.tag + '>';
+  return parameter.tag == "boolean" ? left : left + " <" + KindOf(parameter) + '>';
 }
 
 std::string
@@ -74,33 +133,49 @@ UsageOf(const ModuleDescription & module, const std::string & program)
   {
     usage += " <" + parameter->name + '>' + (parameter->multiple ? "..." : "");
   }
-  return usage + " [options]\n";
+  return usage + " [options]";
+}
+
+std::string
+OptionsOf(const ModuleDescription & module, std::size_t width)
+{
+  std::string text, group;
+  for (const auto & parameter : module.parameters)
+  {
+    if (parameter.longflag.empty() && parameter.flag.empty()) // a positional argument or a return value
+    {
+      continue;
+    }
+    text += parameter.group == group ? "" : '\n' + parameter.group + ":\n";
+    group = parameter.group;
+    text += Entry(LeftSideOf(parameter), DescriptionOf(parameter), width);
+  }
+  return text;
 }
 } // namespace
 
 std::string
 HelpText(const ModuleDescription & module, const std::string & program)
 {
-  std::string text = module.title + ' ' + module.version + '\n' + Printable(module.description) + "\n\n" +
-                     UsageOf(module, program) + '\n';
+  constexpr std::size_t least = 60, most = 120, usual = 80; // columns
+  const std::size_t     width = TerminalColumns() > 0 ? std::clamp(TerminalColumns(), least, most) : usual;
+  const auto            entry = [width](const auto & left, const auto & text) { return Entry(left, text, width); };
+
+  std::string text = module.title + ' ' + module.version + '\n' + Wrapped(Printable(module.description), 0, 0, width) +
+                     '\n' + Wrapped(UsageOf(module, program), 0, std::string("Usage: ").size(), width) + '\n';
   for (const auto * parameter : module.Positionals())
   {
-    text += Line(LeftSideOf(*parameter), DescriptionOf(*parameter));
+    text += entry(LeftSideOf(*parameter), DescriptionOf(*parameter));
   }
-  for (const auto & parameter : module.parameters)
-  {
-    const bool isOption = !parameter.longflag.empty() || !parameter.flag.empty(); // else a return value
-    if (isOption)
-    {
-      text += Line(LeftSideOf(parameter), DescriptionOf(parameter));
-    }
-  }
-  text += Line("--quiet", "Print no progress.");
-  text += Line("--returnparameterfile <file>", "Write the return values as lines name = value.");
-  text += Line("--xml", "Print the description of the tool for 3D Slicer.");
-  text += Line("--version", "Print the version.");
-  text += Line("-h, --help", "Print this text.");
-  text += "\nExit status: 0 done, 2 wrong usage, 3 unsuitable input, 1 any other failure.\n";
+  text += OptionsOf(module, width) + "\nAll tools:\n";
+  text += entry("--quiet", "Print no progress.");
+  text += entry("--version", "Print the version.");
+  text += entry("-h, --help", "Print this text.");
+  text += entry("--xml", "Print the description of the tool for 3D Slicer.");
+  text += entry("--echo", "Print the values of the parameters.");
+  text += entry("--returnparameterfile <file>", "Write the return values as lines name = value.");
+  text += entry("--processinformationaddress <address>", "Passed by module hosts; no effect in a separate process.");
+  text += '\n' + Wrapped("Exit status: 0 done, 2 wrong usage, 3 unsuitable input, 1 any other failure.", 0, 0, width);
   return module.documentationUrl.empty() ? text : text + "Documentation: " + module.documentationUrl + '\n';
 }
 } // namespace shapeton

@@ -160,6 +160,10 @@ std::string
 OutputFiles::Add(const std::string & path)
 {
   CheckName(path);
+  if (const fs::path folder = fs::path(path).parent_path(); !folder.empty())
+  {
+    this->MakeFolder(folder.string());
+  }
   const fs::path target = ResolveTarget(path);
   CheckTarget(path, target);
   if (std::any_of(m_Files.begin(), m_Files.end(), [&](const File & file) { return file.target == target; }))
@@ -237,6 +241,10 @@ OutputFiles::Rename(const File & file)
   if (std::rename(file.temporary.c_str(), file.target.c_str()) != 0)
   {
     ThrowCannotWrite(file.path, std::generic_category().message(errno), "choose another name");
+  }
+  if (file.target.extension() == ".html")
+  {
+    m_Pages.insert(file.path);
   }
 }
 

@@ -22,7 +22,8 @@ public:
   operator=(const OutputFiles &) = delete;
   ~OutputFiles();
 
-  /** Temporary name for a final path. Throws OutputError if the final path cannot be written to. */
+  /** Temporary name for a final path, whose folder is created if it is missing. Throws OutputError if the final path
+   * cannot be written to. */
   std::string
   Add(const std::string & path);
 
@@ -42,6 +43,13 @@ public:
   void
   Commit();
 
+  /** The HTML pages renamed to their final names so far. */
+  const std::set<std::string> &
+  GetPages() const
+  {
+    return m_Pages;
+  }
+
 private:
   struct File
   {
@@ -60,13 +68,14 @@ private:
   RemoveLeftovers(const std::filesystem::path & folder);
   static void
   Finish(const File & file);
-  static void
+  void
   Rename(const File & file);
 
   std::list<File>                 m_Files;
   std::size_t                     m_Added{ 0 };
   std::vector<Folder>             m_Folders; // created by this run, parents first
   std::set<std::filesystem::path> m_TidyFolders;
+  std::set<std::string>           m_Pages;
 };
 } // namespace shapeton
 

@@ -205,16 +205,23 @@ ProgressDisplay::Complete()
 void
 ProgressDisplay::Comment(const std::string & text)
 {
+  this->Print("Note: " + text);
+  const std::lock_guard<std::mutex> lock(m_Mutex);
+  if (m_Mode == Mode::XML)
+  {
+    PrintElement("filter-comment", text);
+    std::fflush(stdout);
+  }
+}
+
+void
+ProgressDisplay::Print(const std::string & line)
+{
   const std::lock_guard<std::mutex> lock(m_Mutex);
   if (m_Mode == Mode::Bar)
   {
     this->ClearBar();
-    std::printf("Note: %s\n", Printable(text).c_str());
-    std::fflush(stdout);
-  }
-  else if (m_Mode == Mode::XML)
-  {
-    PrintElement("filter-comment", text);
+    std::printf("%s\n", Printable(line).c_str());
     std::fflush(stdout);
   }
 }

@@ -40,6 +40,9 @@ public:
   Complete();
   void
   Comment(const std::string & text);
+  /** Prints a line on a terminal. */
+  void
+  Print(const std::string & line);
   void
   End();
   /** Completed stages in the order they were first started, with their durations in seconds; recorded even if nothing

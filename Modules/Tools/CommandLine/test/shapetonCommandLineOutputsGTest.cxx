@@ -491,8 +491,8 @@ TEST(CommandLineOutputs, BadNamesAreRefusedAtOnce)
   ExpectRefused("new/", 1, "cannot write \"new/\": it is a folder; use a file name");
   ExpectRefused(".", 1, "cannot write \".\": it is a folder; use a file name");
   ExpectRefused("folder/..", 1, "cannot write \"folder/..\": it is a folder; use a file name");
-  ExpectRefused("no/a.nrrd", 1, "cannot write \"no/a.nrrd\": No such file or directory; " + advice);
-  ExpectRefused("file/a.nrrd", 1, "cannot write \"file/a.nrrd\": Not a directory; " + advice);
+  ExpectRefused("file/a.nrrd", 1, "cannot write \"file\": it exists and is not a folder; use another name");
+  ExpectRefused("/proc/no/a.nrrd", 1, "cannot write \"/proc/no\": No such file or directory; choose a writable folder");
   ExpectRefused("/proc/a.nrrd", 1, "cannot write \"/proc/a.nrrd\": No such file or directory; " + advice);
   const std::string tooLong(256, 'x');
   ExpectRefused(tooLong, 1, "cannot write \"" + tooLong + "\": File name too long; choose a shorter name");
@@ -750,6 +750,24 @@ TEST(CommandLineOutputs, AFolderThatAnotherRunMakesMeanwhileIsNotRemoved)
   });
   EXPECT_EQ(outcome.status, 3) << outcome.err;
   EXPECT_EQ(NamesIn("a"), Words({ "b" }));
+}
+
+TEST(CommandLineOutputs, FoldersOfFilesAreMadeAndRemovedAfterAFailure)
+{
+  const Scratch scratch;
+  const auto    run = [](bool fails) {
+    return RunTool({ "in", "a/b/out.nrrd" }, [fails](shapeton::CommandLine & commandLine) {
+      WriteText(commandLine.OutputOf("outputVolume"), newText);
+      if (fails)
+      {
+        throw shapeton::InputError("no");
+      }
+    });
+  };
+  EXPECT_EQ(run(true).status, 3);
+  EXPECT_EQ(NamesIn(), Words());
+  EXPECT_EQ(run(false).status, 0);
+  EXPECT_EQ(ReadText("a/b/out.nrrd"), newText);
 }
 
 TEST(CommandLineOutputs, FoldersThatCannotBeMade)

@@ -359,5 +359,35 @@ TEST(CommandLineTerminal, AFailureBeginsOnALineOfItsOwn)
   EXPECT_EQ(outcome.err, "TestTool: no\n");
 }
 
+TEST(CommandLineTerminal, EndsWithTheNamesOfWrittenPages)
+{
+  const Scratch scratch;
+  const auto    writePage = [](shapeton::CommandLine & commandLine) {
+    commandLine.Progress("Writing", 0.5);
+    for (const std::string page : { "report/index.html", "report/index.html", "other.txt" })
+    {
+      WriteText(commandLine.Output(page), "a page");
+      commandLine.Publish(page);
+    }
+  };
+  EXPECT_EQ(LinesShown(OnTerminal(Tool({}, writePage), 80).out), Words({ "Page: report/index.html", "" }));
+  EXPECT_EQ(OnTerminal(Tool({ "--quiet" }, writePage), 80).out, "");
+}
+
+TEST(CommandLineTerminal, HelpHasItsWidth)
+{
+  const auto help = [] { return RunHere({ "--help" }, [](shapeton::CommandLine &) {}); };
+  const auto linesOn = [&help](unsigned short columns) { return LinesShown(OnTerminal(help, columns).out); };
+  for (const unsigned short columns : { 60, 80 })
+  {
+    for (const auto & line : linesOn(columns))
+    {
+      EXPECT_LE(line.size(), columns);
+    }
+  }
+  EXPECT_GT(linesOn(60).size(), linesOn(80).size());
+  EXPECT_GT(linesOn(80).size(), linesOn(100).size());
+}
+
 TEST(CommandLineTerminal, IsSilentWithQuiet) { EXPECT_EQ(OnTerminal(Tool({ "--quiet" }, TwoStages), 80).out, ""); }
 } // namespace

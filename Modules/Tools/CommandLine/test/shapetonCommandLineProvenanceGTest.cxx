@@ -203,12 +203,11 @@ TEST(CommandLineReturn, WithoutAFileNothingIsWritten)
 TEST(CommandLineReturn, AFileThatCannotBeWrittenIsRefusedBeforeTheWork)
 {
   const Scratch scratch;
-  const auto    outcome = RunWithOptions({ "--returnparameterfile", "no/r.txt" },
+  const auto    outcome = RunWithOptions({ "--returnparameterfile", "/proc/no/r.txt" },
                                       [](shapeton::CommandLine &) { std::cout << "hours of work"; });
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err,
-            "TestTool: cannot write \"no/r.txt\": No such file or directory; use an existing, writable folder\n");
+  EXPECT_EQ(outcome.err, "TestTool: cannot write \"/proc/no\": No such file or directory; choose a writable folder\n");
 }
 
 TEST(CommandLineReturn, OnlySimpleOutputParametersReturnValues)

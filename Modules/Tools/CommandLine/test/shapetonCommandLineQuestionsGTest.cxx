@@ -33,23 +33,24 @@ TEST(CommandLineQuestions, HelpSaysAllTheDescriptionSays)
   EXPECT_EQ(help, Answer({ "-h" }));
   EXPECT_EQ(help.find("Test Tool 1.2.3\nTests the contract.\n\n"
                       "Usage: TestTool <inputVolume> <outputVolume> [options]\n\n"
-                      "  inputVolume                             Where from.\n"
-                      "  outputVolume                            Where to.\n"
-                      "  --table <file>                          A second output.\n"),
+                      "  inputVolume                 Where from.\n"
+                      "  outputVolume                Where to.\n\n"
+                      "IO:\n"
+                      "  --table <path>              A second output.\n"),
             0u)
     << help;
-  for (const std::string line :
-       { "  -g, --gamma <double>                    Exponent & more. (-2 to 10) [1.50]\n",
-         "  --offset <double>                       Without a default.\n",
-         "  --steps <integer>                       A number. (at least 1) [100000]\n",
-         "  --window <double-vector>                Lower and upper intensity. [-1,2.50]\n",
-         "  --solver <string-enumeration>           How. (chebyshev | explicit) [chebyshev]\n",
-         "  -u, --untilSteady                       Whether.\n",
-         "  --quiet                                 Print no progress.\n",
-         "  --returnparameterfile <file>            Write the return values as lines name = value.\n",
-         "  -h, --help                              Print this text.\n",
-         "\nExit status: 0 done, 2 wrong usage, 3 unsuitable input, 1 any other failure.\n",
-         "Documentation: https://example.org/tool\n" })
+  for (const std::string line : { "\nSettings:\n  -g, --gamma <number>        Exponent & more. (-2 to 10) [1.50]\n",
+                                  "  --offset <number>           Without a default.\n",
+                                  "  --steps <integer>           A number. (at least 1) [100000]\n",
+                                  "  --window <number,...>       Lower and upper intensity. [-1,2.50]\n",
+                                  "  --solver <word>             How. (chebyshev | explicit) [chebyshev]\n",
+                                  "  -u, --untilSteady           Whether.\n",
+                                  "\nAll tools:\n  --quiet                     Print no progress.\n",
+                                  "  --returnparameterfile <file>\n                              Write the return "
+                                  "values as lines name = value.\n",
+                                  "  -h, --help                  Print this text.\n",
+                                  "\nExit status: 0 done, 2 wrong usage, 3 unsuitable input, 1 any other failure.\n",
+                                  "Documentation: https://example.org/tool\n" })
   {
     EXPECT_TRUE(Contains(help, line)) << line << help;
   }
