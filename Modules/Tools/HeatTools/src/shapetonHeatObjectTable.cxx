@@ -106,7 +106,7 @@ ObjectsAt(const HeatObjectList & list, const itk::Point<double, 3> & point)
   if (objects.empty())
   {
     throw InputError("no object contains the point " + words +
-                     " mm: choose another point, less leastProbability, or other parameters of the diffusion");
+                     " mm: choose another point, reduce the parameter \"leastProbability\", or change the diffusion");
   }
   return objects;
 }
