@@ -76,8 +76,9 @@ function(shapeton_add_cuda_plugin)
     $<$<COMPILE_LANGUAGE:CUDA>:--prec-div=true> $<$<COMPILE_LANGUAGE:CUDA>:--prec-sqrt=true>
     $<$<COMPILE_LANGUAGE:CUDA>:--expt-relaxed-constexpr> $<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=-ffp-contract=off>)
   set_target_properties(ShapetonCuda PROPERTIES OUTPUT_NAME ShapetonCuda-${Shapeton_SERIES}
+    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/${Shapeton_PROGRAM_FOLDER}
     CUDA_RUNTIME_LIBRARY Static CUDA_STANDARD 17)
-  install(TARGETS ShapetonCuda LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT Cuda)
+  install(TARGETS ShapetonCuda LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/${Shapeton_PROGRAM_FOLDER} COMPONENT Cuda)
 endfunction()
 
 # Each .cu file is included by a wrapper with a C++ extension.

@@ -18,6 +18,7 @@ function(shapeton_add_tool name)
   install(TARGETS ${name} RUNTIME DESTINATION ${Shapeton_INSTALL_TOOLS_DIR} COMPONENT Tools)
   install(FILES ${xml} DESTINATION ${Shapeton_INSTALL_TOOLS_DIR} COMPONENT Tools)
   shapeton_install_command(${name})
+  set_property(GLOBAL APPEND PROPERTY SHAPETON_TOOL_DESCRIPTIONS ${xml})
   if(BUILD_TESTING)
     add_test(NAME ${name}XML COMMAND ${CMAKE_COMMAND} -DTOOL=$<TARGET_FILE:${name}> -DXML=${xml}
       -P ${Shapeton_SOURCE_DIR}/CMake/CheckToolXML.cmake)
@@ -35,6 +36,19 @@ function(shapeton_install_command name)
   file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/commands)
   file(CREATE_LINK ${tool} ${CMAKE_BINARY_DIR}/commands/${name} SYMBOLIC)
   install(PROGRAMS ${CMAKE_BINARY_DIR}/commands/${name} DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT Tools)
+endfunction()
+
+# Makes and installs a manual page and completions for bash, zsh and fish, for each tool added before.
+function(shapeton_add_manuals)
+  get_property(descriptions GLOBAL PROPERTY SHAPETON_TOOL_DESCRIPTIONS)
+  set(script ${Shapeton_SOURCE_DIR}/CMake/manuals.py)
+  set(folder ${CMAKE_BINARY_DIR}/manuals)
+  add_custom_command(OUTPUT ${folder}.stamp
+    COMMAND ${Python3_EXECUTABLE} ${script} ${folder} ${Shapeton_DATE} ${descriptions}
+    COMMAND ${CMAKE_COMMAND} -E touch ${folder}.stamp
+    DEPENDS ${script} ${descriptions} COMMENT "Writing manual pages and completions" VERBATIM)
+  add_custom_target(Manuals ALL DEPENDS ${folder}.stamp)
+  install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_DATAROOTDIR} COMPONENT Tools)
 endfunction()
 
 # shapeton_tool_test(NAME <name> [STATUS <exit status>] [STDOUT <regex>] [STDERR <regex>] [DATA] [LONG] COMMAND <tool> <arguments...>)

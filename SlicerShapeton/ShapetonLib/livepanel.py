@@ -17,6 +17,7 @@ class LivePanel:
         self.session = None
         self._volume, self._folder = volume, folder
         self._written = {}
+        self._saved = ""  # shown until the next command
         self._makeStart(layout)
         self._makeSteering(layout)
         self._makeRegion(layout)
@@ -136,9 +137,11 @@ class LivePanel:
         session.startInBalls(ballsOf(node, self.radius.value) if node else [])
 
     def _onSaved(self, names):
-        self.status.text = "Saved " + ", ".join(names)
+        self._saved = "Saved " + ", ".join(names)
+        self.status.text = self._saved
 
     def _do(self, action):
+        self._saved = ""
         if self.session:
             with slicer.util.tryWithErrorDisplay("The session refused."):
                 action(self.session)
@@ -168,7 +171,7 @@ class LivePanel:
             if self._written.get(name) != value:  # otherwise it may be edited now
                 self._written[name] = value
                 field.value = value
-        self.status.text = state["error"] or describe(state)
+        self.status.text = "; ".join(filter(None, (state["error"] or describe(state), self._saved)))
 
     # ---- helpers ----
     @staticmethod

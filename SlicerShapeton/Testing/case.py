@@ -1,6 +1,7 @@
 """Common test code: the Slicer stub, the tested tools (SHAPETON_TOOLS), a folder per test."""
 
 import os
+import resource
 import shutil
 import subprocess
 import sys
@@ -23,6 +24,7 @@ except ImportError as error:
 import slicer  # noqa: E402  the stub
 
 tools = os.environ["SHAPETON_TOOLS"]
+hangingSeconds = 600.0  # a longer wait is a hang; steps of a test take seconds, on a busy machine minutes
 
 
 def tool(name, *arguments):
@@ -32,6 +34,20 @@ def tool(name, *arguments):
 def finish(run):
     while not run.poll():
         time.sleep(0.02)
+
+
+def waitFor(condition, poll, state=lambda: None):
+    """Polls until the condition is true. Other processes may slow this down without limit."""
+    end = time.monotonic() + hangingSeconds
+    while not condition():
+        poll()
+        assert time.monotonic() < end, state()
+        time.sleep(0.005)
+
+
+def numberOfWaits():
+    """How often this thread has waited for something: a blocking call increases it, the load of the machine does not."""
+    return resource.getrusage(resource.RUSAGE_THREAD).ru_nvcsw
 
 
 class Case(unittest.TestCase):

@@ -8,7 +8,7 @@ import unittest
 try:
     import pydicom
 except ImportError:
-    print("skipped: python3-pydicom is not installed; see Utilities/install-dependencies workflow")
+    print("skipped: python3-pydicom is not installed; see Utilities/install-dependencies workflow-pacs")
     raise SystemExit from None
 from case import Case, WORKFLOW
 from pydicom.datadict import dictionary_VR

@@ -5,18 +5,18 @@ import unittest
 
 from case import Case
 from cohort.arguments import arguments_of
-from cohort.table import TableError, absent_sources, read_table
+from cohort.table import TableError, read_table
 
 HEADS = "subject\tposition\tsource\tseries\n"
 
 
 class Table(Case):
-    def read(self, text):
-        return read_table(self.write("cohort.tsv", text))
+    def read(self, text, **options):
+        return read_table(self.write("cohort.tsv", text), **options)
 
-    def faults(self, text):
+    def faults(self, text, **options):
         with self.assertRaises(TableError) as caught:
-            self.read(text)
+            self.read(text, **options)
         return str(caught.exception).replace(self.folder + "/", "")
 
     def test_rows_of_a_subject_are_one_examination(self):
@@ -66,9 +66,11 @@ class Table(Case):
             read_table(os.path.join(self.folder, "binary.tsv"))
 
     def test_absent_folders_matter_until_the_subject_is_done(self):
-        subjects = self.read(HEADS + "a\tauto\tgone\t\nb\tauto\tgone-too\t\n")
-        self.assertEqual(len(absent_sources(subjects, lambda subject: subject == "a")), 1)
-        self.assertIn("line 3, column source", absent_sources(subjects, lambda subject: subject == "a")[0])
+        text = HEADS + "a\tauto\tgone\t\nb\tauto\tgone-too\t\nc\tx\tpacs:PatientID=7\t1.2\n"
+        faults = self.faults(text, is_done=lambda subject: subject == "a").splitlines()
+        self.assertEqual(len(faults), 2)
+        self.assertRegex(faults[0], "line 3: column source: .*gone-too is not a folder; mount it")
+        self.assertIn("line 4: column position", faults[1])
 
     def test_arguments_of_a_pair(self):
         rows = self.read(HEADS + "a\tsupine\tct\t1.2.3\na\tprone\tct\t1.2.4\n")["a"]

@@ -35,8 +35,9 @@ class Series:
         return f"{match[1]}={match[2]}" if match else None
 
 
-def read_table(path):
-    """Returns subjects with one or two series, in table order; TableError lists all errors."""
+def read_table(path, is_done=lambda subject: True):
+    """Returns subjects with one or two series, in table order. TableError lists all errors, and the missing source folders
+    of subjects that are not done."""
     faults = []
     rows = _rows(path, faults)
     for row in rows:
@@ -48,20 +49,12 @@ def read_table(path):
         _check_subject(series, faults)
     if not rows and not faults:
         faults.append((1, "no rows found below the header; add one per series"))
+    for row in rows:
+        if not is_done(row.subject):
+            _check_source(row, faults)
     if faults:
         raise TableError("\n".join(f"{path}, line {line}: {fault}" for line, fault in sorted(faults)))
     return subjects
-
-
-def absent_sources(subjects, is_done):
-    """Returns one line per missing source folder, except for finished examinations."""
-    return [
-        f"line {row.line}, column source: {row.source} is not a folder; mount it, or correct the path"
-        for subject, series in subjects.items()
-        if not is_done(subject)
-        for row in series
-        if row.query is None and not os.path.isdir(row.source)
-    ]
 
 
 def _rows(path, faults):
@@ -110,6 +103,11 @@ def _check_row(row, faults):
         require(row.series, "series", "a query requires the Series Instance UID; workflow/pacs/find lists the series of a study")
     require(not row.series or UID.fullmatch(row.series), "series", f'"{row.series}" is not a Series Instance UID')
     require(not row.truth or os.path.isdir(row.truth), "truth", f"{row.truth} is not a folder; correct the path")
+
+
+def _check_source(row, faults):
+    if row.source and not row.source.startswith("pacs:") and not os.path.isdir(row.source):
+        faults.append((row.line, f"column source: {row.source} is not a folder; mount it, or correct the path"))
 
 
 def _check_subject(series, faults):

@@ -46,7 +46,7 @@ struct DeviceUse
 
 /** Chooses the device for a computation that needs `bytes` of memory on a GPU, or at least `leastBytes` if the GPU
  * is requested. Throws DeviceError if the GPU is requested and cannot be used. On first use the plug-in is loaded from
- * the folder of this library, or from the path in the environment variable SHAPETON_DEVICE_PLUGIN.
+ * the folder Shapeton-0.2 next to this library, or from the path in the environment variable SHAPETON_DEVICE_PLUGIN.
  * SHAPETON_DEVICE_MEMORY may limit the bytes of GPU memory to use. \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT DeviceUse
 ChooseDevice(Device wanted, std::size_t bytes, std::size_t leastBytes);
