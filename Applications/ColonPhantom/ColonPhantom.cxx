@@ -93,6 +93,7 @@ MakePhantom(CommandLine & commandLine)
   const auto     source = MakeSource(commandLine);
   RequireParameter(other.curves.empty() || Contains(source->GetParameters(), "colon"),
                    "--pairWith requires the colon; add colon to --contents");
+  commandLine.MakeParentFolder(folder);
   CheckDicomSeriesFolder(folder);
   commandLine.Watch(source, "Scanning the phantom", 0.0, 0.9);
   source->Update();

@@ -85,6 +85,7 @@ MakePhantom(CommandLine & commandLine)
   const std::string labelFile = commandLine.OutputOf("labels");
   if (dicom)
   {
+    commandLine.MakeParentFolder(output);
     CheckDicomSeriesFolder(output);
   }
   commandLine.Watch(source, "Sampling the scene");

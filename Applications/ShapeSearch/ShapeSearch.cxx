@@ -24,6 +24,7 @@ Add(CommandLine & commandLine, const ShapeTable & table, const std::string & ide
 {
   RequireParameter(!commandLine.IsGiven("neighbors"), "--add stores shapes without a search; omit --neighbors");
   const std::string database = commandLine.GetString("database");
+  commandLine.MakeParentFolder(database);
   const std::size_t shapes = AddToShapeDatabase(database, table, identity, commandLine.GetString("add"));
   std::cout << table.rows.size() << " added, " << shapes << " shapes in " << database << '\n';
 }

@@ -56,7 +56,7 @@ void
 Serve(CommandLine & commandLine)
 {
   RequireIntensityWindow(commandLine);
-  const std::string   chosen = commandLine.GetString("folder");
+  const std::string   chosen = commandLine.MakeFolderOf("folder");
   const SessionFolder folder(chosen.empty() ? "." : chosen);
   Volume              volume = ReadVolume(commandLine, "inputVolume", true);
   LiveSessionSettings settings;

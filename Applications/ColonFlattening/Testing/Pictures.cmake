@@ -60,4 +60,4 @@ refuses_picture(MapName 2 "written as .nrrd" --coordinateMap ${pictures}/refused
 refuses_picture(PixelSize 2 "pixelSize" --pixelSize 0 --picture ${pictures}/refused.png)
 refuses_picture(OtherCt 3 "does not contain the surface" --volume ${someCt} --picture ${pictures}/refused.png)
 refuses_picture(MissingCt 3 "absent" --volume ${pictures}/absent.nrrd --picture ${pictures}/refused.png)
-refuses_picture(NoPlace 1 "nowhere" --picture /nowhere/flat.png)
+refuses_picture(NoPlace 1 "nowhere" --picture /proc/nowhere/flat.png)

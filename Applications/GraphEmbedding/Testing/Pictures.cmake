@@ -33,7 +33,7 @@ set_tests_properties(GraphEmbeddingCurvesAreThere PROPERTIES LABELS Applications
   PASS_REGULAR_EXPRESSION "Name=\"kind\"")
 
 refuses(BadDisk 2 "disk" ${here}/K4.gr ${out}/x.json --disk hemisphere)
-refuses(PictureInMissingFolder 1 "nowhere" ${here}/K4.gr ${out}/x.json --svg /nowhere/x.svg)
+refuses(PictureInMissingFolder 1 "nowhere" ${here}/K4.gr ${out}/x.json --svg /proc/nowhere/x.svg)
 refuses(WrongCurves 2 "vtp" ${here}/K4.gr ${out}/x.json --vtp ${out}/x.obj)
 refuses(ReportIsAFile 1 "K4.gr" ${here}/K4.gr ${out}/x.json --report ${here}/K4.gr)
 

@@ -141,6 +141,10 @@ public:
   std::string
   MakeFolderOf(const std::string & name);
 
+  /** MakeFolder() of the parent of a file or folder that is written without Output(). */
+  void
+  MakeParentFolder(const std::string & path);
+
   /** Throws ParameterError if a result folder is the input folder or inside it, which would change the input. Throws
    * InputError if the input does not exist; `advice` completes the message. */
   static void

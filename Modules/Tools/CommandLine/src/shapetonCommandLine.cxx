@@ -523,6 +523,12 @@ CommandLine::MakeFolderOf(const std::string & name)
 }
 
 void
+CommandLine::MakeParentFolder(const std::string & path)
+{
+  m_State->outputs.MakeParentFolder(path);
+}
+
+void
 CommandLine::RequireApart(const std::string & input, const std::string & outputFolder, const std::string & advice)
 {
   namespace fs = std::filesystem;

@@ -160,10 +160,7 @@ std::string
 OutputFiles::Add(const std::string & path)
 {
   CheckName(path);
-  if (const fs::path folder = fs::path(path).parent_path(); !folder.empty())
-  {
-    this->MakeFolder(folder.string());
-  }
+  this->MakeParentFolder(path);
   const fs::path target = ResolveTarget(path);
   CheckTarget(path, target);
   if (std::any_of(m_Files.begin(), m_Files.end(), [&](const File & file) { return file.target == target; }))
@@ -217,6 +214,15 @@ OutputFiles::MakeFolder(const std::string & path)
   if (!fs::is_directory(target, error))
   {
     ThrowCannotWrite(path, "it exists and is not a folder", "use another name");
+  }
+}
+
+void
+OutputFiles::MakeParentFolder(const std::string & path)
+{
+  if (const fs::path folder = fs::path(path).parent_path(); !folder.empty())
+  {
+    this->MakeFolder(folder.string());
   }
 }
 

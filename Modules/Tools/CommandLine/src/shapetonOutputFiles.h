@@ -34,6 +34,9 @@ public:
   /** Creates a folder and its parents. */
   void
   MakeFolder(const std::string & path);
+  /** Creates the parents of a file or folder. */
+  void
+  MakeParentFolder(const std::string & path);
 
   /** Syncs one file to disk and renames it to its final name; its path may be added again. Throws OutputError. */
   void
