@@ -10,6 +10,7 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 SOURCE = Path(__file__).resolve().parent
+IS_INSTALLED = "Shapeton_ROOT" in os.environ
 sys.path.insert(0, str(SOURCE / "Wrapping/Python/utilities"))
 
 from build_needs import pybind11_folder  # noqa: E402  (from the folder above)
@@ -20,13 +21,14 @@ class BuildByCMake(build_ext):
         build = Path(self.build_temp).resolve()
         options = ["-DBUILD_TESTING=OFF", f"-DPython_EXECUTABLE={sys.executable}", f"-Dpybind11_DIR={pybind11_folder()}"]
         jobs = str(os.cpu_count() or 1)
-        if "Shapeton_ROOT" in os.environ:
+        if IS_INSTALLED:
             options += ["-S", SOURCE / "Wrapping/Python"]
             work, minutes = "the module against the installed libraries", "2"
         else:
             options += ["-S", SOURCE, "-DSHAPETON_PYTHON_ONLY=ON"]
             work, minutes = "the libraries and the module", "10"
         print(f"Building {work} with {jobs} processes; two take about {minutes} minutes", flush=True)
+        (build / "CMakeCache.txt").unlink(missing_ok=True)  # it keeps the Python and the Shapeton of an earlier run
         subprocess.run(["cmake", "-B", build, *options], check=True)
         subprocess.run(["cmake", "--build", build, "--parallel", jobs, "--target", "_shapeton"], check=True)
         package, target = build / "python/shapeton", Path(self.get_ext_fullpath(extension.name))
@@ -39,4 +41,8 @@ class BuildByCMake(build_ext):
         self.copy_file(str(package / "examination_files.json"), str(target.parent))
 
 
-setup(cmdclass={"build_ext": BuildByCMake}, ext_modules=[Extension("shapeton._shapeton", sources=[])])
+setup(
+    cmdclass={"build_ext": BuildByCMake},
+    ext_modules=[Extension("shapeton._shapeton", sources=[])],
+    options={"build": {"build_base": "build/pip-installed" if IS_INSTALLED else "build/pip-sources"}},
+)

@@ -81,7 +81,8 @@ macro(itk_module_impl)
   endif()
 endmacro()
 
-# Checks that every public header compiles on its own and with -Wpedantic: one translation unit per header, built by the target HeaderTests.
+# Checks that every public header compiles on its own and without warnings: one translation unit per header, built by the target
+# HeaderTests.
 function(shapeton_header_self_compile_test module)
   file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/*.h)
   set(sources "")
@@ -94,7 +95,8 @@ function(shapeton_header_self_compile_test module)
   if(sources)
     add_library(${module}HeaderTest OBJECT EXCLUDE_FROM_ALL ${sources})
     target_link_libraries(${module}HeaderTest PRIVATE ${module})
-    target_compile_options(${module}HeaderTest PRIVATE -Werror=pedantic)
+    target_compile_options(${module}HeaderTest PRIVATE -Wpedantic -Werror)
+    set_target_properties(${module}HeaderTest PROPERTIES UNITY_BUILD OFF)
     if(NOT TARGET HeaderTests)
       add_custom_target(HeaderTests)
     endif()

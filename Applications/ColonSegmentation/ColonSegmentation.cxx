@@ -29,10 +29,6 @@ SettingsOf(CommandLine & commandLine, const Volume & volume)
 {
   ColonModelSettings settings;
   ReadOptions(commandLine, settings);
-  if (settings.position == "auto")
-  {
-    settings.position = volume.patientPosition;
-  }
   settings.sliceThickness = volume.sliceThickness;
   settings.progress = commandLine.PartOfProgress(0.0, 0.9); // the rest: writing the files
   return settings;

@@ -64,7 +64,7 @@ Diffuse(const ImageType::Pointer &                    image,
   static_cast<CumulativeHeatDiffusionOptions &>(settings) = given.options;
   settings.histogramSteps = histogramSteps;
   settings.wantComponents = components;
-  itk::EncapsulateMetaData(image->GetMetaDataDictionary(), VolumeView::ModalityField, modality);
+  itk::EncapsulateMetaData(image->GetMetaDataDictionary(), DicomModality, modality);
   const auto filter = FilterType::New();
   filter->SetInput(image);
   filter->SetDomain(domain.value_or(nullptr));

@@ -67,7 +67,8 @@ public:                                                                         
 namespace shapeton
 {
 /** \name Images for functions that process whole volumes
- * The buffered region of an image, shifted so that its first voxel is at index 0; positions in space are unchanged. */
+ * The buffered region of an image, shifted so that its first voxel is at index 0; positions in space and DICOM fields
+ * are unchanged. */
 ///@{
 /** Shares the voxels without copying. \ingroup ShapetonColonFilters */
 template <typename TImage>
@@ -80,6 +81,7 @@ FromIndexZero(const TImage * image)
   view->SetSpacing(image->GetSpacing());
   view->SetDirection(image->GetDirection());
   view->SetOrigin(image->template TransformIndexToPhysicalPoint<double>(region.GetIndex()));
+  view->SetMetaDataDictionary(image->GetMetaDataDictionary());
   view->SetPixelContainer(const_cast<typename TImage::PixelContainer *>(image->GetPixelContainer()));
   return view.GetPointer();
 }
@@ -99,7 +101,9 @@ FloatsFromIndexZero(const TImage * image)
     const auto cast = itk::CastImageFilter<TImage, itk::Image<float, 3>>::New();
     cast->SetInput(view);
     cast->Update();
-    return cast->GetOutput();
+    const auto floats = cast->GetOutput();
+    floats->SetMetaDataDictionary(image->GetMetaDataDictionary());
+    return floats;
   }
 }
 

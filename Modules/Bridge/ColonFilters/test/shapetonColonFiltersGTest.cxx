@@ -6,6 +6,7 @@
 #include "shapetonColonPhantomImageSource.h"
 #include "shapetonColonPositionFilter.h"
 #include "shapetonColonWallFilter.h"
+#include "shapetonDicomFields.h"
 #include "shapetonElectronicCleansingImageFilter.h"
 #include "shapetonHaustralFoldsFilter.h"
 #include "shapetonHeatDiffusionMetricFilter.h"
@@ -181,6 +182,21 @@ public:
   {}
 };
 } // namespace
+
+/** The CT is supine, so the position of a prone patient contradicts its fluid levels. */
+TEST(ColonFilters, PositionIsThatOfTheHeader)
+{
+  const auto ct = CtImage::New();
+  ct->Graft(Ct());
+  itk::EncapsulateMetaData<std::string>(ct->GetMetaDataDictionary(), DicomPatientPosition, "HFP ");
+  const auto ofHeader = NewLumenFilter(ct, "auto");
+  const auto given = NewLumenFilter(Ct(), "HFP");
+  ofHeader->Update();
+  given->Update();
+  EXPECT_TRUE(HaveEqualVoxels(ofHeader->GetOutput(), given->GetOutput()));
+  EXPECT_EQ(ofHeader->GetLumenOutput()->Get().warnings, given->GetLumenOutput()->Get().warnings);
+  EXPECT_FALSE(given->GetLumenOutput()->Get().warnings.empty());
+}
 
 TEST(ColonFilters, SingleStagesDoWhatTheFunctionsDo)
 {

@@ -3,6 +3,7 @@
 
 #include "ShapetonColonLumenExport.h"
 
+#include "itkObject.h"
 #include "itkVector.h"
 
 #include <optional>
@@ -17,6 +18,12 @@ namespace shapeton
  * \ingroup ShapetonColonLumen */
 ShapetonColonLumen_EXPORT std::optional<itk::Vector<double, 3>>
                           GravityOfPatientPosition(const std::string & code);
+
+/** The given position; for "auto" or an empty text, the Patient Position among the DICOM fields of the image, see
+ * DicomField().
+ * \ingroup ShapetonColonLumen */
+ShapetonColonLumen_EXPORT std::string
+                          PatientPositionOf(const itk::Object * image, const std::string & given);
 
 /** GravityOfPatientPosition(), or no value for "auto" or an empty text. Throws ParameterError for any other unknown
  * text.

@@ -18,10 +18,10 @@
 namespace shapeton
 {
 /** Settings of SegmentColonLumen(). Besides the values of the option, `position` may be a DICOM Patient Position, see
- * GravityOfPatientPosition(); with "auto" or an empty text, gravity is inferred from the fluid levels. A named position
- * is always used. A DICOM code is overridden, with a warning, if the levels that are flat in another direction have an
- * area of at least 50 cm^2 and at least five times that of the levels that agree with the code.
- * \ingroup ShapetonColonLumen */
+ * GravityOfPatientPosition(); see PatientPositionOf() for "auto" or an empty text. Without a position, gravity is
+ * inferred from the fluid levels. A named position is always used. A DICOM code is overridden, with a warning, if the
+ * levels that are flat in another direction have an area of at least 50 cm^2 and at least five times that of the levels
+ * that agree with the code. \ingroup ShapetonColonLumen */
 struct ColonLumenSettings : ColonLumenOptions
 {
   /** Called on the calling thread with the completed fraction, which ascends from 0 to 1. May throw to abort. */

@@ -1,5 +1,6 @@
 #include "shapetonColonGravity.h"
 
+#include "shapetonDicomFields.h"
 #include "shapetonExceptions.h"
 
 #include <array>
@@ -51,6 +52,12 @@ GravityOfPatientPosition(const std::string & code)
     }
   }
   return std::nullopt;
+}
+
+std::string
+PatientPositionOf(const itk::Object * image, const std::string & given)
+{
+  return given.empty() || given == "auto" ? DicomField(image, DicomPatientPosition) : given;
 }
 
 std::optional<itk::Vector<double, 3>>

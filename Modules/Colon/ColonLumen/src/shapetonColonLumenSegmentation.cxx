@@ -31,7 +31,9 @@ constexpr double   TolerableNoise = 50.0; // a quarter of the range from gas to 
 class LumenSegmentation
 {
 public:
-  LumenSegmentation(const ColonImage * ct, const ColonLumenSettings & options) : m_Image(ct), m_Options(options) {}
+  LumenSegmentation(const ColonImage * ct, const ColonLumenSettings & options)
+    : m_Image(ct), m_Options(options), m_Position(PatientPositionOf(ct, options.position))
+  {}
 
   ColonLumen
   Run()
@@ -39,7 +41,7 @@ public:
     this->CheckInput();
     this->Load();
     this->FindGasPieces();
-    FindGravity(m_Options.position, m_Evidence, m_Result);
+    FindGravity(m_Position, m_Evidence, m_Result);
     m_Options.progress(0.55);
     MeasureFluid(m_Evidence);
     this->ReviewGas();
@@ -66,7 +68,7 @@ private:
         throw InputError("the image has " + std::to_string(size[a]) + " voxels along an axis; at least 8 are required");
       }
     }
-    GivenGravity(m_Options.position);
+    GivenGravity(m_Position);
   }
 
   void
@@ -227,6 +229,7 @@ private:
 
   const ColonImage *              m_Image;
   const ColonLumenSettings &      m_Options;
+  const std::string               m_Position;
   ColonEvidence                   m_Evidence;
   ColonLumen                      m_Result;
   std::vector<std::array<int, 3>> m_GasSeeds;

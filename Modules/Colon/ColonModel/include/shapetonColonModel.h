@@ -24,7 +24,7 @@ struct ColonModel;
 /** Settings of BuildColonModel(). For a mask without a CT, `position` is not used. \ingroup ShapetonColonModel */
 struct ColonModelSettings : ColonModelOptions
 {
-  /** Slice thickness of the CT, mm; 0 if unknown. */
+  /** Slice thickness of the CT, mm; 0: that among the DICOM fields of the image, see DicomField(), if known. */
   double sliceThickness{ 0.0 };
   /** Called on the calling thread with the stage and the completed fraction, 0 to 1. */
   Progress progress;

@@ -1,6 +1,7 @@
 #include "shapetonColonModel.h"
 
 #include "shapetonColonAssessability.h"
+#include "shapetonDicomFields.h"
 #include "shapetonElectronicCleansing.h"
 #include "shapetonGasInGaps.h"
 #include "shapetonMaskedColonLumen.h"
@@ -12,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
+#include <sstream>
 
 namespace shapeton
 {
@@ -357,11 +360,22 @@ ModelOfMask(const LumenMask * lumen, const ColonModelSettings & options)
   return model;
 }
 
+/** The given slice thickness, or that among the DICOM fields of the image; 0 if unknown. */
+double
+SliceThicknessOf(const itk::Object * image, double given)
+{
+  std::istringstream field(DicomField(image, DicomSliceThickness));
+  field.imbue(std::locale::classic());
+  double thickness = 0.0;
+  field >> thickness;
+  return given > 0.0 ? given : thickness;
+}
+
 /** Adds the resolution and its warnings. */
 ColonModel
-WithResolution(ColonModel && model, const itk::ImageBase<3> * grid, double sliceThickness)
+WithResolution(ColonModel && model, const itk::ImageBase<3> * image, double sliceThickness)
 {
-  model.resolution = MeasureScanResolution(grid, sliceThickness, model.lumen.smoothing);
+  model.resolution = MeasureScanResolution(image, SliceThicknessOf(image, sliceThickness), model.lumen.smoothing);
   SetNotAssessableBelow(model.resolution, model.centerline.curve);
   AppendRemarks(model.warnings, WarningsOf(model.resolution));
   return std::move(model);

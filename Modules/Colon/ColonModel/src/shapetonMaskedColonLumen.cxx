@@ -178,7 +178,7 @@ ColonLumenOfMask(const itk::Image<float, 3> * ct, const LumenMask * mask, const 
   }
   const auto sums = SumPieces(ct, lumen.labels, distance);
   DescribePieces(sums, VoxelMl(mask), lumen);
-  ChooseGravity(sums, options.position, lumen);
+  ChooseGravity(sums, PatientPositionOf(ct, options.position), lumen);
   lumen.failure = FailureOfMask(ct, mask);
   return lumen;
 }

@@ -1,6 +1,7 @@
 #include "shapetonColonModel.h"
 #include "shapetonColonPhantomImageSource.h"
 #include "shapetonColonQuality.h"
+#include "shapetonDicomFields.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonExceptions.h"
 #include "shapetonPi.h"
@@ -153,8 +154,11 @@ TEST(ColonModel, ObliqueAxesGiveTheSameColon)
   // Rotation by 20 degrees about z, and two axes swapped.
   const auto patient =
     MakePatient(Source::DirectionType(basetest::Rotation(2, 0.35) * basetest::Rotation(0, 0.5 * shapeton::Pi)));
-  const shapeton::ColonModel model = shapeton::BuildColonModel(CtOf(patient).GetPointer(), Options());
+  const auto ct = CtOf(patient);
+  itk::EncapsulateMetaData<std::string>(ct->GetMetaDataDictionary(), shapeton::DicomSliceThickness, "1.25");
+  const shapeton::ColonModel model = shapeton::BuildColonModel(ct.GetPointer(), Options());
   ASSERT_EQ(model.failure, "");
+  EXPECT_EQ(model.resolution.sliceThickness, 1.25);
   EXPECT_LT(MeanDistance(model.centerline.curve, patient->GetAnatomy().Centerline()), 3.0);
   EXPECT_NEAR(model.centerline.length / patient->GetAnatomy().Length(), 1.0, 0.05);
   ExpectTube(model.wall.simplified);

@@ -1,7 +1,7 @@
 #ifndef shapetonVolumeView_h
 #define shapetonVolumeView_h
 
-#include "itkMetaDataObject.h"
+#include "shapetonDicomFields.h"
 
 #include <algorithm>
 #include <array>
@@ -22,10 +22,6 @@ namespace shapeton
  * \ingroup ShapetonHeat */
 struct VolumeView
 {
-  /** Key of the DICOM modality in the MetaDataDictionary of an image, as written by ReadVolume() and itk::GDCMImageIO.
-   */
-  static constexpr auto ModalityField = "0008|0060";
-
   VolumeView(const float *                      intensities,
              const std::array<std::size_t, 3> & sizeInVoxels,
              const std::array<double, 3> &      spacingInMm = { { 1.0, 1.0, 1.0 } })
@@ -58,8 +54,7 @@ struct VolumeView
     {
       *this = VolumeView(std::vector<float>(pixels, pixels + this->NumberOfVoxels()), size, spacing);
     }
-    itk::ExposeMetaData(image->GetMetaDataDictionary(), ModalityField, modality);
-    modality.erase(modality.find_last_not_of(' ') + 1); // DICOM pads to an even length
+    modality = DicomField(image, DicomModality);
   }
 
   std::size_t

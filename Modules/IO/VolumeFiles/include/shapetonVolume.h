@@ -16,7 +16,7 @@ namespace shapeton
 struct Volume
 {
   using ImageType = itk::Image<float, 3>;
-  /** Rescaled intensities; Hounsfield units for CT. Its MetaDataDictionary has the modality of DICOM as 0008|0060. */
+  /** Rescaled intensities; Hounsfield units for CT. Its MetaDataDictionary has the fields of shapetonDicomFields.h. */
   ImageType::Pointer image;
   /** "CT", "MR", ...; empty for formats without a modality. */
   std::string modality;

@@ -1,8 +1,10 @@
 #include "shapetonDicomVolume.h"
 
+#include "shapetonDicomFields.h"
 #include "shapetonDicomPixels.h"
 #include "shapetonDicomSeriesDefects.h"
 #include "shapetonDicomSeriesGeometry.h"
+#include "shapetonDicomText.h"
 #include "shapetonOperatingSystem.h"
 #include "shapetonNumberText.h"
 #include "shapetonSha256.h"
@@ -353,6 +355,19 @@ AddNotes(const DicomSeries & series, Volume & volume)
                              : std::string("a single slice without Slice Thickness; its spacing is set to 1 mm"));
   }
 }
+
+/** Sets the fields of shapetonDicomFields.h. */
+void
+SetDicomFields(Volume & volume)
+{
+  auto & dictionary = volume.image->GetMetaDataDictionary();
+  itk::EncapsulateMetaData(dictionary, DicomModality, volume.modality);
+  itk::EncapsulateMetaData(dictionary, DicomPatientPosition, volume.patientPosition);
+  if (volume.sliceThickness > 0.0)
+  {
+    itk::EncapsulateMetaData(dictionary, DicomSliceThickness, DicomDecimal(volume.sliceThickness));
+  }
+}
 } // namespace
 
 DeshearedPlane
@@ -402,7 +417,7 @@ ReadDicomVolume(const DicomSeries & series, const VolumeReadOptions & options, c
   {
     volume.image = ResampleGaps(series, slices, volume.image, progress.Part("Resampling", 0.9, 1.0), volume);
   }
-  itk::EncapsulateMetaData(volume.image->GetMetaDataDictionary(), "0008|0060", volume.modality); // as itk::GDCMImageIO
+  SetDicomFields(volume);
   AddNotes(series, volume);
   progress("Reading slices", 1.0);
   return volume;

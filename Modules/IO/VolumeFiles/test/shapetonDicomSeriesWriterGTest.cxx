@@ -1,3 +1,4 @@
+#include "shapetonDicomFields.h"
 #include "shapetonDicomSeriesWriter.h"
 #include "shapetonFileBytes.h"
 #include "shapetonPi.h"
@@ -180,6 +181,14 @@ TEST(DicomSeriesWriter, GdcmReadsPixelsAndGeometry)
   reader->ForceOrthogonalDirectionOff();
   reader->Update();
   ExpectSameImage(image.GetPointer(), reader->GetOutput());
+
+  reader->GetOutput()->SetMetaDataDictionary(*(*reader->GetMetaDataDictionaryArray())[0]);
+  const auto ours = shapeton::ReadVolume(folder / "").image;
+  for (const char * key : { shapeton::DicomModality, shapeton::DicomPatientPosition, shapeton::DicomSliceThickness })
+  {
+    EXPECT_EQ(shapeton::DicomField(reader->GetOutput(), key), shapeton::DicomField(ours, key));
+    EXPECT_NE(shapeton::DicomField(ours, key), "");
+  }
 }
 
 TEST(DicomSeriesWriter, OurReaderReadsPixelsAndGeometry)
