@@ -24,7 +24,9 @@ WIDTH = 78  # of lines of a page
 # Options of shapeton::CommandLine: name, value, description.
 STANDARD = (
     ("quiet", "", "Print no progress."),
+    ("echo", "", "Print the values of the parameters."),
     ("returnparameterfile", "file", "Write the return values as lines name = value."),
+    ("processinformationaddress", "address", "Passed by module hosts; no effect in a separate process."),
     ("xml", "", "Print the description of the tool for 3D Slicer."),
     ("version", "", "Print the version."),
     ("help", "", "Print the options."),
@@ -38,6 +40,23 @@ EXIT_STATUS = (
 )
 
 
+#: What the value of a parameter is, as in --help; a file without extensions may be a folder.
+KINDS = {"image": "volume", "geometry": "surface", "directory": "folder", "point": "x,y,z", "boolean": "",
+         "string-enumeration": "word"}  # fmt: skip
+
+
+def kind_of(element: ElementTree.Element) -> str:
+    """What follows an option."""
+    tag = element.tag
+    if tag in KINDS:
+        return KINDS[tag]
+    if tag.split("-")[0] in ("integer", "double", "float"):
+        return ("integer" if tag.startswith("integer") else "number") + (",..." if tag.endswith("-vector") else "")
+    if tag.startswith("string"):
+        return "number|auto" if element.findtext("default") == "auto" else "text"
+    return "file" if element.get("fileExtensions") else "path"
+
+
 class Parameter:
     """A parameter of a tool."""
 
@@ -45,7 +64,6 @@ class Parameter:
         def text(path: str) -> str:
             return (element.findtext(path) or "").strip()
 
-        self.kind = element.tag
         self.name = text("name")
         self.label = text("label")
         self.flag = text("flag")
@@ -54,7 +72,7 @@ class Parameter:
         self.is_multiple = element.get("multiple") == "true"
         self.words = [(word.text or "").strip() for word in element.findall("element")]
         self.range = (text("constraints/minimum"), text("constraints/maximum"))
-        self.value = "" if self.kind == "boolean" else self.kind  # what follows the option
+        self.value = kind_of(element)
         self.default = text("default") if self.value else ""
         self.description = text("description")
 

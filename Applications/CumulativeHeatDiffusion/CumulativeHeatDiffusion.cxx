@@ -7,10 +7,13 @@
 #include "shapetonHeatClassification.h"
 #include "shapetonHeatParameterChoice.h"
 #include "shapetonHeatResultFiles.h"
+#include "shapetonHeatSnapshot.h"
 #include "shapetonExceptions.h"
 #include "shapetonToolDevice.h"
 #include "shapetonToolVolumes.h"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
 
@@ -66,18 +69,21 @@ RequestHistogram(const CommandLine & commandLine, FilterType * filter)
 std::vector<std::uint64_t>
 RequestSnapshots(CommandLine & commandLine, const HeatResultFiles & files, FilterType * filter)
 {
-  const auto                       given = commandLine.GetIntegers("snapshotSteps");
-  const std::set<std::uint64_t>    distinct(given.begin(), given.end());
-  const std::vector<std::uint64_t> steps(distinct.begin(), distinct.end());
-  for (const std::uint64_t step : steps)
+  const auto          given = commandLine.GetIntegers("snapshotSteps");
+  const std::set<int> distinct(given.begin(), given.end());
+  for (const int step : distinct)
   {
-    RequireParameter(step <= filter->GetTimeSteps(),
+    RequireParameter(step >= 0 && static_cast<std::uint64_t>(step) <= filter->GetTimeSteps(),
                      "--snapshotSteps: " + std::to_string(step) + " is not between 0 and the number of steps, " +
                        std::to_string(filter->GetTimeSteps()));
   }
+  const std::vector<std::uint64_t> steps(distinct.begin(), distinct.end());
   if (!steps.empty())
   {
-    const std::string folder = commandLine.MakeFolderOf("snapshotFolder");
+    const std::string     folder = commandLine.MakeFolderOf("snapshotFolder");
+    std::set<std::string> names;
+    std::transform(steps.begin(), steps.end(), std::inserter(names, names.end()), HeatSnapshotName);
+    CommandLine::RequireNoOthers(folder, "heat-", names);
     filter->SetSnapshotSteps(
       steps, [&files, folder](std::uint64_t step, const ImageType * heat) { files.WriteSnapshot(heat, step, folder); });
   }

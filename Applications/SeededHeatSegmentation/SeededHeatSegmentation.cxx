@@ -13,6 +13,7 @@
 #include "shapetonVolumeWriter.h"
 
 #include <iomanip>
+#include <set>
 #include <sstream>
 
 namespace
@@ -96,13 +97,16 @@ Configure(CommandLine & commandLine, FilterType * filter)
 void
 WriteProbabilities(CommandLine & commandLine, const FilterType * filter, const VolumeMetadata & metadata)
 {
-  const std::string folder = commandLine.MakeFolderOf("probabilities");
+  const std::string     folder = commandLine.MakeFolderOf("probabilities");
+  std::set<std::string> names;
   for (const unsigned short label : filter->GetLabelValues())
   {
     std::ostringstream name;
-    name << folder << "/probability-" << std::setw(5) << std::setfill('0') << label << ".nrrd";
-    WriteVolume(filter->GetProbabilities(label).GetPointer(), commandLine.Output(name.str()), metadata);
+    name << "probability-" << std::setw(5) << std::setfill('0') << label << ".nrrd";
+    names.insert(name.str());
+    WriteVolume(filter->GetProbabilities(label).GetPointer(), commandLine.Output(folder + '/' + name.str()), metadata);
   }
+  CommandLine::RequireNoOthers(folder, "probability-", names);
 }
 
 void

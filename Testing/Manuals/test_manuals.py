@@ -29,7 +29,7 @@ SHELLS = {  # the command, and what makes it complete the arguments of a tool, w
         f"source {FOLDER}/fish/vendor_completions.d/TOOL.fish; function TOOL; printf '%s\\n' $argv >arguments; end",
     ),
 }
-STANDARD = {"--quiet", "--returnparameterfile", "--xml", "--version", "--help"}
+STANDARD = {"--quiet", "--echo", "--returnparameterfile", "--processinformationaddress", "--xml", "--version", "--help"}
 
 # Text with every character that roff changes, at the start of a line, too.
 DIFFICULT = ".br 'quoted' \"twice\" `code` C:\\dir\\new r^2 ~ -1 --faces x-ray " + " ".join([".TH 'x"] * 40) + "."
@@ -102,7 +102,7 @@ class Pages(Manuals):
             text = rendered(page)
             for parameter in parameters_of(description):
                 name = ("" if parameter.find("longflag") is None else "--") + parameter.findtext("name")
-                item = re.search(rf"^ +{name}( [a-z-]+)?\s+(.+)", text, re.M)
+                item = re.search(rf"^ +{name}( \S+)?\s+(.+)", text, re.M)
                 self.assertTrue(item, f"{page}: {name}")
                 self.assertTrue(words(item[2]).startswith(words(parameter.findtext("description"))), item[2])
                 for fact in ("element", "constraints/minimum", "constraints/maximum", "default"):

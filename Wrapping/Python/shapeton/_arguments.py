@@ -97,9 +97,11 @@ def _advice_by_name(signature: inspect.Signature, arguments: Any) -> str:
     """For more positional arguments than allowed: how to pass the first one too many."""
     parameters = signature.parameters.values()
     positional = sum(parameter.kind is not inspect.Parameter.KEYWORD_ONLY for parameter in parameters)
+    surplus = arguments[positional] if len(arguments) > positional else None
+    kind = type(surplus).__name__
     for parameter in parameters:
-        if len(arguments) > positional and type(parameter.default) is type(arguments[positional]):
-            return f"; give it by name: {parameter.name}={arguments[positional]!r}"
+        if parameter.kind is inspect.Parameter.KEYWORD_ONLY and parameter.annotation in (kind, f"Optional[{kind}]"):
+            return f"; give it by name, for example {parameter.name}={surplus!r}"
     return ""
 
 
@@ -133,11 +135,6 @@ def check_steps(**lists: Sequence[int]) -> None:
         for step in steps:
             if step < 0:
                 raise ParameterError(f"the parameter \"{name}\": {step} is out of range")
-
-
-def modality_of(image: Any, given: str) -> str:
-    """The given modality, else that of the image, which `read_volume` stores in its facts."""
-    return given or str(getattr(image, "facts", {}).get("modality") or "")
 
 
 def lacks_file(hints: Dict[str, Any], values: Dict[str, Any]) -> bool:

@@ -6,6 +6,7 @@ thread; when the main thread stops waiting, this thread ends by itself, at the l
 
 from __future__ import annotations
 
+import errno
 import functools
 import inspect
 import threading
@@ -114,7 +115,9 @@ def public(function: _AnyFunction) -> _AnyFunction:
             return work(*given.args, **given.kwargs)
         except InputError as error:
             if is_reader and lacks_file(hints, given.arguments):
-                raise MissingFileError(str(error)) from None
+                missing = MissingFileError(str(error))
+                missing.errno = errno.ENOENT
+                raise missing from None
             raise
 
     return cast(_AnyFunction, call)

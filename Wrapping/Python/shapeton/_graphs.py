@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Iterable, List, Tuple
+from collections.abc import Iterable, Mapping
+from typing import Any, List, Tuple
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from ._shapeton import Graph, InputError, ParameterError
 
 
 def graph_of(graph: Any) -> Graph:
-    """A graph from one of networkx, a list or m x 2 array of edges, or an adjacency matrix of numpy or scipy."""
+    """A graph from one of networkx, edges as pairs or an m x 2 array, or an adjacency matrix of numpy or scipy."""
     if isinstance(graph, Graph):
         return graph
     if hasattr(graph, "nodes") and hasattr(graph, "is_directed"):
@@ -18,16 +19,27 @@ def graph_of(graph: Any) -> Graph:
             raise InputError("the graph is directed; use graph.to_undirected()")
         return _of_named_edges(graph.nodes, graph.edges())
     if hasattr(graph, "tocoo"):
-        graph = graph.toarray()
-    if isinstance(graph, np.ndarray) and graph.ndim == 2:
-        if graph.shape[1] == 2:
-            return _of_numbers(graph)
-        if graph.shape[0] == graph.shape[1]:
-            return _of_matrix(graph)
-    if isinstance(graph, (list, tuple)) and all(isinstance(edge, (list, tuple)) and len(edge) == 2 for edge in graph):
-        whole = all(isinstance(end, (int, np.integer)) for edge in graph for end in edge)
-        return _of_numbers(np.asarray(graph).reshape(-1, 2)) if whole else _of_named_edges((), graph)
-    raise TypeError(f"{type(graph).__name__} is not a graph of networkx, a list of edges or an adjacency matrix")
+        return _of_matrix(graph.toarray())
+    if not isinstance(graph, Iterable) or isinstance(graph, (str, bytes, Mapping)):
+        raise TypeError(f"{type(graph).__name__} is not a graph of networkx, edges or an adjacency matrix")
+    return _of_array(graph) if isinstance(graph, np.ndarray) else _of_rows(list(graph))
+
+
+def _of_rows(rows: List[Any]) -> Graph:
+    if len(rows) > 2 and all(isinstance(row, list) and len(row) == len(rows) for row in rows):
+        return _of_matrix(np.asarray(rows))
+    if not all(isinstance(row, (list, tuple, np.ndarray)) and len(row) == 2 for row in rows):
+        raise TypeError("each edge must be a pair of nodes; leave out weights and other data")
+    whole = all(isinstance(end, (int, np.integer)) for row in rows for end in row)
+    return _of_numbers(np.asarray(rows).reshape(-1, 2)) if whole else _of_named_edges((), rows)
+
+
+def _of_array(array: Any) -> Graph:
+    if array.ndim == 2 and array.shape[1] == 2:
+        return _of_numbers(array)
+    if array.ndim == 2 and array.shape[0] == array.shape[1]:
+        return _of_matrix(array)
+    raise TypeError(f"an array of shape {array.shape} is neither m x 2 edges nor an adjacency matrix")
 
 
 def _of_numbers(edges: Any) -> Graph:
@@ -43,6 +55,8 @@ def _of_named_edges(nodes: Iterable[Any], edges: Iterable[Tuple[Any, Any]]) -> G
 
 def _of_matrix(matrix: Any) -> Graph:
     """An edge for each nonzero entry on or above the diagonal."""
+    if matrix.dtype.kind not in "buif" or not np.all(np.isfinite(matrix)):
+        raise ParameterError("the adjacency matrix must have finite real numbers")
     if not np.array_equal(matrix, matrix.T):
         raise ParameterError("the adjacency matrix is not symmetric: the graph is directed")
     return Graph(len(matrix), np.argwhere(np.triu(matrix)))

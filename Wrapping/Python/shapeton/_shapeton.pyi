@@ -685,7 +685,7 @@ class Graph:
 
     @property
     def edges(self) -> NDArray[Any]:
-        """m x 2, int32: the ends of each edge; a view."""
+        """m x 2, int32: the ends of each edge; a read-only view."""
 
     @property
     def names(self) -> List[str]:

@@ -14,6 +14,8 @@ _RAS = np.diag([-1.0, -1.0, 1.0, 1.0])
 
 _PERPENDICULAR = 1e-3  # tolerance for rounded headers
 
+_ACQUISITION = ("modality", "patient_position", "slice_thickness")  # facts on which automatic values depend
+
 _MODALITY = "0008|0060"  # its key in the headers of ITK and SimpleITK
 
 #: Units of lengths of NIfTI.
@@ -36,8 +38,9 @@ class Image:
     direction
         3 x 3; the columns are the unit vectors of the axes x, y, z of the array in LPS. They are perpendicular.
     facts
-        Further information: ``modality``, ``patient_position``, ``series_uid``, ``identity``, ``repairs``, ``notes``
-        of an image read by `read_volume`.
+        Further information of an image read by `read_volume`: ``modality``, ``patient_position`` and
+        ``slice_thickness`` (mm; 0: unknown), on which automatic values depend; ``series_uid``, ``identity``,
+        ``repairs``, ``notes``.
     """
 
     __slots__ = ("_array", "_spacing", "_origin", "_direction", "facts")
@@ -87,8 +90,12 @@ class Image:
         return matrix
 
     def like(self, array: Any) -> Image:
-        """Returns an image with other voxels on the same grid."""
-        return Image(array, self._spacing, self._origin, self._direction)
+        """Returns an image with other voxels on the same grid, such as a filtered one or a mask.
+
+        Of the facts it keeps those on which automatic values depend: modality, patient position and slice thickness.
+        """
+        facts = {name: self.facts[name] for name in _ACQUISITION if name in self.facts}
+        return Image(array, self._spacing, self._origin, self._direction, facts)
 
     def __array__(self, dtype: Any = None) -> NDArray[Any]:
         """The voxels, for numpy functions."""

@@ -1,4 +1,5 @@
 #include "Conversions.h"
+#include "shapetonDicomFields.h"
 #include "Timer.h"
 
 #include <atomic>
@@ -172,6 +173,21 @@ ClassOf(const char * module, const char * name)
   return py::module_::import(module).attr(name);
 }
 
+/** Sets the DICOM fields of an image from its facts. */
+void
+SetDicomFields(const py::dict & facts, itk::MetaDataDictionary & dictionary)
+{
+  for (const auto & [fact, field] : { std::pair("modality", DicomModality),
+                                      std::pair("patient_position", DicomPatientPosition),
+                                      std::pair("slice_thickness", DicomSliceThickness) })
+  {
+    if (facts.contains(fact))
+    {
+      itk::EncapsulateMetaData<std::string>(dictionary, field, py::str(facts[fact]));
+    }
+  }
+}
+
 template <typename TPixel>
 typename itk::Image<TPixel, 3>::Pointer
 ImageOf(const py::handle & image)
@@ -199,6 +215,7 @@ ImageOf(const py::handle & image)
   const auto container = ArrayContainer<TPixel>::New();
   container->SetArray(pixels);
   result->SetPixelContainer(container);
+  SetDicomFields(Get<py::dict>(image, "facts"), result->GetMetaDataDictionary());
   return result;
 }
 

@@ -51,11 +51,19 @@ MakeGraph(int nodes, const py::object & rows, const std::vector<std::string> & n
   return graph;
 }
 
+/** Marks a view of a checked object as read-only. */
+py::array
+ReadOnly(py::array && view)
+{
+  py::detail::array_proxy(view.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return std::move(view);
+}
+
 py::array
 EdgesOf(const Graph & graph, const py::handle & owner)
 {
   const int * const first = graph.edges.empty() ? nullptr : graph.edges.front().data();
-  return py::array_t<int>({ static_cast<py::ssize_t>(graph.edges.size()), py::ssize_t{ 2 } }, first, owner);
+  return ReadOnly(py::array_t<int>({ static_cast<py::ssize_t>(graph.edges.size()), py::ssize_t{ 2 } }, first, owner));
 }
 
 Certificate
@@ -88,13 +96,14 @@ py::array
 Rows(const std::vector<double> & numbers, const Certificate & certificate, const py::handle & owner)
 {
   const auto columns = static_cast<py::ssize_t>(CoordinatesOf(certificate.geometry));
-  return py::array_t<double>({ static_cast<py::ssize_t>(numbers.size()) / columns, columns }, numbers.data(), owner);
+  return ReadOnly(
+    py::array_t<double>({ static_cast<py::ssize_t>(numbers.size()) / columns, columns }, numbers.data(), owner));
 }
 
 py::array
 Row(const std::vector<double> & numbers, const py::handle & owner)
 {
-  return py::array_t<double>(static_cast<py::ssize_t>(numbers.size()), numbers.data(), owner);
+  return ReadOnly(py::array_t<double>(static_cast<py::ssize_t>(numbers.size()), numbers.data(), owner));
 }
 
 py::dict
@@ -125,7 +134,7 @@ AddGraph(py::module_ & module)
     .def_property_readonly(
       "edges",
       [](const py::object & self) { return EdgesOf(self.cast<const Graph &>(), self); },
-      "m x 2, int32: the ends of each edge; a view.")
+      "m x 2, int32: the ends of each edge; a read-only view.")
     .def_readonly("names", &Graph::names, "None, or one per node.")
     .def("__reduce__",
          [](const py::object & self) {
@@ -313,7 +322,8 @@ AddConformalType(py::module_ & module)
   module.def(
     "conformal_type_of_sequence",
     Reporting(+[](const std::vector<Graph> & graphs, const std::vector<int> & roots, const Progress & progress) {
-      RequireParameter(!graphs.empty() && graphs.size() == roots.size(),
+      RequireParameter(!graphs.empty() && graphs.size() == roots.size() &&
+                         *std::min_element(roots.begin(), roots.end()) >= 0,
                        "the parameter \"roots\" must have one node per graph");
       return FindConformalType(graphs, roots, progress);
     }),

@@ -64,7 +64,10 @@ Diffuse(const ImageType::Pointer &                    image,
   static_cast<CumulativeHeatDiffusionOptions &>(settings) = given.options;
   settings.histogramSteps = histogramSteps;
   settings.wantComponents = components;
-  itk::EncapsulateMetaData(image->GetMetaDataDictionary(), DicomModality, modality);
+  if (!modality.empty())
+  {
+    itk::EncapsulateMetaData(image->GetMetaDataDictionary(), DicomModality, modality);
+  }
   const auto filter = FilterType::New();
   filter->SetInput(image);
   filter->SetDomain(domain.value_or(nullptr));
@@ -80,7 +83,12 @@ Diffuse(const ImageType::Pointer &                    image,
   filter->SetSnapshotSteps(snapshotSteps, ConsumerOf(snapshot));
   filter->SetWantInitialHeat(initialHeat);
   UpdateWithProgress(filter.GetPointer(), "Diffusing heat", progress);
-  return { filter->GetOutput(), initialHeat ? filter->GetInitialHeatOutput() : nullptr, filter->GetResult(), choice };
+  Heat heat{ filter->GetOutput(), initialHeat ? filter->GetInitialHeatOutput() : nullptr, filter->GetResult(), choice };
+  if (components)
+  {
+    heat.result.classes = ClassifyHeat(heat.heat, heat.result).classes;
+  }
+  return heat;
 }
 
 py::array

@@ -1,9 +1,12 @@
 #include "Bindings.h"
 #include "Conversions.h"
+#include "Errors.h"
 #include "Options.h"
 
 #include "shapetonHeatObjects.h"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 
 namespace shapeton::python
@@ -54,7 +57,14 @@ AddHeatObjects(py::module_ & module)
       "labels",
       [](const HeatObjectList & list) { return list.labels; },
       "uint16: the number of the smallest object at each voxel; 0 for none.")
-    .def_readonly("warnings", &HeatObjectList::warnings, "What to do if no object was found.")
+    .def_property_readonly(
+      "warnings",
+      [](const HeatObjectList & list) {
+        Remarks warnings;
+        std::transform(list.warnings.begin(), list.warnings.end(), std::back_inserter(warnings), InPython);
+        return warnings;
+      },
+      "What to do if no object was found.")
     .def(
       "mask",
       [](const HeatObjectList & list, int number) { return MaskOfObject(list, number); },

@@ -38,7 +38,10 @@ Diffuse(const ImageType::Pointer &                                image,
         const std::vector<std::uint64_t> &                        histogramSteps,
         const Progress &                                          progress)
 {
-  itk::EncapsulateMetaData(image->GetMetaDataDictionary(), DicomModality, modality);
+  if (!modality.empty())
+  {
+    itk::EncapsulateMetaData(image->GetMetaDataDictionary(), DicomModality, modality);
+  }
   const auto filter = FilterType::New();
   filter->SetInput(image);
   if (mask)

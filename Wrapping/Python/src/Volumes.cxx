@@ -21,6 +21,7 @@ ImageWithFacts(const Volume & volume)
   py::object image = ToPython<float>(volume.image.GetPointer());
   image.attr("facts") = py::dict("modality"_a = volume.modality,
                                  "patient_position"_a = volume.patientPosition,
+                                 "slice_thickness"_a = volume.sliceThickness,
                                  "series_uid"_a = volume.seriesUID,
                                  "identity"_a = volume.identity,
                                  "repairs"_a = volume.repairs,

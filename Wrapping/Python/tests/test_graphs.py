@@ -62,6 +62,9 @@ class GraphTest(TestCase):
             np.testing.assert_array_equal(graphs.as_graph(other).edges, k4.edges)
             self.assertEqual(graphs.ricci_curvature(other).edges.tolist(), graphs.ricci_curvature(k4).edges.tolist())
         self.assertTrue(graphs.compare_graphs(matrix, k4).isomorphic)
+        self.assertEqual(graphs.as_graph(types.SimpleNamespace(tocoo=None, toarray=lambda: np.array([[0, 1], [1, 0]]))).edges.tolist(), [[0, 1]])
+        self.assertEqual(graphs.as_graph(matrix.tolist()).edges.tolist(), k4.edges.tolist())
+        self.assertEqual(graphs.as_graph((a, b) for a, b in k4.edges).edges.tolist(), k4.edges.tolist())
         named = graphs.as_graph([("b", "a"), ("a", "c"), ("b", "a")])
         self.assertEqual((named.names, named.edges.tolist()), (["b", "a", "c"], [[0, 1], [1, 2], [0, 1]]))
         with self.assertRaisesRegex(shapeton.InputError, "no nodes"):
@@ -90,8 +93,19 @@ class GraphTest(TestCase):
             graphs.embed_graph("k7")
         with self.assertRaisesRegex(TypeError, "dict is not a graph of networkx"):
             graphs.as_graph({})
+        with self.assertRaisesRegex(TypeError, "a pair of nodes; leave out weights"):
+            graphs.as_graph([(0, 1, 0.5), (1, 2, 0.5), (0, 2, 0.5)])
+        with self.assertRaisesRegex(shapeton.ParameterError, "finite"):
+            graphs.as_graph(np.full((3, 3), np.nan))
         with self.assertRaisesRegex(shapeton.ParameterError, "not symmetric"):
             graphs.embed_graph(np.triu(np.ones((4, 4))))
+
+    def test_checked_data_are_read_only(self):
+        graph = graphs.complete_graph(5)
+        certificate = graphs.embed_graph(graph)
+        for view in (graph.edges, certificate.packed.edges, certificate.node_positions, certificate.node_radii):
+            with self.assertRaisesRegex(ValueError, "read-only"):
+                view[0] = 7
 
     def test_families_refuse_counts_that_are_none(self):
         self.assertEqual(graphs.hypercube_graph(4).nodes, 16)
@@ -103,8 +117,10 @@ class GraphTest(TestCase):
             (graphs.grid_graph, (100000, 100000)),
             (graphs.complete_bipartite_graph, (2, -1)),
         ):
-            with self.assertRaisesRegex(ValueError, "count of the graph"):
+            with self.assertRaisesRegex(shapeton.ParameterError, "count of the graph"):
                 make(*wrong)
+        with self.assertRaisesRegex(shapeton.ParameterError, "fewer rings"):
+            graphs.regular_tiling_graph(7, 3, 200)
 
     def test_isomorphic_graphs_are_found_and_others_told_apart(self):
         k33 = graphs.complete_bipartite_graph(3, 3)
@@ -144,6 +160,8 @@ class GraphTest(TestCase):
         np.testing.assert_array_equal(disk.radii, range(1, 7))
         sequence = graphs.conformal_type_of_sequence(tilings, [0] * 6)
         np.testing.assert_allclose(sequence.root_radii, disk.root_radii, rtol=1e-9)
+        with self.assertRaisesRegex(shapeton.ParameterError, "must be a node"):
+            graphs.conformal_type(tilings[-1], root=-1)
         with self.assertRaisesRegex(shapeton.InputError, "not planar"):
             graphs.conformal_type(graphs.complete_graph(5))
         self.assertEqual(len(graphs.planar_part(graphs.complete_graph(5)).edges), 9)

@@ -10,6 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 import shapeton
+from shapeton import shapes
 
 from support import TestCase, balls, needs_tools, run_python, run_tool
 
@@ -88,6 +89,36 @@ class HeatTest(TestCase):
             np.testing.assert_allclose(one.center, center, atol=1e-9)
             self.assertTrue(0.2 <= one.probability <= 1.0)
         self.assertEqual(len(shapeton.find_objects(heat, least_voxels=2000).objects), 1)
+
+    def test_classes_of_a_result_are_measured(self):
+        result = shapeton.diffuse_heat(balls(), time_steps=1000, components=True)
+        labels, _ = shapeton.classify_heat(result.heat, result.components)
+        for one in result.classes:
+            self.assertEqual(one.voxels, np.count_nonzero(labels.array == one.label))
+            self.assertAlmostEqual(one.volume, one.voxels * np.prod(result.heat.spacing), delta=1e-6 * one.volume)
+            self.assertIsNotNone(one.coherence)
+
+    def test_a_mask_may_be_rounded_and_another_grid_is_refused(self):
+        image = balls()
+        inside = (image.array > 0.0).astype(np.uint8)
+        rounded = shapeton.Image(inside, image.spacing, np.add(image.origin, 1e-4), image.direction)
+        expected = shapeton.diffuse_heat(image, domain=image.like(inside), time_steps=10).heat.array
+        self.assertSame(shapeton.diffuse_heat(image, domain=rounded, time_steps=10).heat.array, expected)
+        moved = shapeton.Image(inside, image.spacing, np.add(image.origin, 1.0), image.direction)
+        for call in (
+            lambda: shapeton.diffuse_heat(image, domain=moved),
+            lambda: shapeton.diffuse_shapetons(image, mask=moved),
+            lambda: shapes.SeededHeat(image).segment(moved),
+        ):
+            with self.assertRaisesRegex(shapeton.InputError, "another grid than the volume|grids of the seeds and of the image differ"):
+                call()
+        with self.assertRaisesRegex(shapeton.InputError, "no voxel"):
+            shapeton.diffuse_heat(image, domain=image.like(0 * inside))
+
+    def test_snapshots_and_their_steps_require_each_other(self):
+        for options in ({"snapshot_steps": [1]}, {"snapshot": print}):
+            with self.assertRaisesRegex(shapeton.ParameterError, "require each other"):
+                shapeton.diffuse_heat(balls(), **options)
 
     def test_wrong_objects_and_heats_are_rejected(self):
         image = balls()

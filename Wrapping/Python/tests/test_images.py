@@ -19,6 +19,10 @@ class ImageTest(TestCase):
         np.testing.assert_allclose(image.index(expected), [z, y, x], atol=1e-12)
         np.testing.assert_allclose(image.point([[0, 0, 0], [z, y, x]])[1], expected, atol=1e-12)
 
+    def test_another_array_keeps_what_automatic_values_depend_on(self):
+        image = Image(np.zeros((2, 3, 4)), facts={"modality": "CT", "series_uid": "1.2", "slice_thickness": 2.0})
+        self.assertEqual(image.like(np.ones((2, 3, 4))).facts, {"modality": "CT", "slice_thickness": 2.0})
+
     def test_voxels_are_kept_as_they_are(self):
         voxels = np.zeros((4, 5, 6), np.float32)
         self.assertIs(Image(voxels).array, voxels)

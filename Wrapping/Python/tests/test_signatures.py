@@ -112,7 +112,7 @@ class ArgumentTest(TestCase):
         self.assertRefused("diffuse_heat(): missing a required argument: 'image'", shapeton.diffuse_heat)
         self.assertRefused("threads(): too many positional arguments", shapeton.threads, 3)
         self.assertRefused(
-            "diffuse_heat(): too many positional arguments; give it by name: preset='published'",
+            "diffuse_heat(): too many positional arguments; give it by name, for example preset='published'",
             shapeton.diffuse_heat, self.image, "published")  # fmt: skip
 
     def test_a_wrong_type_is_named(self):

@@ -5,6 +5,7 @@
 #include "shapetonFilterOptions.h"
 #include "shapetonIndexedOutputs.h"
 #include "shapetonITKCompatibility.h"
+#include "shapetonImageGrid.h"
 #include "shapetonVolumeGradientOperator.h"
 #include "shapetonVolumeGradientOptionsMethods.h"
 
@@ -64,6 +65,9 @@ protected:
   PrintSelf(std::ostream & os, itk::Indent indent) const override;
   void
   VerifyPreconditions() const override;
+  /** Throws InputError if another input does not have the grid of the volume, see HaveSameGrid(). */
+  void
+  VerifyInputInformation() const override;
   void
   GenerateInputRequestedRegion() override;
   void

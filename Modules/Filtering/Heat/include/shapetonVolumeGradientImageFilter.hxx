@@ -17,6 +17,20 @@ VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::VerifyPreconditi
 
 template <typename TInputImage, typename TOutputImage, typename TOptions>
 void
+VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::VerifyInputInformation() const
+{
+  for (const auto & name : this->GetInputNames())
+  {
+    const auto * const other = dynamic_cast<const itk::ImageBase<3> *>(this->ProcessObject::GetInput(name));
+    if (other && !HaveSameGrid(this->GetInput(), other))
+    {
+      throw InputError("a mask or label map has another grid than the volume; resample it to the grid of the volume");
+    }
+  }
+}
+
+template <typename TInputImage, typename TOutputImage, typename TOptions>
+void
 VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::GenerateInputRequestedRegion()
 {
   Superclass::GenerateInputRequestedRegion();

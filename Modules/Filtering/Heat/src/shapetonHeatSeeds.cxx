@@ -1,6 +1,7 @@
 #include "shapetonHeatSeeds.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonImageGrid.h"
 #include "shapetonMappedImage.h"
 #include "shapetonVoxelRuns.h"
 
@@ -13,13 +14,6 @@ namespace shapeton
 {
 namespace
 {
-VoxelGrid
-GridOf(const itk::ImageBase<3> * image)
-{
-  const auto size = image->GetLargestPossibleRegion().GetSize();
-  return { static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) };
-}
-
 /** Marks the voxels of a set, excluding its border unless it consists of border voxels only. */
 void
 MarkInside(const VoxelGrid &                grid,

@@ -22,7 +22,7 @@ Check(const VolumeView & volume, const VolumeGradientOptions & options)
   if (volume.domain &&
       std::count(volume.domain->begin(), volume.domain->end(), 0) == static_cast<std::ptrdiff_t>(volume.domain->size()))
   {
-    throw std::invalid_argument("the domain of the volume has no voxel");
+    throw InputError("the domain of the volume has no voxel; use a mask with nonzero voxels");
   }
   const auto & [lower, upper] = *options.intensityWindow;
   if (!std::isfinite(lower) || !std::isfinite(upper))

@@ -136,10 +136,10 @@ PlaceByDensity(const ParticleKernels::Surroundings & surroundings,
   const std::uint64_t whole = rows.GetWhole();
   if (whole == 0)
   {
-    throw std::domain_error(byInitialHeat
-                              ? "no voxel (of the mask, if given) has initial heat, because the volume has no edges; "
-                                "place the shapetons uniformly"
-                              : "the mask is empty; shapetons require nonzero mask voxels");
+    throw std::domain_error(
+      byInitialHeat ? "no voxel (of the mask, if given) has initial heat, because it has no edges; use another "
+                      "mask, or place the shapetons uniformly"
+                    : "the mask is empty; shapetons require nonzero mask voxels");
   }
   for (std::size_t i = 0; i < shapetons.number; ++i)
   {

@@ -1,9 +1,10 @@
 #include "shapetonGraphFamilies.h"
 
+#include "shapetonExceptions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 namespace shapeton
@@ -16,8 +17,8 @@ RequireCounts(std::initializer_list<int> counts, int least, double nodes)
 {
   if (std::min(counts) < least || nodes > std::numeric_limits<int>::max())
   {
-    throw std::invalid_argument("a count of the graph is below " + std::to_string(least) +
-                                ", or there are more than 2147483647 nodes");
+    throw ParameterError("a count of the graph is below " + std::to_string(least) +
+                         ", or there are more than 2147483647 nodes");
   }
 }
 } // namespace
@@ -219,7 +220,8 @@ private:
   int
   NewNode()
   {
-    RequireCounts({ m_Graph.nodes }, 0, m_Graph.nodes + 1.0);
+    constexpr int most = 10000000; // 1 GB
+    RequireParameter(m_Graph.nodes < most, "the tiling has more than 10000000 nodes; use fewer rings");
     m_Degrees.push_back(0);
     return m_Graph.nodes++;
   }

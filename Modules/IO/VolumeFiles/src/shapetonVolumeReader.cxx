@@ -189,6 +189,24 @@ SelectByUID(const DicomScan & scan, const VolumeReadOptions & options)
   return *list.front();
 }
 
+/** Files that have the extension of the slices but are not DICOM, such as empty ones; they may explain a gap. */
+std::string
+DamagedSlicesOf(const DicomSeries & series, const DicomScan & scan)
+{
+  const auto  extension = series.slices.empty() ? fs::path() : fs::path(series.slices.front().file).extension();
+  std::string first;
+  std::size_t more = 0;
+  for (const DicomDefect & file : scan.otherFiles)
+  {
+    if (!extension.empty() && fs::path(file.files.front()).extension() == extension)
+    {
+      more += first.empty() ? 0 : 1;
+      first = first.empty() ? "; copy this file from its source again: " + file.message : first;
+    }
+  }
+  return first + (more > 0 ? " (and " + std::to_string(more) + " more)" : "");
+}
+
 /** Images of the same series that are not slices; they may explain a gap. */
 std::string
 UnusableSlicesOf(const DicomSeries & series, const DicomScan & scan)
@@ -227,7 +245,8 @@ SelectOnlyOne(const DicomScan & scan, const VolumeReadOptions & options)
   }
   const auto all = Select(scan, [](const DicomSeries &) { return true; });
   const auto explain = [&](const DicomSeries & series) {
-    return Describe(series) + ": " + RefusalOf(series, options) + UnusableSlicesOf(series, scan);
+    return Describe(series) + ": " + RefusalOf(series, options) + UnusableSlicesOf(series, scan) +
+           DamagedSlicesOf(series, scan);
   };
   ThrowUnsuitable(scan.path, List(volumes.empty() ? all : volumes, explain));
 }

@@ -269,6 +269,16 @@ TEST(VolumeReader, ASliceWithoutPositionIsNamedBesideTheGapItLeaves)
   EXPECT_NE(refusal.find("im0003.dcm"), std::string::npos) << refusal;
 }
 
+TEST(VolumeReader, AnEmptyFileIsNamedBesideTheGapItLeaves)
+{
+  const std::string folder = TestFolder();
+  SaveDicom(DicomFixture().MakeSeries(), folder);
+  std::filesystem::resize_file(folder + "/im0003.dcm", 0);
+  const std::string refusal = InputErrorOf([&] { ReadVolume(folder); });
+  EXPECT_TRUE(Contains(refusal, "1 slice is missing")) << refusal;
+  EXPECT_TRUE(Contains(refusal, "copy this file from its source again: im0003.dcm: not a DICOM file")) << refusal;
+}
+
 TEST(VolumeReader, AStraySliceIsNotTakenInPlaceOfAnIrregularSeries)
 {
   const std::string folder = TestFolder();

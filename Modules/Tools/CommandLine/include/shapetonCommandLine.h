@@ -12,6 +12,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -54,7 +55,8 @@ namespace shapeton
  * by the next run that writes to the folder. Missing folders are created, and removed after a failure. A symbolic link
  * is kept and its target is replaced. A hard link is separated, so the file's other name keeps the old result. The new
  * file has the permissions of the old one, or the default of the umask. Only regular files that are not inputs of the
- * run are replaced: a folder, a device, a pipe or a write-protected file is rejected before the work starts.
+ * run are replaced: a folder, a device, a pipe, a write-protected file or a name in the folder of an input volume is
+ * rejected before the work starts.
  *
  * \ingroup ShapetonCommandLine
  */
@@ -144,6 +146,11 @@ public:
   /** MakeFolder() of the parent of a file or folder that is written without Output(). */
   void
   MakeParentFolder(const std::string & path);
+
+  /** Throws ParameterError if the folder contains a file that begins with `prefix` and is none of `names`: a file of
+   * another run, which would be taken for one of this run. */
+  static void
+  RequireNoOthers(const std::string & folder, const std::string & prefix, const std::set<std::string> & names);
 
   /** Throws ParameterError if a result folder is the input folder or inside it, which would change the input. Throws
    * InputError if the input does not exist; `advice` completes the message. */

@@ -164,10 +164,30 @@ struct CommandLine::State
     return values == parsed.given.end() ? nullptr : &values->second;
   }
 
+  /** An output must not be in the folder of a series that is read, where it could replace a slice. */
+  void
+  RequireOutsideSeries(const std::string & path) const
+  {
+    for (const auto & parameter : module.parameters)
+    {
+      const bool   isRead = parameter.tag == "image" && parameter.channel == "input";
+      const auto * values = isRead ? this->FindGiven(parameter.name) : nullptr;
+      for (const auto & value : values ? *values : std::vector<std::string>())
+      {
+        std::error_code error;
+        if (std::filesystem::is_directory(value, error))
+        {
+          RequireApart(value, path, "");
+        }
+      }
+    }
+  }
+
   /** An output must not replace an input of the same run. */
   void
   RequireNoInput(const std::string & path) const
   {
+    this->RequireOutsideSeries(path);
     for (const auto & parameter : module.parameters)
     {
       const auto * values = parameter.channel == "input" && parameter.IsPath() && replaceable.count(parameter.name) == 0
@@ -231,6 +251,7 @@ struct CommandLine::State
     }
     if (!parsed.returnFile.empty())
     {
+      this->RequireNoInput(parsed.returnFile);
       returnFile = outputs.Add(parsed.returnFile);
     }
     ThreadOptions options;
@@ -500,14 +521,7 @@ CommandLine::MainOutput(const std::string & name)
 void
 CommandLine::MakeFolder(const std::string & path)
 {
-  for (const auto & parameter : m_State->module.parameters)
-  {
-    const bool isRead = parameter.tag == "image" && parameter.channel == "input" && this->IsGiven(parameter.name);
-    if (isRead && std::filesystem::is_directory(this->GetString(parameter.name)))
-    {
-      RequireApart(this->GetString(parameter.name), path, "");
-    }
-  }
+  m_State->RequireOutsideSeries(path);
   m_State->outputs.MakeFolder(path);
 }
 
@@ -525,7 +539,23 @@ CommandLine::MakeFolderOf(const std::string & name)
 void
 CommandLine::MakeParentFolder(const std::string & path)
 {
+  m_State->RequireOutsideSeries(path);
   m_State->outputs.MakeParentFolder(path);
+}
+
+void
+CommandLine::RequireNoOthers(const std::string &           folder,
+                             const std::string &           prefix,
+                             const std::set<std::string> & names)
+{
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+  {
+    const std::string name = entry->path().filename().string();
+    RequireParameter(name.compare(0, prefix.size(), prefix) != 0 || names.count(name) > 0,
+                     "the folder " + Quoted(folder) + " contains " + name +
+                       " of another run; use another folder or remove it");
+  }
 }
 
 void
@@ -538,7 +568,7 @@ CommandLine::RequireApart(const std::string & input, const std::string & outputF
   }
   const fs::path relative = fs::weakly_canonical(outputFolder).lexically_relative(fs::weakly_canonical(input));
   RequireParameter(!fs::is_directory(input) || relative.empty() || *relative.begin() == "..",
-                   "the output folder is inside the input folder; choose one outside");
+                   "an output is inside the input folder; choose a place outside");
 }
 
 std::string
