@@ -1,5 +1,6 @@
 #include "shapetonReducedVolume.h"
 
+#include "shapetonExceptions.h"
 #include "shapetonParallelFor.h"
 
 #include <algorithm>
@@ -27,6 +28,22 @@ Blocks(const Size & size, const Spacing & spacing, double side)
     const auto wanted = static_cast<std::size_t>(std::max(1L, std::lround(side / spacing[axis])));
     blocks[axis] = std::clamp<std::size_t>(wanted, 1, std::max<std::size_t>(1, size[axis] / LeastSide));
   }
+  return blocks;
+}
+
+constexpr unsigned char Part = 1, Most = 2; // of a block in the domain
+
+/** The blocks of which most voxels are in the domain; if there are none, those with any voxel in it. */
+std::vector<unsigned char>
+DomainOf(std::vector<unsigned char> blocks)
+{
+  const unsigned char greatest = *std::max_element(blocks.begin(), blocks.end());
+  if (greatest == 0)
+  {
+    throw InputError("the domain of the volume has no voxel, or too few to choose parameters; use a larger mask");
+  }
+  std::transform(
+    blocks.begin(), blocks.end(), blocks.begin(), [greatest](unsigned char block) { return block == greatest; });
   return blocks;
 }
 
@@ -68,14 +85,15 @@ Average(const VolumeView & volume, const Size & blocks)
         values[row + x] = static_cast<float>(sums[x] / static_cast<double>(std::max<std::size_t>(1, counts[x])));
         if (volume.domain)
         {
-          domain[row + x] = 2 * counts[x] >= voxels ? 1 : 0;
+          domain[row + x] = 2 * counts[x] >= voxels ? Most : counts[x] > 0 ? Part : 0;
         }
       }
     }
   });
   ReducedVolume reduced{ VolumeView(std::move(values), size, spacing),
                          SmallestSpacing(spacing) / SmallestSpacing(volume.spacing) };
-  reduced.domain = volume.domain ? std::make_shared<const std::vector<unsigned char>>(std::move(domain)) : nullptr;
+  reduced.domain =
+    volume.domain ? std::make_shared<const std::vector<unsigned char>>(DomainOf(std::move(domain))) : nullptr;
   return reduced;
 }
 } // namespace
