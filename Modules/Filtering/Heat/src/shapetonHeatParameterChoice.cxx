@@ -311,6 +311,22 @@ ChooseSmoothing(const VolumeView &          volume,
   choice.smoothingReason = "noise between neighbors has a standard deviation of " + Text(noise, 2) +
                            " of the window, " + (insulates ? "more" : "not more") + " than a quarter of 1/p";
 }
+void
+RequireValues(const VolumeView & volume)
+{
+  const std::size_t voxels = volume.NumberOfVoxels();
+  if (volume.values == nullptr || voxels == 0)
+  {
+    throw InputError("the volume is empty; update the filter that makes it");
+  }
+  for (std::size_t voxel = 0; voxel < voxels; ++voxel)
+  {
+    if (!std::isfinite(volume.values[voxel]) && volume.IsInDomain(voxel))
+    {
+      throw InputError("voxel " + std::to_string(voxel) + " of the volume is not a finite number; replace it");
+    }
+  }
+}
 } // namespace
 
 void
@@ -353,6 +369,7 @@ ChooseHeatParameters(const VolumeView &                     volume,
                      const Progress &                       progress)
 {
   CheckOptions(options);
+  RequireValues(volume);
   HeatParameterChoice choice;
   choice.intensityWindow = WindowOf(options, volume);
   choice.p = given.p.value_or(options.p);

@@ -1,10 +1,12 @@
 #include "shapetonDiffusionTestVolumes.h"
+#include "shapetonExceptions.h"
 #include "shapetonHeatClassification.h"
 #include "shapetonHeatParameterChoice.h"
 #include "shapetonTestThreads.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -116,6 +118,17 @@ TEST(HeatParameterChoice, SeparatesWhatThePublishedParametersMerge)
       EXPECT_FALSE(reason.empty());
     }
   }
+}
+
+TEST(HeatParameterChoice, EmptyVolumesAndValuesThatAreNotFiniteAreRefused)
+{
+  for (const float wrong : { std::nanf(""), HUGE_VALF })
+  {
+    Volume volume({ 16, 16, 16 });
+    volume.values[77] = wrong;
+    EXPECT_THROW(ChooseHeatParameters(volume), InputError);
+  }
+  EXPECT_THROW(ChooseHeatParameters(VolumeView(itk::Image<float, 3>::New().GetPointer())), InputError);
 }
 
 TEST(HeatParameterChoice, FollowsTheUnitOfIntensity)

@@ -59,7 +59,11 @@ LogarithmOf(const HeatImage * heat)
   constexpr float     least = 1e-6F;
   const float * const values = heat->GetBufferPointer();
   const std::size_t   voxels = heat->GetBufferedRegion().GetNumberOfPixels();
-  const float         greatest = *std::max_element(values, values + voxels);
+  if (voxels == 0)
+  {
+    throw InputError("the heat volume is empty; update the filter that makes it");
+  }
+  const float greatest = *std::max_element(values, values + voxels);
   if (!(greatest > 0.0F) || std::isinf(greatest))
   {
     throw InputError("a heat volume needs finite values above 0, not at most " + std::to_string(greatest));

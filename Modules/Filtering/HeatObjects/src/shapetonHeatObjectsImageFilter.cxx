@@ -35,5 +35,6 @@ HeatObjectsImageFilter::GenerateData()
   const Progress progress([this](double share) { ReportProgress(*this, share); });
   m_List = HeatObjectTree(this->GetInput(), m_Options, this->GetDomain(), progress).List();
   this->GraftOutput(m_List.labels);
+  progress("Finding objects", 1.0);
 }
 } // namespace shapeton

@@ -254,6 +254,7 @@ TEST(HeatObjects, TheFilterAndThreadsDoNotChangeTheResult)
   const auto filter = HeatObjectsImageFilter::New();
   filter->SetInput(heat);
   filter->Update();
+  EXPECT_EQ(filter->GetProgress(), 1.0F);
   ASSERT_EQ(filter->GetObjects().size(), list.objects.size());
   EXPECT_EQ(basetest::BytesOf(list.labels), basetest::BytesOf(filter->GetOutput()));
   filter->SetLeastVoxels(2000); // the ball is the largest one
@@ -272,6 +273,7 @@ TEST(HeatObjects, WrongInputIsRefused)
   EXPECT_THROW(FindHeatObjects(MakeHeat([](double, double, double) { return 0.0F; })), InputError);
   EXPECT_THROW(FindHeatObjects(MakeHeat([](double x, double, double) { return x > 0 ? 1.0F : std::nanf(""); })),
                InputError);
+  EXPECT_THROW(FindHeatObjects(itk::Image<float, 3>::New().GetPointer()), InputError);
   EXPECT_THROW(MaskOfObject({}, 1), ParameterError);
   EXPECT_THROW(ObjectOfClick({}, 1), ParameterError);
 }

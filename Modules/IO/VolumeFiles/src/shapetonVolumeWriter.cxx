@@ -113,12 +113,20 @@ AreClose(const TVector & a, const TVector & b)
   return true;
 }
 
+/** The position of the first voxel, whose index may not be 0. */
+template <typename TImage>
+itk::Point<double, 3>
+FirstPositionOf(const TImage * image)
+{
+  return image->template TransformIndexToPhysicalPoint<double>(image->GetLargestPossibleRegion().GetIndex());
+}
+
 template <typename TImage>
 bool
 HasSameGeometry(const TImage * a, const TImage * b)
 {
   if (a->GetLargestPossibleRegion().GetSize() != b->GetLargestPossibleRegion().GetSize() ||
-      !AreClose(a->GetSpacing(), b->GetSpacing()) || !AreClose(a->GetOrigin(), b->GetOrigin()))
+      !AreClose(a->GetSpacing(), b->GetSpacing()) || !AreClose(FirstPositionOf(a), FirstPositionOf(b)))
   {
     return false;
   }

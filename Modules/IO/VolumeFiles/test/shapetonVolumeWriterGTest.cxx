@@ -106,6 +106,21 @@ TEST(VolumeWriter, RoundTripsKeepPixelsAndObliqueGeometry)
   }
 }
 
+TEST(VolumeWriter, TheFirstIndexMayNotBeZero)
+{
+  const auto image = itk::Image<float, 3>::New();
+  image->SetRegions(itk::ImageRegion<3>({ { 2, -3, 4 } }, { { 3, 4, 5 } }));
+  image->SetSpacing(itk::Vector<double, 3>(2.0));
+  image->Allocate(true);
+  for (const std::string extension : { "nrrd", "nii.gz", "mha" })
+  {
+    const std::string path = TestFolder() + "/image." + extension;
+    WriteVolume<float>(image, path);
+    const auto first = ReadVolume(path).image->GetOrigin();
+    EXPECT_EQ(std::vector<double>(first.Begin(), first.End()), (std::vector<double>{ 4.0, -6.0, 8.0 })) << extension;
+  }
+}
+
 TEST(VolumeWriter, LeftHandedAxesAreKept)
 {
   for (const std::string extension : { "nrrd", "nii", "mha" })
