@@ -10,10 +10,10 @@ points are LPS in mm. This module contains volumes, heat and shapetons; the othe
 - `shapeton.graphs`: graphs, their embeddings and certificates
 
 Long functions accept ``progress``, a function of the completed share (0 to 1) and the stage name. It is called at
-most ten times a second; if it returns False, `Aborted` is raised. Ctrl-C works as usual in Python. The GIL is
-released. Errors are `ParameterError` and `InputError`, which are ValueErrors, `OutputError`, an OSError, and
-`DeviceError`, a RuntimeError; the message contains a remedy. A missing file is `MissingFileError`, an InputError and a
-FileNotFoundError.
+most ten times a second; if it returns False, `Aborted` is raised. Ctrl-C ends them, and functions that read files, if
+called from the main thread. The GIL is released. Errors are `ParameterError` and `InputError`, which are ValueErrors,
+`OutputError`, an OSError, and `DeviceError`, a RuntimeError; the message contains a remedy. A missing file is
+`MissingFileError`, an InputError and a FileNotFoundError.
 
 Where an image is expected, images of nibabel, SimpleITK, itk, VTK and xarray are accepted, see `Image.of`; where a graph
 is expected, those of networkx, lists of edges and adjacency matrices, see `graphs.as_graph`.

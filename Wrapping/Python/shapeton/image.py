@@ -149,20 +149,30 @@ class Image:
 
     @classmethod
     def from_nibabel(cls, image: Any) -> Image:
-        """From a nibabel image: voxels [x, y, z] are transposed (a view), RAS becomes LPS, other units mm."""
+        """From a nibabel image: voxels [x, y, z] are transposed (a view), RAS becomes LPS, other units mm.
+
+        Without an orientation (sform and qform codes 0), the axes are left, posterior and superior, as in `read_volume`.
+        """
+        if image.affine is None:
+            raise InputError("the nibabel image has no affine; use nibabel.Nifti1Image(voxels, affine)")
         voxels = np.asanyarray(image.dataobj)
+        affine = np.asarray(image.affine)
+        if "sform_code" in image.header and image.header["sform_code"] == 0 and image.header["qform_code"] == 0:
+            affine = _RAS @ np.diag([*image.header.get_zooms()[:3], 1.0])
         units = image.header.get_xyzt_units()[0] if hasattr(image.header, "get_xyzt_units") else "mm"
         millimeters = np.diag([_MILLIMETERS.get(units, 1.0)] * 3 + [1.0])
         if voxels.ndim == 4 and voxels.shape[3] == 1:
             voxels = voxels[..., 0]
-        return cls.from_affine(voxels.T, _RAS @ millimeters @ image.affine)
+        return cls.from_affine(voxels.T, _RAS @ millimeters @ affine)
 
     def to_nibabel(self) -> Any:
         """A nibabel.Nifti1Image; its voxels are a view."""
         import nibabel
 
         voxels = self._array.astype(np.uint8) if self._array.dtype == bool else self._array
-        return nibabel.Nifti1Image(voxels.T, _RAS @ self.affine)
+        image = nibabel.Nifti1Image(voxels.T, _RAS @ self.affine)
+        image.header.set_xyzt_units("mm")
+        return image
 
     @classmethod
     def from_sitk(cls, image: Any) -> Image:
@@ -270,7 +280,8 @@ def _volume(array: Any) -> NDArray[Any]:
         raise ParameterError("the parameter \"array\" is masked; fill it, and give the mask as domain or mask of the function")
     voxels: NDArray[Any] = np.asarray(array)
     if voxels.dtype.kind not in "buif":
-        raise ParameterError(f"the parameter \"array\" has the type {voxels.dtype}; an image requires real numbers")
+        advice = "; use shapeton.Image.of(image) for an image of another package" if voxels.dtype == object else ""
+        raise ParameterError(f"the parameter \"array\" has the type {voxels.dtype}; an image requires real numbers{advice}")
     if voxels.ndim != 3 or voxels.size == 0:
         raise ParameterError(
             f"the parameter \"array\" has the shape {voxels.shape}; an image requires three non-empty axes z, y, x"

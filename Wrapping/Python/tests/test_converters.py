@@ -51,8 +51,22 @@ class NibabelTest(TestCase):
             nifti.header.set_xyzt_units(unit)
             np.testing.assert_allclose(Image.from_nibabel(nifti).spacing, np.array([2.0, 3.0, 4.0]) * factor)
 
+    def test_without_an_orientation(self):
+        import nibabel
+
+        nifti = nibabel.Nifti1Image(np.zeros((3, 4, 5), np.float32), np.diag([2.0, 3.0, 4.0, 1.0]))
+        nifti.set_sform(None, 0)
+        nifti.set_qform(None, 0)
+        path = str(self.folder / "volume.nii")
+        nibabel.save(nifti, path)
+        for image in (nifti, nibabel.load(path)):
+            np.testing.assert_array_equal(Image.of(image).affine, shapeton.read_volume(path).affine)
+        with self.assertRaisesRegex(shapeton.InputError, "has no affine"):
+            Image.of(nibabel.Nifti1Image(np.zeros((3, 4, 5), np.float32), None))
+
     def test_there_and_back(self):
         image = balls()
+        self.assertEqual(image.to_nibabel().header.get_xyzt_units()[0], "mm")
         back = Image.from_nibabel(image.to_nibabel())
         self.assertSame(back.array, image.array)
         self.assertTrue(np.shares_memory(back.array, image.array))
