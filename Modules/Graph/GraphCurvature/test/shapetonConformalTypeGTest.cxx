@@ -236,9 +236,9 @@ TEST(ConformalType, TilingsHaveTheirDegreesAndFaces)
     }
     EXPECT_EQ(nodes == 0 ? graph.nodes : nodes, graph.nodes) << p << ' ' << q;
   }
-  EXPECT_THROW(RegularTilingGraph(3, 5, 2), std::invalid_argument);
-  EXPECT_THROW(RegularTilingGraph(2, 9, 2), std::invalid_argument);
-  EXPECT_THROW(RegularTilingGraph(4, 4, 0), std::invalid_argument);
+  EXPECT_THROW(RegularTilingGraph(3, 5, 2), shapeton::ParameterError);
+  EXPECT_THROW(RegularTilingGraph(2, 9, 2), shapeton::ParameterError);
+  EXPECT_THROW(RegularTilingGraph(4, 4, 0), shapeton::ParameterError);
 }
 
 TEST(ConformalType, Refusals)
