@@ -102,7 +102,7 @@ class Pages(Manuals):
             text = rendered(page)
             for parameter in parameters_of(description):
                 name = ("" if parameter.find("longflag") is None else "--") + parameter.findtext("name")
-                item = re.search(rf"^ +{name}( \S+)?\s+(.+)", text, re.M)
+                item = re.search(rf"^ +{name}( [a-z|,.]+)?\s+(.+)", text, re.M)
                 self.assertTrue(item, f"{page}: {name}")
                 self.assertTrue(words(item[2]).startswith(words(parameter.findtext("description"))), item[2])
                 for fact in ("element", "constraints/minimum", "constraints/maximum", "default"):

@@ -3,6 +3,7 @@
 #include "shapetonHeatClassification.h"
 #include "shapetonIntensityClasses.h"
 #include "shapetonNumberText.h"
+#include "shapetonExceptions.h"
 #include "shapetonReducedVolume.h"
 
 #include <algorithm>
