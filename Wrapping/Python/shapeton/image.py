@@ -14,9 +14,8 @@ _RAS = np.diag([-1.0, -1.0, 1.0, 1.0])
 
 _PERPENDICULAR = 1e-3  # tolerance for rounded headers
 
-_ACQUISITION = ("modality", "patient_position", "slice_thickness")  # facts on which automatic values depend
-
-_MODALITY = "0008|0060"  # its key in the headers of ITK and SimpleITK
+#: Facts on which automatic values depend, and their keys in the headers of ITK and SimpleITK.
+_DICOM_FIELDS = {"modality": "0008|0060", "patient_position": "0018|5100", "slice_thickness": "0018|0050"}
 
 #: Units of lengths of NIfTI.
 _MILLIMETERS = {"meter": 1000.0, "mm": 1.0, "micron": 0.001}
@@ -94,7 +93,7 @@ class Image:
 
         Of the facts it keeps those on which automatic values depend: modality, patient position and slice thickness.
         """
-        facts = {name: self.facts[name] for name in _ACQUISITION if name in self.facts}
+        facts = {name: self.facts[name] for name in _DICOM_FIELDS if name in self.facts}
         return Image(array, self._spacing, self._origin, self._direction, facts)
 
     def __array__(self, dtype: Any = None) -> NDArray[Any]:
@@ -184,7 +183,7 @@ class Image:
             image.GetSpacing(),
             image.GetOrigin(),
             np.reshape(image.GetDirection(), (3, 3)) if image.GetDimension() == 3 else None,
-            {"modality": image.GetMetaData(_MODALITY).strip()} if image.HasMetaDataKey(_MODALITY) else None,
+            {name: image.GetMetaData(key).strip() for name, key in _DICOM_FIELDS.items() if image.HasMetaDataKey(key)},
         )
 
     def to_sitk(self) -> Any:
@@ -195,8 +194,9 @@ class Image:
         image.SetSpacing(self._spacing)
         image.SetOrigin(self._origin)
         image.SetDirection(self._direction.ravel().tolist())
-        if self.facts.get("modality"):
-            image.SetMetaData(_MODALITY, self.facts["modality"])
+        for name, key in _DICOM_FIELDS.items():
+            if self.facts.get(name):
+                image.SetMetaData(key, str(self.facts[name]))
         return image
 
     @classmethod
@@ -210,7 +210,7 @@ class Image:
             tuple(image.GetSpacing()),
             tuple(image.GetOrigin()),
             itk.array_from_matrix(image.GetDirection()),
-            {"modality": str(header[_MODALITY]).strip()} if header.HasKey(_MODALITY) else None,
+            {name: str(header[key]).strip() for name, key in _DICOM_FIELDS.items() if header.HasKey(key)},
         )
 
     def to_itk(self) -> Any:

@@ -147,8 +147,8 @@ public:
   void
   MakeParentFolder(const std::string & path);
 
-  /** Throws ParameterError if the folder contains a file that begins with `prefix` and is none of `names`: a file of
-   * another run, which would be taken for one of this run. */
+  /** Throws ParameterError if the name of a file in the folder begins with `prefix` but is not in `names`: a later step
+   * would take this file of another run for one of this run. */
   static void
   RequireNoOthers(const std::string & folder, const std::string & prefix, const std::set<std::string> & names);
 
