@@ -64,10 +64,6 @@ void
 ParticleDiffusionImageFilter<TInputImage>::PlaceShapetons()
 {
   const MaskImageType * const mask = this->GetMaskImage();
-  if (mask && mask->GetBufferedRegion() != this->GetInput()->GetBufferedRegion())
-  {
-    itkExceptionMacro("the mask differs from the input in size or first index");
-  }
   const VolumeView volume(this->GetInput());
   m_Diffusion = std::make_unique<ParticleDiffusion>(volume,
                                                     this->OptionsFor(volume),
