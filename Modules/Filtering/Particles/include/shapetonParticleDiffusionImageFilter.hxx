@@ -64,7 +64,7 @@ void
 ParticleDiffusionImageFilter<TInputImage>::PlaceShapetons()
 {
   const MaskImageType * const mask = this->GetMaskImage();
-  const VolumeView volume(this->GetInput());
+  const VolumeView            volume(this->GetInput());
   m_Diffusion = std::make_unique<ParticleDiffusion>(volume,
                                                     this->OptionsFor(volume),
                                                     mask ? mask->GetBufferPointer() : nullptr,
