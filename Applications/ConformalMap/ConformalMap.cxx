@@ -10,8 +10,6 @@
 #include "shapetonSurfaceWriter.h"
 #include "shapetonExceptions.h"
 
-#include <filesystem>
-
 namespace
 {
 using namespace shapeton;
@@ -19,10 +17,7 @@ using namespace shapeton;
 void
 CheckUsage(const CommandLine & commandLine)
 {
-  const auto        corners = commandLine.GetIntegers("corners");
-  const std::string flat = commandLine.GetString("flatSurface");
-  RequireParameter(std::filesystem::path(flat).extension() == ".vtp",
-                   "the output " + flat + " must have the extension .vtp, which stores its arrays");
+  const auto corners = commandLine.GetIntegers("corners");
   RequireParameter(corners.empty() || corners.size() == 4,
                    "--corners requires four vertices, for example --corners 0,10,20,30");
   RequireParameter(corners.empty() || commandLine.GetString("domain") == "rectangle",

@@ -108,14 +108,8 @@ WriteReport(CommandLine &                 commandLine,
 void
 MakeTransferFunction(CommandLine & commandLine)
 {
-  const std::string output = commandLine.GetString("volumeProperty");
-  if (std::filesystem::path(output).extension() != ".vp")
-  {
-    throw ParameterError("the output " + output +
-                         " must have the extension .vp, by which 3D Slicer recognizes a volume property");
-  }
   const auto        choice = ReadTransferFunctionChoice(commandLine);
-  const std::string propertyFile = commandLine.Output(output);
+  const std::string propertyFile = commandLine.OutputOf("volumeProperty");
   const std::string pictureFile = commandLine.OutputOf("picture");
 
   const Volumes volumes = ReadVolumes(commandLine, choice);

@@ -124,7 +124,7 @@ Segment(CommandLine & commandLine)
   filter->Update();
   commandLine.Warn(filter->GetRemarks());
   const auto metadata = ProvenanceMetadata(commandLine.GetProvenance());
-  WriteVolume(filter->GetOutput(), commandLine.OutputOf("outputLabels"), metadata);
+  WriteVolume(filter->GetOutput(), commandLine.MainOutput("outputLabels"), metadata);
   if (commandLine.IsGiven("uncertainty"))
   {
     WriteVolume(filter->GetUncertaintyOutput(), commandLine.OutputOf("uncertainty"), metadata);

@@ -59,9 +59,10 @@ Update(const CommandLine & commandLine, FilterType * filter)
   {
     filter->Update();
   }
-  catch (const ShapetonInputError & error)
+  catch (const InputError & error)
   {
-    throw InputError(commandLine.GetString("inputVolume") + ": " + error.GetDescription());
+    const std::string source = commandLine.IsGiven("resume") ? "resume" : "inputVolume";
+    throw InputError(commandLine.GetString(source) + ": " + error.GetDescription());
   }
 }
 

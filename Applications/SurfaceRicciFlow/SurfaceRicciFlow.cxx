@@ -9,22 +9,9 @@
 #include "shapetonSurfaceWriter.h"
 #include "shapetonToolSurfaces.h"
 
-#include <filesystem>
-
 namespace
 {
 using namespace shapeton;
-
-void
-CheckUsage(const CommandLine & commandLine)
-{
-  for (const char * name : { "flatSurface", "triangulation" })
-  {
-    const std::string path = commandLine.GetString(name);
-    RequireParameter(path.empty() || std::filesystem::path(path).extension() == ".vtp",
-                     "the output " + path + " must have the extension .vtp, which stores its arrays");
-  }
-}
 
 /** The target curvatures in a point array of the surface. */
 Eigen::VectorXd
@@ -41,7 +28,6 @@ CurvaturesIn(const SurfaceMesh & mesh, const std::string & name, const std::stri
 void
 Flow(CommandLine & commandLine)
 {
-  CheckUsage(commandLine);
   const std::string  flat = commandLine.MainOutput("flatSurface");
   const std::string  triangulation = commandLine.OutputOf("triangulation");
   const std::string  statistics = commandLine.OutputOf("statistics");

@@ -79,12 +79,17 @@ _ADVICE = {
 _CONVERTERS: Dict[Any, Callable[[Any], Any]] = {Image: Image.of, Graph: graph_of}
 
 
+#: Names of an argument in other functions.
+_OTHER_NAMES = {"mask": "domain", "domain": "mask"}
+
+
 def bound(name: str, signature: inspect.Signature, arguments: Any, options: Any) -> inspect.BoundArguments:
     """The arguments of a call by name; a TypeError suggests the nearest name of an unknown one."""
     known = [parameter for parameter in signature.parameters if parameter != "self"]
     for option in options:
         if option not in known:
-            near = difflib.get_close_matches(option, known, 1)
+            near = [other for other in (_OTHER_NAMES.get(option),) if other in known]
+            near = near or difflib.get_close_matches(option, known, 1)
             advice = f"; did you mean \"{near[0]}\"?" if near else f"; it has {', '.join(known) or 'none'}"
             raise TypeError(f"{name}() has no argument \"{option}\"{advice}")
     try:
@@ -127,6 +132,12 @@ def check(name: str, hints: Dict[str, Any], values: Dict[str, Any]) -> None:
             advice = next((text for kind, text in _ADVICE.items() if kind in words and isinstance(value, np.ndarray)), "")
             advice = "; use shapeton.graphs.as_graph(edges)" if (name, argument) == ("Graph", "nodes") else advice
             raise TypeError(f"{name}(): the argument \"{argument}\" must be {words}, not {_kind(value)}{advice}")
+
+
+def check_extension(path: Any, *extensions: str) -> None:
+    """Raises ParameterError unless the path of an output has one of the extensions."""
+    if not os.fspath(path).lower().endswith(extensions):
+        raise ParameterError(f"the parameter \"path\": {os.fspath(path)} does not end with {' or '.join(extensions)}")
 
 
 def check_steps(**lists: Sequence[int]) -> None:

@@ -29,7 +29,7 @@ def _of_rows(rows: List[Any]) -> Graph:
     if len(rows) > 2 and all(isinstance(row, list) and len(row) == len(rows) for row in rows):
         return _of_matrix(np.asarray(rows))
     if not all(isinstance(row, (list, tuple, np.ndarray)) and len(row) == 2 for row in rows):
-        raise TypeError("each edge must be a pair of nodes; leave out weights and other data")
+        raise ParameterError("each edge must be a pair of nodes; leave out weights and other data")
     whole = all(isinstance(end, (int, np.integer)) for row in rows for end in row)
     return _of_numbers(np.asarray(rows).reshape(-1, 2)) if whole else _of_named_edges((), rows)
 
@@ -39,7 +39,7 @@ def _of_array(array: Any) -> Graph:
         return _of_numbers(array)
     if array.ndim == 2 and array.shape[0] == array.shape[1]:
         return _of_matrix(array)
-    raise TypeError(f"an array of shape {array.shape} is neither m x 2 edges nor an adjacency matrix")
+    raise ParameterError(f"an array of shape {array.shape} is neither m x 2 edges nor an adjacency matrix")
 
 
 def _of_numbers(edges: Any) -> Graph:

@@ -45,13 +45,38 @@ private:
   std::shared_ptr<PyObject> m_Array;
 };
 
+/** Wide numbers must not become infinite as floats. */
+void
+RequireInRange(const py::array & array)
+{
+  if (array.dtype().kind() != 'f' || array.itemsize() <= py::ssize_t{ sizeof(float) })
+  {
+    return;
+  }
+  const auto           values = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
+  const double * const first = values.data();
+  const auto           beyond = [](double value) {
+    return std::isfinite(value) && std::abs(value) > std::numeric_limits<float>::max();
+  };
+  const auto * const found = std::find_if(first, first + values.size(), beyond);
+  if (found != first + values.size())
+  {
+    throw InputError("the image of " + std::string(py::str(array.dtype())) + " contains " +
+                     std::string(py::str(py::float_(*found))) + ", beyond the range of float32; rescale it");
+  }
+}
+
 /** The array itself if type and layout agree, otherwise a copy. */
 template <typename TPixel>
 py::array
 PixelsOf(const py::array & array)
 {
   constexpr int flags = py::array::c_style | py::array::forcecast | py::detail::npy_api::NPY_ARRAY_ALIGNED_;
-  const auto    pixels = py::array_t<TPixel, flags>::ensure(array);
+  if constexpr (std::is_same_v<TPixel, float>)
+  {
+    RequireInRange(array);
+  }
+  const auto pixels = py::array_t<TPixel, flags>::ensure(array);
   if (!pixels)
   {
     throw py::error_already_set();
@@ -63,7 +88,9 @@ PixelsOf(const py::array & array)
       !ClassOf("numpy", "array_equal")(pixels, array).template cast<bool>())
   {
     throw InputError("the image of " + std::string(py::str(array.dtype())) + " contains values not representable in " +
-                     std::string(py::str(pixels.dtype())) + "; convert it, for example a mask by array != 0");
+                     std::string(py::str(pixels.dtype())) + "; " +
+                     (std::is_integral_v<TPixel> ? "convert it, for example a mask by array != 0"
+                                                 : "subtract an offset or round it: float32 has 24 bits"));
   }
   return pixels;
 }

@@ -59,10 +59,6 @@ Update(itk::ProcessObject * filter)
   {
     throw;
   }
-  catch (const ShapetonInputError & error)
-  {
-    throw InputError(error.GetDescription());
-  }
   catch (const itk::ExceptionObject & error)
   {
     throw ParameterError(WithoutItkPrefix(error.GetDescription()));

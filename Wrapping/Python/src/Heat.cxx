@@ -7,6 +7,7 @@
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonExceptions.h"
 #include "shapetonHeatClassification.h"
+#include "shapetonImageGrid.h"
 
 #include <algorithm>
 #include <functional>
@@ -121,6 +122,10 @@ HistogramOf(const std::vector<ImageType::Pointer> & heats, const std::vector<std
   HeatHistogram histogram(timeSteps);
   for (std::size_t row = 0; row < heats.size(); ++row)
   {
+    if (!HaveSameGrid(heats.front(), heats[row]))
+    {
+      throw InputError("the grids of the heat images 0 and " + std::to_string(row) + " differ");
+    }
     histogram.AddToRow(row, heats[row]->GetBufferPointer(), heats[row]->GetBufferedRegion().GetNumberOfPixels());
   }
   return histogram;

@@ -42,6 +42,11 @@ public:
              const Given<SeededHeatSegmentationOptions> & given,
              bool                                         automaticP)
   {
+    CheckOptions(given.options);
+    if (domain && !HaveSameGrid(image, *domain))
+    {
+      throw InputError("the grids of the domain and of the image differ; use a mask on the grid of the image");
+    }
     m_Filter->SetInput(image);
     m_Filter->SetDomain(domain.value_or(nullptr));
     m_Filter->SetOptions(given.options);

@@ -93,8 +93,11 @@ class GraphTest(TestCase):
             graphs.embed_graph("k7")
         with self.assertRaisesRegex(TypeError, "dict is not a graph of networkx"):
             graphs.as_graph({})
-        with self.assertRaisesRegex(TypeError, "a pair of nodes; leave out weights"):
-            graphs.as_graph([(0, 1, 0.5), (1, 2, 0.5), (0, 2, 0.5)])
+        for call in (graphs.as_graph, graphs.embed_graph):
+            with self.assertRaisesRegex(shapeton.ParameterError, "a pair of nodes; leave out weights"):
+                call([(0, 1, 0.5), (1, 2, 0.5), (0, 2, 0.5)])
+        with self.assertRaisesRegex(shapeton.ParameterError, "g.gml does not end with .graphml or .xml"):
+            graphs.write_graph(graphs.complete_graph(3), self.folder / "g.gml")
         with self.assertRaisesRegex(shapeton.ParameterError, "finite"):
             graphs.as_graph(np.full((3, 3), np.nan))
         with self.assertRaisesRegex(shapeton.ParameterError, "not symmetric"):

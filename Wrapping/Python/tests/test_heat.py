@@ -137,6 +137,14 @@ class HeatTest(TestCase):
             shapeton.find_objects(heat.like(np.zeros_like(heat.array)))
         with self.assertRaisesRegex(shapeton.ParameterError, "leastProbability|least_probability"):
             shapeton.find_objects(heat, least_probability=2.0)
+        with self.assertRaisesRegex(shapeton.InputError, "no negative values"):
+            shapeton.find_objects(image)
+        with self.assertRaisesRegex(shapeton.InputError, "outside .0, 1."):
+            shapeton.classify_heat(image)
+        with self.assertRaisesRegex(shapeton.InputError, "grids of the heat images 0 and 1 differ"):
+            shapeton.heat_histogram([heat, shapeton.Image(heat.array)], [1, 2])
+        with self.assertRaisesRegex(TypeError, "has no argument \"mask\"; did you mean \"domain\""):
+            shapeton.diffuse_heat(image, mask=heat)
 
     def test_rules_of_classes_are_checked(self):
         heat = shapeton.diffuse_heat(balls((8, 8, 8)), preset="published", time_steps=10).heat

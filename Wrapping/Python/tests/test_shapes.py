@@ -26,6 +26,13 @@ def ball(radius, shape=(48, 48, 48), spacing=(1.0, 1.0, 1.0)):
 
 
 class SeedsTest(TestCase):
+    def test_wrong_parameters_are_refused_at_once(self):
+        image, seeds = two_halves()
+        with self.assertRaisesRegex(shapeton.ParameterError, "the parameter \"p\""):
+            shapes.SeededHeat(image, p=-1.0)
+        with self.assertRaisesRegex(shapeton.InputError, "grids of the domain and of the image differ"):
+            shapes.SeededHeat(image, domain=shapeton.Image(seeds.array))
+
     def test_a_boundary_lies_at_the_edge_and_probabilities_sum_to_one(self):
         image, seeds = two_halves()
         found = shapes.SeededHeat(image).segment(seeds, probabilities=True)

@@ -11,7 +11,8 @@ namespace shapeton
 /** \name DICOM fields of an image
  * Keys in the MetaDataDictionary of an image, as written by ReadVolume() and itk::GDCMImageIO. itk::ImageSeriesReader
  * keeps the fields of each slice, but does not set those of its output:
- * `image->SetMetaDataDictionary(*(*reader->GetMetaDataDictionaryArray())[0])`. \ingroup ShapetonCommon */
+ * `image->SetMetaDataDictionary(*(*reader->GetMetaDataDictionaryArray())[0])`. Filters of ITK do not copy them to their
+ * outputs. \ingroup ShapetonCommon */
 ///@{
 constexpr auto DicomModality = "0008|0060";
 constexpr auto DicomSliceThickness = "0018|0050"; ///< mm

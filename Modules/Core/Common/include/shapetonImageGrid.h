@@ -16,7 +16,8 @@ GridOf(const itk::ImageBase<3> * image)
   return { static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) };
 }
 
-/** Whether two volumes have the same size and the same voxel positions, to a hundredth of the smallest spacing.
+/** Whether two volumes have the same size and the same voxel positions, to a hundredth of the smallest spacing; the
+ * indices of their first voxels may differ.
  * \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT bool
 HaveSameGrid(const itk::ImageBase<3> * a, const itk::ImageBase<3> * b);

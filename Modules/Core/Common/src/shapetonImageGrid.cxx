@@ -7,8 +7,9 @@ namespace shapeton
 bool
 HaveSameGrid(const itk::ImageBase<3> * a, const itk::ImageBase<3> * b)
 {
-  const itk::ImageRegion<3> region = a->GetLargestPossibleRegion();
-  if (region != b->GetLargestPossibleRegion())
+  const itk::ImageRegion<3> regionA = a->GetLargestPossibleRegion();
+  const itk::ImageRegion<3> regionB = b->GetLargestPossibleRegion();
+  if (regionA.GetSize() != regionB.GetSize())
   {
     return false;
   }
@@ -16,15 +17,15 @@ HaveSameGrid(const itk::ImageBase<3> * a, const itk::ImageBase<3> * b)
   const double tolerance = 0.01 * std::min({ spacing[0], spacing[1], spacing[2] });
   for (unsigned int corner = 0; corner < 8; ++corner)
   {
-    itk::Index<3> index = region.GetIndex();
+    itk::Offset<3> offset;
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      index[axis] += (corner >> axis) & 1U ? static_cast<itk::IndexValueType>(region.GetSize(axis)) - 1 : 0;
+      offset[axis] = (corner >> axis) & 1U ? static_cast<itk::OffsetValueType>(regionA.GetSize(axis)) - 1 : 0;
     }
     itk::ImageBase<3>::PointType pointA;
     itk::ImageBase<3>::PointType pointB;
-    a->TransformIndexToPhysicalPoint(index, pointA);
-    b->TransformIndexToPhysicalPoint(index, pointB);
+    a->TransformIndexToPhysicalPoint(regionA.GetIndex() + offset, pointA);
+    b->TransformIndexToPhysicalPoint(regionB.GetIndex() + offset, pointB);
     if (pointA.EuclideanDistanceTo(pointB) > tolerance)
     {
       return false;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -49,7 +51,7 @@ OptionInfo::Check(double value) const
 {
   const auto require = [&](bool condition, const std::string & reason) {
     std::ostringstream number;
-    number << value;
+    number << std::setprecision(std::numeric_limits<float>::max_digits10) << value;
     RequireParameter(condition, "the parameter \"" + std::string(m_Name) + "\": " + number.str() + " is " + reason);
   };
   require(std::isfinite(value), "not a finite number");

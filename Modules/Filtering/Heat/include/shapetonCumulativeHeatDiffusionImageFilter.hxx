@@ -61,24 +61,16 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::GenerateData()
   {
     initialHeat->Initialize(); // clears the previous result
   }
-  try
-  {
-    VolumeView volume = this->GetVolume();
-    const auto settings = this->OptionsFor(volume);
-    m_Result = DiffuseCumulativeHeat(
-      std::move(volume),
-      settings,
-      heat->GetBufferPointer(),
-      m_WantInitialHeat ? initialHeat->GetBufferPointer() : nullptr,
-      m_SnapshotConsumer
-        ? [this](std::uint64_t step, const std::vector<float> & values) { this->HandOut(step, values); }
-        : HeatSnapshotConsumer(),
-      [this](double share) { ReportProgress(*this, share); });
-  }
-  catch (const std::logic_error & error)
-  {
-    itkExceptionMacro(<< error.what());
-  }
+  VolumeView volume = this->GetVolume();
+  const auto settings = this->OptionsFor(volume);
+  m_Result = DiffuseCumulativeHeat(
+    std::move(volume),
+    settings,
+    heat->GetBufferPointer(),
+    m_WantInitialHeat ? initialHeat->GetBufferPointer() : nullptr,
+    m_SnapshotConsumer ? [this](std::uint64_t step, const std::vector<float> & values) { this->HandOut(step, values); }
+                       : HeatSnapshotConsumer(),
+    [this](double share) { ReportProgress(*this, share); });
 }
 
 template <typename TInputImage>

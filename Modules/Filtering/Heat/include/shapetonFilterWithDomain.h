@@ -26,16 +26,24 @@ public:
   itkSetInputMacro(Domain, DomainImageType);
   itkGetInputMacro(Domain, DomainImageType);
 
-  /** The input with its domain. Throws ParameterError if the domain has another size. */
+  /** The input with its domain, of the buffered regions. Throws InputError if they differ in size, or without input. */
   VolumeView
   GetVolume() const
   {
+    if (!this->GetInput())
+    {
+      throw InputError("the filter has no input; set it before its volume is asked for");
+    }
     VolumeView                    volume(this->GetInput());
     const DomainImageType * const domain = this->GetDomain();
     if (domain)
     {
-      RequireParameter(domain->GetBufferedRegion() == this->GetInput()->GetBufferedRegion(),
-                       "the domain has another size than the volume; use a mask on the grid of the volume");
+      if (domain->GetBufferedRegion().GetSize() != this->GetInput()->GetBufferedRegion().GetSize() ||
+          !domain->GetBufferPointer())
+      {
+        throw InputError(
+          "the domain has another size than the volume, or no pixels; use a mask on the grid of the volume");
+      }
       const unsigned char * const first = domain->GetBufferPointer();
       volume.domain = std::make_shared<const std::vector<unsigned char>>(first, first + volume.NumberOfVoxels());
     }

@@ -45,7 +45,7 @@ public:
    * as slowly as smooth ones. */
   static constexpr double MaximumTimeStepLength = 1.0 / 12.0;
 
-  /** `timeStepLength` dt in (0, 1/12]; `tolerance` of the heat, in [1e-6, 1]; throws std::invalid_argument. The
+  /** `timeStepLength` dt in (0, 1/12]; `tolerance` of the heat, in [1e-6, 1]; throws ParameterError. The
    * operator must outlive the solver. */
   HeatDiffusionSolver(const VolumeGradientOperator & volumeGradient,
                       Method                         method,

@@ -75,21 +75,9 @@ SeededHeatSegmentationImageFilter<TInputImage>::GenerateData()
   this->AllocateOutputs();
   const LabelImageType * const seeds = this->GetSeeds();
   const LabelImageType * const before = this->GetLabelsBefore();
-  for (const LabelImageType * const labels : { seeds, before })
-  {
-    if (labels && labels->GetBufferedRegion() != this->GetInput()->GetBufferedRegion())
-    {
-      throw InputError("the sizes of seeds and volume differ; use a label map on the grid of the volume");
-    }
-  }
-  try
-  {
-    this->PrepareSolver();
-  }
-  catch (const std::invalid_argument & error)
-  {
-    throw InputError(error.what());
-  }
+  m_LabelValues.clear(); // nothing of the last run remains after an error
+  m_Grid = nullptr;
+  this->PrepareSolver();
   const SeededHeatResult & result = m_Solver->Solve(
     seeds->GetBufferPointer(),
     [this](double share) { ReportProgress(*this, share); },
@@ -113,7 +101,7 @@ template <typename TInputImage>
 typename SeededHeatSegmentationImageFilter<TInputImage>::HeatImageType::Pointer
 SeededHeatSegmentationImageFilter<TInputImage>::GetProbabilities(unsigned short label) const
 {
-  RequireParameter(m_Solver != nullptr, "the probabilities were not kept; set KeepProbabilities and update the filter");
+  RequireParameter(m_Solver && m_Grid, "the probabilities were not kept; set KeepProbabilities and update the filter");
   auto image = NewImageOn<HeatImageType>(m_Grid);
   m_Solver->GetProbabilities(label, image->GetBufferPointer());
   return image;

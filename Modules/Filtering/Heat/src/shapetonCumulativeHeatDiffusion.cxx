@@ -1,4 +1,5 @@
 #include "shapetonCumulativeHeatDiffusion.h"
+#include "shapetonExceptions.h"
 #include "shapetonHeatClassification.h"
 #include "shapetonParallelFor.h"
 
@@ -10,7 +11,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <stdexcept>
 #include <string>
 
 namespace shapeton
@@ -35,10 +35,8 @@ void
 CheckSteps(const std::string & name, const std::vector<std::uint64_t> & steps, std::uint64_t last)
 {
   const bool ascend = std::adjacent_find(steps.begin(), steps.end(), std::greater_equal<>()) == steps.end();
-  if (!ascend || (!steps.empty() && steps.back() > last))
-  {
-    throw std::invalid_argument(name + " must be ascending and at most the parameter \"timeSteps\"");
-  }
+  RequireParameter(ascend && (steps.empty() || steps.back() <= last),
+                   name + " must be ascending and at most the parameter \"timeSteps\"");
 }
 
 void
@@ -48,14 +46,11 @@ CheckSettings(const VolumeView &                      volume,
 {
   CheckSteps("the histogram steps", settings.histogramSteps, settings.timeSteps);
   CheckSteps("the parameter \"snapshotSteps\"", settings.snapshotSteps, settings.timeSteps);
-  if (!settings.snapshotSteps.empty() && !consumer)
-  {
-    throw std::invalid_argument("snapshots are requested without a consumer");
-  }
+  RequireParameter(settings.snapshotSteps.empty() || consumer, "snapshots are requested without a consumer");
   CheckOptions(settings);
   if (volume.NumberOfVoxels() >= std::numeric_limits<std::uint32_t>::max())
   {
-    throw std::length_error("the volume has 2^32 voxels or more; crop it");
+    throw InputError("the volume has 2^32 voxels or more; crop it");
   }
 }
 

@@ -1,4 +1,5 @@
 #include "shapetonHeatClassification.h"
+#include "shapetonExceptions.h"
 #include "shapetonDisjointSets.h"
 #include "shapetonMappedImage.h"
 #include "shapetonParallelFor.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 namespace shapeton
 {
@@ -252,10 +252,8 @@ std::vector<HeatClass>
 FindHeatClasses(const HeatHistogram & histogram, std::size_t row, const HeatClassificationRule & rule)
 {
   constexpr unsigned int mostClasses = 254;
-  if (rule.maximumNumberOfClasses < 1 || rule.maximumNumberOfClasses > mostClasses)
-  {
-    throw std::invalid_argument("the maximum number of classes must be between 1 and 254");
-  }
+  RequireParameter(rule.maximumNumberOfClasses >= 1 && rule.maximumNumberOfClasses <= mostClasses,
+                   "the maximum number of classes must be between 1 and 254");
   const std::uint32_t * const counts = histogram.GetRow(row);
   const auto                  smooth = SmoothedDensity(counts);
   std::vector<Hill>           hills = FindHills(smooth, counts);

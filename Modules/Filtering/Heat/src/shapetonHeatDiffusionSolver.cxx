@@ -1,4 +1,5 @@
 #include "shapetonHeatDiffusionSolver.h"
+#include "shapetonExceptions.h"
 #include "shapetonHeatEngineOnCpu.h"
 #include "shapetonHeatEngineOnGpu.h"
 #include "shapetonHeatInterpolation.h"
@@ -10,7 +11,6 @@
 #include <functional>
 #include <memory>
 #include <numeric>
-#include <stdexcept>
 
 namespace shapeton
 {
@@ -214,14 +214,9 @@ HeatDiffusionSolver::HeatDiffusionSolver(const VolumeGradientOperator & volumeGr
 {
   constexpr double rounding = 1e-6; // accepts 0.08333333 as 1/12
   constexpr double leastTolerance = 1e-6;
-  if (!(timeStepLength > 0.0) || timeStepLength > MaximumTimeStepLength * (1.0 + rounding))
-  {
-    throw std::invalid_argument("the time step must be positive and at most 1/12");
-  }
-  if (!(tolerance >= leastTolerance) || tolerance > 1.0)
-  {
-    throw std::invalid_argument("the tolerance must be between 1e-6 and 1");
-  }
+  RequireParameter(timeStepLength > 0.0 && timeStepLength <= MaximumTimeStepLength * (1.0 + rounding),
+                   "the time step must be positive and at most 1/12");
+  RequireParameter(tolerance >= leastTolerance && tolerance <= 1.0, "the tolerance must be between 1e-6 and 1");
 }
 
 std::vector<double>
@@ -330,10 +325,8 @@ HeatDiffusionSolver::Run(PaddedField &                      heat,
                          HeatSnapshots &                    snapshots)
 {
   const bool ascend = std::adjacent_find(steps.begin(), steps.end(), std::greater_equal<>()) == steps.end();
-  if (!ascend || (!steps.empty() && steps.back() > lastStep))
-  {
-    throw std::invalid_argument("the steps to record must be ascending and must not exceed the last step");
-  }
+  RequireParameter(ascend && (steps.empty() || steps.back() <= lastStep),
+                   "the steps to record must be ascending and must not exceed the last step");
   m_Steady = false;
   m_Applications = 0;
   const auto report = [this] { this->ReportProgress(0.0); };

@@ -1,21 +1,19 @@
 #include "shapetonHeatHistogram.h"
 #include "shapetonDiffusionKernels.h"
+#include "shapetonExceptions.h"
 #include "shapetonKernelSets.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 namespace shapeton
 {
 HeatHistogram::HeatHistogram(std::vector<std::uint64_t> timeSteps)
   : m_TimeSteps(std::move(timeSteps)), m_Counts(m_TimeSteps.size() * NumberOfBins, 0)
 {
-  if (!std::is_sorted(m_TimeSteps.begin(), m_TimeSteps.end()))
-  {
-    throw std::invalid_argument("the time steps of a heat histogram must be ascending");
-  }
+  RequireParameter(std::is_sorted(m_TimeSteps.begin(), m_TimeSteps.end()),
+                   "the time steps of a heat histogram must be ascending");
 }
 
 unsigned int

@@ -1,4 +1,5 @@
 #include "shapetonShapeComponents.h"
+#include "shapetonExceptions.h"
 
 #include "shapetonDisjointSets.h"
 #include "shapetonPi.h"
@@ -6,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace shapeton
 {
@@ -223,7 +223,7 @@ FindShapeComponents(const VolumeGradientOperator & volumeGradient,
   const auto & size = volumeGradient.GetGrid().GetSize();
   if (volumeGradient.GetGrid().GetNumberOfVoxels() >= none)
   {
-    throw std::length_error("the volume has more than 2^32 - 2 voxels; crop it");
+    throw InputError("the volume has more than 2^32 - 2 voxels; crop it");
   }
   Labeling labeling;
   {

@@ -1,11 +1,11 @@
 #include "shapetonVolumeGradientOperator.h"
+#include "shapetonExceptions.h"
 #include "shapetonParallelFor.h"
 #include "shapetonSmoothVoxels.h"
 
 #include <algorithm>
 #include <atomic>
 #include <limits>
-#include <stdexcept>
 
 namespace shapeton
 {
@@ -17,7 +17,7 @@ Check(const VolumeView & volume, const VolumeGradientOptions & options)
   CheckOptions(options);
   if (volume.domain && volume.domain->size() != volume.NumberOfVoxels())
   {
-    throw std::invalid_argument("the domain has another size than the volume");
+    throw InputError("the domain has another size than the volume; use a mask on the grid of the volume");
   }
   if (volume.domain &&
       std::count(volume.domain->begin(), volume.domain->end(), 0) == static_cast<std::ptrdiff_t>(volume.domain->size()))
@@ -27,23 +27,22 @@ Check(const VolumeView & volume, const VolumeGradientOptions & options)
   const auto & [lower, upper] = *options.intensityWindow;
   if (!std::isfinite(lower) || !std::isfinite(upper))
   {
-    throw std::invalid_argument(
-      "the volume or the intensity window contains values that are not finite (NaN or infinity)");
+    throw InputError("the volume or the intensity window contains values that are not finite (NaN or infinity)");
   }
   if (upper < lower)
   {
-    throw std::invalid_argument("the upper end of the intensity window must not be below the lower end");
+    throw ParameterError("the parameter \"intensityWindow\": its upper end must not be below its lower end");
   }
   for (const double spacing : volume.spacing)
   {
     if (!(spacing > 0.0) || !std::isfinite(spacing))
     {
-      throw std::invalid_argument("the voxel spacing must be positive");
+      throw InputError("the voxel spacing must be positive");
     }
   }
   if (volume.NumberOfVoxels() == 0)
   {
-    throw std::invalid_argument("the volume is empty");
+    throw InputError("the volume is empty; update the filter that makes it");
   }
 }
 
@@ -171,10 +170,7 @@ VolumeGradientOperator::VolumeGradientOperator(const VolumeView &            vol
   : m_Grid(volume.size), m_Domain(volume.domain), m_LeastWeight(leastWeight)
 {
   const EdgeVolume edges(volume, options);
-  if (!(leastWeight >= 0.0 && leastWeight <= 1.0))
-  {
-    throw std::invalid_argument("leastWeight must be between 0 and 1");
-  }
+  RequireParameter(leastWeight >= 0.0 && leastWeight <= 1.0, "the parameter \"leastWeight\" must be between 0 and 1");
   const double smallest = *std::min_element(volume.spacing.begin(), volume.spacing.end());
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
@@ -275,7 +271,7 @@ VolumeGradientOperator::ComputeConductances(const EdgeVolume & edges, const Prog
   }
   if (!finite)
   {
-    throw std::invalid_argument("the volume contains values that are not finite (NaN or infinity); replace them");
+    throw InputError("the volume contains values that are not finite (NaN or infinity); replace them");
   }
 }
 

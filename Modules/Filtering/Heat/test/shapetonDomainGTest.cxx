@@ -1,4 +1,5 @@
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
+#include "shapetonDiffusionTestImages.h"
 #include "shapetonHeatParameterChoice.h"
 #include "shapetonSeededHeatSegmentationImageFilter.h"
 #include "shapetonTestImages.h"
@@ -262,9 +263,31 @@ TEST(Domain, WrongDomainsAreRefused)
 {
   const auto volume = MakeVolume();
   const auto nothing = MakeDomain(volume, [](const auto &) { return false; });
-  EXPECT_THROW(Diffuse(volume, nothing), itk::ExceptionObject);
+  EXPECT_THROW(Diffuse(volume, nothing), InputError);
   const auto small = basetest::NewImage<Mask>(Image::SizeType::Filled(side - 1));
   small->CopyInformation(volume);
   small->FillBuffer(1);
-  EXPECT_THROW(Diffuse(volume, small), itk::ExceptionObject);
+  EXPECT_THROW(Diffuse(volume, small), InputError);
+  const auto filter = Heat::New();
+  EXPECT_THROW(filter->GetVolume(), InputError); // no input
+  filter->SetInput(volume);
+  const auto unallocated = Mask::New();
+  unallocated->SetRegions(volume->GetLargestPossibleRegion());
+  unallocated->CopyInformation(volume);
+  filter->SetDomain(unallocated);
+  EXPECT_THROW(filter->GetVolume(), InputError);
+}
+
+TEST(Domain, AnotherFirstIndexIsTheSameGrid)
+{
+  const auto                volume = MakeVolume();
+  const auto                box = MakeDomain(volume, IsInBox);
+  const itk::ImageRegion<3> elsewhere({ { 3, -2, 7 } }, Image::SizeType::Filled(side));
+  const auto                same = MakeDomain(volume, IsInBox);
+  same->SetRegions(elsewhere);
+  Mask::PointType origin;
+  same->TransformIndexToPhysicalPoint({ { -3, 2, -7 } }, origin);
+  EXPECT_THROW(Diffuse(volume, same), InputError); // its voxels are elsewhere
+  same->SetOrigin(origin);
+  EXPECT_EQ(test::VoxelsOf(Diffuse(volume, same)->GetOutput()), test::VoxelsOf(Diffuse(volume, box)->GetOutput()));
 }

@@ -324,13 +324,13 @@ TEST(HeatDiffusionSolver, RefusesWhatItCannotDo)
 {
   const Volume                 volume({ 4, 4, 4 }, 1.0F);
   const VolumeGradientOperator volumeGradient(volume);
-  EXPECT_THROW(HeatDiffusionSolver(volumeGradient, Method::Chebyshev, 0.1, 1e-5), std::invalid_argument);
-  EXPECT_THROW(HeatDiffusionSolver(volumeGradient, Method::Chebyshev, 0.0, 1e-5), std::invalid_argument);
-  EXPECT_THROW(HeatDiffusionSolver(volumeGradient, Method::Chebyshev, dt, 1e-9), std::invalid_argument);
+  EXPECT_THROW(HeatDiffusionSolver(volumeGradient, Method::Chebyshev, 0.1, 1e-5), ParameterError);
+  EXPECT_THROW(HeatDiffusionSolver(volumeGradient, Method::Chebyshev, 0.0, 1e-5), ParameterError);
+  EXPECT_THROW(HeatDiffusionSolver(volumeGradient, Method::Chebyshev, dt, 1e-9), ParameterError);
   HeatDiffusionSolver solver(volumeGradient, Method::Chebyshev, dt, 1e-5);
   PaddedField         heat(volumeGradient.GetGrid());
   const auto          ignore = [](std::size_t, std::size_t, const float *, unsigned int) {};
-  EXPECT_THROW(solver.Run(heat, 10, { 5, 3 }, ignore), std::invalid_argument);
-  EXPECT_THROW(solver.Run(heat, 10, { 5, 11 }, ignore), std::invalid_argument);
-  EXPECT_THROW(solver.Run(heat, 10, { 5, 5 }, ignore), std::invalid_argument);
+  EXPECT_THROW(solver.Run(heat, 10, { 5, 3 }, ignore), ParameterError);
+  EXPECT_THROW(solver.Run(heat, 10, { 5, 11 }, ignore), ParameterError);
+  EXPECT_THROW(solver.Run(heat, 10, { 5, 5 }, ignore), ParameterError);
 }

@@ -1,3 +1,4 @@
+#include "shapetonExceptions.h"
 #include "shapetonHeatClassification.h"
 #include "shapetonHeatHistogram.h"
 #include "shapetonTestImages.h"
@@ -35,7 +36,7 @@ TEST(HeatHistogram, CountsEveryVoxelOnce)
   EXPECT_EQ(histogram.GetCount(1, 0), 2U);
   EXPECT_EQ(std::accumulate(histogram.GetRow(1), histogram.GetRow(1) + HeatHistogram::NumberOfBins, 0U), 6U);
   EXPECT_EQ(std::accumulate(histogram.GetRow(0), histogram.GetRow(0) + HeatHistogram::NumberOfBins, 0U), 0U);
-  EXPECT_THROW(HeatHistogram({ 10, 0 }), std::invalid_argument);
+  EXPECT_THROW(HeatHistogram({ 10, 0 }), ParameterError);
 }
 
 TEST(HeatHistogram, EqualizationGivesEachHeatTheShareOfTheVoxelsBelowIt)
@@ -133,7 +134,7 @@ TEST(HeatClassification, AShallowValleyMakesNoClassAndTheLimitHolds)
   two.maximumNumberOfClasses = 2;
   EXPECT_EQ(FindHeatClasses(histogram, 0, two).size(), 3U);
   two.maximumNumberOfClasses = 0;
-  EXPECT_THROW(FindHeatClasses(histogram, 0, two), std::invalid_argument);
+  EXPECT_THROW(FindHeatClasses(histogram, 0, two), ParameterError);
 }
 
 TEST(HeatClassification, AnEvenSpreadOverOctavesIsOneClass)

@@ -72,7 +72,24 @@ TEST(SeededHeatSegmentationImageFilter, RunsAgainWhatHasChanged)
   EXPECT_GT(filter->GetIterations(), 0u);
   filter->KeepProbabilitiesOff();
   filter->Update();
-  EXPECT_THROW(filter->GetProbabilities(1), itk::ExceptionObject);
+  EXPECT_THROW(filter->GetProbabilities(1), shapeton::ParameterError);
+}
+
+TEST(SeededHeatSegmentationImageFilter, NothingOfTheLastRunRemainsAfterAnError)
+{
+  const auto image = MakeBoxes();
+  const auto seeds = MakeSeeds(image);
+  const auto filter = FilterType::New();
+  filter->SetInput(image);
+  filter->SetSeeds(seeds);
+  filter->KeepProbabilitiesOn();
+  filter->Update();
+  EXPECT_NO_THROW(filter->GetProbabilities(1));
+  seeds->FillBuffer(0);
+  seeds->Modified();
+  EXPECT_THROW(filter->Update(), shapeton::InputError);
+  EXPECT_TRUE(filter->GetLabelValues().empty());
+  EXPECT_THROW(filter->GetProbabilities(1), shapeton::ParameterError);
 }
 
 TEST(SeededHeatSegmentationImageFilter, OutputsMayBeTakenAwayBetweenRuns)

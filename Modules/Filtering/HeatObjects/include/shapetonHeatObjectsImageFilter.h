@@ -51,6 +51,10 @@ protected:
   HeatObjectsImageFilter() { this->AddOptionalInputName("Domain"); }
   ~HeatObjectsImageFilter() override = default;
 
+  /** Does nothing: HeatObjectTree compares the grids of heat and domain, see HaveSameGrid(). */
+  void
+  VerifyInputInformation() const override
+  {}
   void
   GenerateInputRequestedRegion() override;
   void

@@ -52,11 +52,12 @@ Weighted(const std::array<double, number> & weights, const Terms & terms)
   return std::inner_product(weights.begin(), weights.end(), terms.begin(), 0.0);
 }
 
-/** Natural logarithm of heat. */
+/** Natural logarithm of heat, which has no negative value in the domain. */
 std::vector<float>
-LogarithmOf(const HeatImage * heat)
+LogarithmOf(const HeatImage * heat, const unsigned char * domain)
 {
   constexpr float     least = 1e-6F;
+  constexpr float     rounding = 1e-4F; // of expanded heat
   const float * const values = heat->GetBufferPointer();
   const std::size_t   voxels = heat->GetBufferedRegion().GetNumberOfPixels();
   if (voxels == 0)
@@ -67,6 +68,14 @@ LogarithmOf(const HeatImage * heat)
   if (!(greatest > 0.0F) || std::isinf(greatest))
   {
     throw InputError("a heat volume needs finite values above 0, not at most " + std::to_string(greatest));
+  }
+  for (std::size_t voxel = 0; voxel < voxels; ++voxel)
+  {
+    if (values[voxel] < -rounding * greatest && (!domain || domain[voxel] != 0))
+    {
+      throw InputError("a heat volume has no negative values, such as " + std::to_string(values[voxel]) +
+                       "; use the heat or the visits of a volume, not its intensities");
+    }
   }
   std::vector<float> logarithms(voxels);
   ParallelForBlocks(voxels, [&](std::size_t voxel) {
@@ -375,12 +384,14 @@ HeatObjectTree::HeatObjectTree(const HeatImage *         heat,
   : m_Heat(heat), m_Options(options)
 {
   CheckOptions(options);
-  RequireParameter(!domain || HaveSameGrid(heat, domain), "the domain of the objects has another grid than the heat");
-  const auto spacing = heat->GetSpacing();
-  m_Tree = BuildPartitionTree(LogarithmOf(heat).data(),
-                              GridOf(heat),
-                              { { spacing[0], spacing[1], spacing[2] } },
-                              domain ? domain->GetBufferPointer() : nullptr);
+  if (domain && !HaveSameGrid(heat, domain))
+  {
+    throw InputError("the domain of the objects has another grid than the heat; resample it to the grid of the heat");
+  }
+  const auto         spacing = heat->GetSpacing();
+  const auto * const inside = domain ? domain->GetBufferPointer() : nullptr;
+  m_Tree = BuildPartitionTree(
+    LogarithmOf(heat, inside).data(), GridOf(heat), { { spacing[0], spacing[1], spacing[2] } }, inside);
   constexpr double shareOfTree = 0.8; // of the time
   progress("Finding objects", shareOfTree);
   m_Candidates = FindCandidates(m_Tree, spacing[0] * spacing[1] * spacing[2], options);

@@ -611,7 +611,10 @@ BuildPartitionTree(const float *                 values,
   });
   const Steps  steps(values, grid, spacing, domain);
   const Basins basins(steps);
-  RequireParameter(basins.Number() > 0, "the domain of a partition tree has no voxel");
+  if (basins.Number() == 0)
+  {
+    throw InputError("the domain of the objects has no voxel; use a mask with nonzero voxels");
+  }
   return PartitionTreeBuilder(steps, basins).Build();
 }
 } // namespace shapeton

@@ -78,9 +78,9 @@ public:
   /** Places the shapetons. `mask` (null: no mask; 0 is outside) has one value per voxel; like the volume, it is not
    * needed afterwards. `visits` has the same size, is set to 0 and must outlive the object. The options for the end of
    * the run are ignored. `poll` is called occasionally, also during long steps of Run(), and may throw to abort; the
-   * object must not be used afterwards. Throws ParameterError or std::invalid_argument for options out of range,
-   * std::domain_error if no shapeton can be placed (an empty mask; no initial heat), std::length_error for 2^31 voxels
-   * or more, or 2^24 along an axis, DeviceError if the device cannot be used. */
+   * object must not be used afterwards. Throws ParameterError for options out of range, InputError if no shapeton
+   * can be placed (an empty mask; no initial heat) and for 2^31 voxels or more, or 2^24 along an axis, DeviceError if
+   * the device cannot be used. */
   ParticleDiffusion(const VolumeView &               volume,
                     const ParticleDiffusionOptions & options,
                     const unsigned char *            mask,
@@ -92,7 +92,7 @@ public:
   operator=(const ParticleDiffusion &) = delete;
 
   /** Performs steps up to `lastStep`, or until the density is steady by the rule, if given. With a rule every step is
-   * measured, which doubles the run time. Throws std::overflow_error if the visits of a voxel exceed 32 bits. */
+   * measured, which doubles the run time. Throws InputError if the visits of a voxel exceed 32 bits. */
   void
   Run(std::uint64_t lastStep, const std::optional<SteadyRule> & rule = {}, const Observer & observer = {});
 
@@ -111,7 +111,7 @@ public:
   ParticleState
   GetState() const;
 
-  /** Continues from a state. Throws std::invalid_argument if the state belongs to another volume or to other settings;
+  /** Continues from a state. Throws InputError if the state belongs to another volume or to other settings;
    * the message states the difference. */
   void
   SetState(const ParticleState & state);

@@ -15,16 +15,6 @@
 
 namespace shapeton
 {
-/** \class ShapetonInputError
- * \brief No shapeton can be placed in the input, or the initial state belongs to another run.
- * \ingroup ShapetonParticles */
-class ShapetonInputError : public itk::ExceptionObject
-{
-public:
-  using itk::ExceptionObject::ExceptionObject;
-  itkOverrideGetNameOfClassMacro(ShapetonInputError);
-};
-
 /** \class ParticleDiffusionImageFilter
  * \brief Describes each voxel by how often randomly moving particles visit it (shapeton diffusion).
  *
@@ -45,8 +35,12 @@ public:
  * starts from it (SetInitialState()) yields the same result, bit for bit, as an uninterrupted run.
  *
  * \par Errors
- * ShapetonInputError for an empty mask, for placement by initial heat in a volume without initial heat, and for an
- * initial state of another run; ExceptionObject for settings out of range.
+ * Update() throws InputError for an unsuitable volume, an empty mask, placement by initial heat in a volume without
+ * initial heat, and an initial state of another run; ParameterError for settings out of range. Both are derived from
+ * itk::ExceptionObject.
+ *
+ * \par Defaults
+ * They are those of the dissertation; ChooseShapetonParameters() chooses those that the tool uses.
  *
  * Results are bitwise identical for any number of threads (ITK's global setting) and on any CPU. Memory: 20 bytes per
  * voxel in addition to the input, 24 unless its pixels are float.

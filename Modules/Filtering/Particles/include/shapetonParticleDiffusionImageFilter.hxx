@@ -6,7 +6,6 @@
 #include "shapetonVisitDensity.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 namespace shapeton
@@ -47,16 +46,12 @@ ParticleDiffusionImageFilter<TInputImage>::VerifyPreconditions() const
   Superclass::VerifyPreconditions();
   const bool ascend = std::adjacent_find(m_HistogramSteps.begin(), m_HistogramSteps.end(), std::greater_equal<>()) ==
                       m_HistogramSteps.end();
-  if (!ascend ||
-      (!m_HistogramSteps.empty() && (m_HistogramSteps.front() < 1 || m_HistogramSteps.back() > this->GetTimeSteps())))
-  {
-    itkExceptionMacro("the histogram steps must be ascending and between 1 and the parameter \"timeSteps\"");
-  }
-  if (m_InitialState && m_InitialState->step > this->GetTimeSteps())
-  {
-    itkExceptionMacro("the initial state is of step "
-                      << m_InitialState->step << ", beyond the parameter \"timeSteps\" = " << this->GetTimeSteps());
-  }
+  RequireParameter(ascend && (m_HistogramSteps.empty() ||
+                              (m_HistogramSteps.front() >= 1 && m_HistogramSteps.back() <= this->GetTimeSteps())),
+                   "the histogram steps must be ascending and between 1 and the parameter \"timeSteps\"");
+  RequireParameter(!m_InitialState || m_InitialState->step <= this->GetTimeSteps(),
+                   "the initial state is of step " + std::to_string(m_InitialState ? m_InitialState->step : 0) +
+                     ", beyond the parameter \"timeSteps\" = " + std::to_string(this->GetTimeSteps()));
 }
 
 template <typename TInputImage>
@@ -73,14 +68,7 @@ ParticleDiffusionImageFilter<TInputImage>::PlaceShapetons()
   m_DeviceUse = m_Diffusion->GetDeviceUse();
   if (m_InitialState)
   {
-    try
-    {
-      m_Diffusion->SetState(*m_InitialState);
-    }
-    catch (const std::invalid_argument & error)
-    {
-      throw ShapetonInputError(__FILE__, __LINE__, error.what(), ITK_LOCATION);
-    }
+    m_Diffusion->SetState(*m_InitialState);
   }
 }
 
@@ -144,26 +132,11 @@ ParticleDiffusionImageFilter<TInputImage>::GenerateData()
     ~Release() { diffusion.reset(); }
     std::unique_ptr<ParticleDiffusion> & diffusion;
   } release{ m_Diffusion };
-  try
+  this->PlaceShapetons();
+  this->TakeSteps();
+  if (m_WantState)
   {
-    this->PlaceShapetons();
-    this->TakeSteps();
-    if (m_WantState)
-    {
-      m_FinalState = m_Diffusion->GetState();
-    }
-  }
-  catch (const std::domain_error & error)
-  {
-    throw ShapetonInputError(__FILE__, __LINE__, error.what(), ITK_LOCATION);
-  }
-  catch (const std::logic_error & error)
-  {
-    itkExceptionMacro(<< error.what());
-  }
-  catch (const std::overflow_error & error) // the visits of a voxel overflow
-  {
-    itkExceptionMacro(<< error.what());
+    m_FinalState = m_Diffusion->GetState();
   }
 }
 

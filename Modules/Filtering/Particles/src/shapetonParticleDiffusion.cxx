@@ -1,12 +1,13 @@
 #include "shapetonParticleDiffusion.h"
+#include "shapetonExceptions.h"
 
 #include "shapetonParticleWalk.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
-#include <stdexcept>
 
 namespace shapeton
 {
@@ -28,24 +29,67 @@ constexpr double WantedVisits = 100.0;
 void
 CheckSettings(const ParticleOptions & settings, const std::array<std::size_t, 3> & size)
 {
-  if (settings.shapetons < 1)
-  {
-    throw std::invalid_argument("at least one shapeton is needed");
-  }
-  if (!(settings.distance > 0.0 && settings.distance <= 1.0))
-  {
-    throw std::invalid_argument("the distance must be in (0, 1], in units of the longest side of the volume");
-  }
+  RequireParameter(settings.shapetons >= 1, "the parameter \"shapetons\" must be at least 1");
+  RequireParameter(settings.distance > 0.0 && settings.distance <= 1.0,
+                   "the parameter \"distance\" must be in (0, 1], in units of the longest side of the volume");
   constexpr std::size_t limit = std::size_t{ 1 } << 31;
   constexpr std::size_t longest = std::size_t{ 1 } << 24; // a position in single precision
   if (size[0] == 0 || size[1] == 0 || size[2] == 0)
   {
-    throw std::invalid_argument("the volume is empty");
+    throw InputError("the volume is empty; update the filter that makes it");
   }
   if (std::max({ size[0], size[1], size[2] }) >= longest || size[0] * size[1] >= limit ||
       size[0] * size[1] * size[2] >= limit)
   {
-    throw std::length_error("the volume has 2^31 voxels or more, or 2^24 along an axis; crop it");
+    throw InputError("the volume has 2^31 voxels or more, or 2^24 along an axis; crop it");
+  }
+}
+
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
+/** The parameters among the facts that identify a run. */
+const std::map<std::string, std::string> parametersOfIdentity = {
+  { "p", "p" },
+  { "intensity window", "intensityWindow" },
+  { "number of shapetons", "shapetons" },
+  { "distance", "distance" },
+  { "direction sampling", "directionSampling" },
+  { "path rule", "pathRule" },
+  { "placement", "placement" },
+  { "seed", "seed" },
+};
+
+/** Throws InputError that states the first difference of a saved run and this one, and how to continue it. */
+void
+RequireIdentity(const Facts & saved, const Facts & own)
+{
+  std::string difference;
+  std::string remedy;
+  for (std::size_t i = 0; i < own.size(); ++i)
+  {
+    const auto & [name, value] = own[i];
+    const bool isKnown = i < saved.size() && saved[i].first == name;
+    if (isKnown && saved[i].second == value)
+    {
+      continue;
+    }
+    std::string before = isKnown ? saved[i].second : "missing";
+    if (difference.empty())
+    {
+      difference.append(name).append(" is ").append(before).append(", but this run has ").append(value);
+    }
+    const auto parameter = parametersOfIdentity.find(name);
+    if (isKnown && parameter != parametersOfIdentity.end())
+    {
+      std::replace(before.begin(), before.end(), ' ', ',');
+      remedy.append(remedy.empty() ? "" : " and ");
+      remedy.append("the parameter \"").append(parameter->second).append("\" = ").append(before);
+    }
+  }
+  if (!difference.empty())
+  {
+    throw InputError("the saved state belongs to another run: its " + difference + "; continue it with " +
+                     (remedy.empty() ? "the volume and mask of that run" : remedy));
   }
 }
 
@@ -122,7 +166,7 @@ struct ParticleDiffusion::Impl : ParticleWalk
     const std::uint64_t number = settings.shapetons;
     if (measures.maximumVisits + number * (end - begin + 1) > std::numeric_limits<std::uint32_t>::max())
     {
-      throw std::overflow_error("the visits of a voxel exceed 32 bits; use fewer steps or shapetons");
+      throw InputError("the visits of a voxel exceed 32 bits; use fewer steps or shapetons");
     }
     if (end > begin)
     {
@@ -322,20 +366,11 @@ ParticleDiffusion::SetState(const ParticleState & state)
 {
   Impl &     impl = *m_Impl;
   const auto own = impl.Identity();
-  for (std::size_t i = 0; i < own.size(); ++i)
-  {
-    const bool known = i < state.identity.size() && state.identity[i].first == own[i].first;
-    if (!known || state.identity[i].second != own[i].second)
-    {
-      throw std::invalid_argument("the saved state belongs to another run: its " + own[i].first + " is " +
-                                  (known ? state.identity[i].second : "missing") + ", but this run has " +
-                                  own[i].second);
-    }
-  }
+  RequireIdentity(state.identity, own);
   const auto incomplete = [&](const std::vector<float> & places) { return places.size() != impl.settings.shapetons; };
   if (state.visits.size() != impl.NumberOfVoxels() || std::any_of(state.places.begin(), state.places.end(), incomplete))
   {
-    throw std::invalid_argument("the saved state is incomplete");
+    throw InputError("the saved state is incomplete");
   }
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
@@ -343,7 +378,7 @@ ParticleDiffusion::SetState(const ParticleState & state)
     const auto   outside = [&](float place) { return !(place >= 0.0F && place < static_cast<float>(impl.size[axis])); };
     if (std::any_of(places.begin(), places.end(), outside))
     {
-      throw std::invalid_argument("the saved state has shapetons outside the volume");
+      throw InputError("the saved state has shapetons outside the volume");
     }
     std::copy(places.begin(), places.end(), impl.places[axis].begin());
   }

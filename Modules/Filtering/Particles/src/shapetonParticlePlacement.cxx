@@ -1,4 +1,5 @@
 #include "shapetonParticlePlacement.h"
+#include "shapetonExceptions.h"
 
 #include "shapetonParallelFor.h"
 #include "shapetonPhilox.h"
@@ -6,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <vector>
 
 namespace shapeton
@@ -136,10 +136,10 @@ PlaceByDensity(const ParticleKernels::Surroundings & surroundings,
   const std::uint64_t whole = rows.GetWhole();
   if (whole == 0)
   {
-    throw std::domain_error(
-      byInitialHeat ? "no voxel (of the mask, if given) has initial heat, because it has no edges; use another "
-                      "mask, or place the shapetons uniformly"
-                    : "the mask is empty; shapetons require nonzero mask voxels");
+    throw InputError(byInitialHeat
+                       ? "no voxel (of the mask, if given) has initial heat, because it has no edges; use another "
+                         "mask, or place the shapetons uniformly"
+                       : "the mask is empty; shapetons require nonzero mask voxels");
   }
   for (std::size_t i = 0; i < shapetons.number; ++i)
   {

@@ -15,7 +15,7 @@ PlaceUniformly(const ParticleKernels::Surroundings & surroundings,
                std::uint64_t                         seed);
 
 /** Places shapetons in voxels uniformly, or in proportion to their initial heat, where `mask` (may be null) is not 0.
- * Throws std::domain_error if no voxel is found. */
+ * Throws InputError if no voxel is found. */
 void
 PlaceByDensity(const ParticleKernels::Surroundings & surroundings,
                const ParticleKernels::Shapetons &    shapetons,

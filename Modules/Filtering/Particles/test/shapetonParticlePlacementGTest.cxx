@@ -114,10 +114,10 @@ TEST(ParticlePlacement, RefusesWhatHoldsNoShapeton)
   const Volume                     scene = MakeScene({ 6, 6, 6 }, 0.3);
   const std::vector<unsigned char> empty(scene.values.size(), 0);
   auto                             settings = MakeSettings(scene, 10, 0.1);
-  EXPECT_THROW(ParticleRun(scene, settings, empty), std::domain_error);
+  EXPECT_THROW(ParticleRun(scene, settings, empty), InputError);
   settings.placement = ParticlePlacement::InitialHeat;
-  EXPECT_THROW(ParticleRun(scene, settings, empty), std::domain_error);
+  EXPECT_THROW(ParticleRun(scene, settings, empty), InputError);
   const Volume constant({ 6, 6, 6 }, 1.0F);
   settings.intensityWindow.reset();
-  EXPECT_THROW(ParticleRun(constant, settings), std::domain_error);
+  EXPECT_THROW(ParticleRun(constant, settings), InputError);
 }

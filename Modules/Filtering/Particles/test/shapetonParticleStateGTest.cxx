@@ -76,7 +76,7 @@ Refusal(const TSpoil & spoil)
   ParticleRun                run(volume, settings, mask);
   spoil(volume, settings, mask);
   ParticleRun other(volume, settings, mask);
-  return basetest::ErrorOf<std::invalid_argument>([&] { run.diffusion.SetState(other.diffusion.GetState()); });
+  return basetest::ErrorOf<InputError>([&] { run.diffusion.SetState(other.diffusion.GetState()); });
 }
 
 /** A long file of zeros. */
@@ -232,7 +232,7 @@ TEST(ParticleState, ADamagedStateIsRefused)
   const auto          expectRefused = [&](const auto & spoil) {
     ParticleState damaged = state;
     spoil(damaged);
-    EXPECT_THROW(run.diffusion.SetState(damaged), std::invalid_argument);
+    EXPECT_THROW(run.diffusion.SetState(damaged), InputError);
   };
   EXPECT_NO_THROW(run.diffusion.SetState(state));
   expectRefused([](ParticleState & s) { s.identity.clear(); });

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -104,6 +105,18 @@ DescribeException()
   {
     return { 1, "an unknown failure; report this as a bug" };
   }
+}
+
+/** ITK would read an invalid number as one thread. */
+void
+RequireThreadVariable()
+{
+  constexpr const char * name = "ITK_GLOBAL_DEFAULT_NUMBER_OF_THREADS";
+  const std::string      given = std::getenv(name) ? std::getenv(name) : "1";
+  const bool             isNumber = given.find_first_not_of("0123456789") == std::string::npos;
+  RequireParameter(isNumber && given.find_first_not_of('0') != std::string::npos,
+                   std::string("the environment variable ") + name + " is " + Quoted(given) +
+                     ", not a number of threads; set it to 1 or more, or remove it");
 }
 
 // ISO 8601, UTC.
@@ -254,6 +267,7 @@ struct CommandLine::State
       this->RequireNoInput(parsed.returnFile);
       returnFile = outputs.Add(parsed.returnFile);
     }
+    RequireThreadVariable();
     ThreadOptions options;
     ReadOptions(commandLine, options);
     if (options.threads > 0)

@@ -1,4 +1,5 @@
 #include "shapetonModuleDescription.h"
+#include "shapetonParameterValue.h"
 
 #if __has_include("itk_expat.h") // in an ITK source tree
 #  include "itk_expat.h"
@@ -112,7 +113,10 @@ OnStart(void * data, const char * tag, const char ** attributes)
     for (; *attributes; attributes += 2)
     {
       reader.parameter.multiple |= !std::strcmp(attributes[0], "multiple") && !std::strcmp(attributes[1], "true");
-      reader.parameter.hasExtensions |= !std::strcmp(attributes[0], "fileExtensions");
+      if (!std::strcmp(attributes[0], "fileExtensions"))
+      {
+        reader.parameter.extensions = SplitAtCommas(attributes[1]);
+      }
     }
   }
 }

@@ -24,7 +24,7 @@ struct ModuleDescription
     std::vector<std::string> elements;
     int                      index{ -1 };
     bool                     multiple{ false };
-    bool                     hasExtensions{ false }; ///< of files; a path without may be a folder
+    std::vector<std::string> extensions; ///< of files, such as .png; a path without may be a folder
 
     /** Whether the type is a point of three coordinates. */
     bool

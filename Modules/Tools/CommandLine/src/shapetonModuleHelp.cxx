@@ -63,11 +63,11 @@ KindOf(const Parameter & parameter)
   }
   if (parameter.IsPath())
   {
-    return parameter.tag == "image"       ? "volume"
-           : parameter.tag == "geometry"  ? "surface"
-           : parameter.tag == "directory" ? "folder"
-           : parameter.hasExtensions      ? "file"
-                                          : "path";
+    return parameter.tag == "image"        ? "volume"
+           : parameter.tag == "geometry"   ? "surface"
+           : parameter.tag == "directory"  ? "folder"
+           : !parameter.extensions.empty() ? "file"
+                                           : "path";
   }
   if (!parameter.elements.empty())
   {

@@ -19,6 +19,17 @@ Refuse(const Parameter & parameter, const std::string & reason)
   throw ParameterError(parameter.Display() + ": " + reason);
 }
 
+std::string
+Joined(const std::vector<std::string> & texts, const std::string & separator)
+{
+  std::string all;
+  for (const auto & text : texts)
+  {
+    all += (all.empty() ? "" : separator) + text;
+  }
+  return all;
+}
+
 void
 CheckEnumeration(const Parameter & parameter, const std::string & value)
 {
@@ -27,12 +38,24 @@ CheckEnumeration(const Parameter & parameter, const std::string & value)
   {
     return;
   }
-  std::string all;
-  for (const auto & element : elements)
+  Refuse(parameter, Quoted(value) + " is not one of " + Joined(elements, ", "));
+}
+
+/** A file is written in the format that its parameter declares. Volumes have more formats, see RequireVolumeName(). */
+void
+CheckExtension(const Parameter & parameter, const std::string & path)
+{
+  const auto & extensions = parameter.extensions;
+  const bool   isFree = parameter.channel != "output" || extensions.empty() ||
+                      std::find(extensions.begin(), extensions.end(), ".nrrd") != extensions.end();
+  const auto ends = [name = LowerCase(path)](const std::string & extension) {
+    return name.size() > extension.size() &&
+           name.compare(name.size() - extension.size(), extension.size(), extension) == 0;
+  };
+  if (!isFree && std::none_of(extensions.begin(), extensions.end(), ends))
   {
-    all += (all.empty() ? "" : ", ") + element;
+    Refuse(parameter, Quoted(path) + " does not end with " + Joined(extensions, " or "));
   }
-  Refuse(parameter, Quoted(value) + " is not one of " + all);
 }
 
 void
@@ -112,6 +135,7 @@ CheckValue(const Parameter & parameter, const std::string & value)
     Refuse(parameter, parameter.IsPath() ? "the name is empty" : "the value is empty; give a number");
   }
   CheckEnumeration(parameter, value);
+  CheckExtension(parameter, value);
   if (!parameter.IsNumeric())
   {
     return;

@@ -111,23 +111,16 @@ struct LiveSession::Impl
       }
     };
     const Interruption interruption(check);
+    const SessionWork  work = Next();
     try
     {
-      Perform(Next());
+      Perform(work);
     }
     catch (const Interrupted &)
     {}
-    catch (const std::domain_error & failure) // no voxel to start from
+    catch (const InputError & failure) // no voxel to start from, too many visits of a voxel, no object
     {
-      Fail(SessionEvent::Failed, failure.what());
-    }
-    catch (const std::overflow_error & failure) // too many visits of a voxel
-    {
-      Fail(SessionEvent::Failed, failure.what());
-    }
-    catch (const InputError & failure) // no object can be found
-    {
-      Fail(SessionEvent::ObjectsFailed, failure.what());
+      Fail(work == SessionWork::FindObjects ? SessionEvent::ObjectsFailed : SessionEvent::Failed, failure.what());
     }
     catch (const std::bad_alloc &)
     {

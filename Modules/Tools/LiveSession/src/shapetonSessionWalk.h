@@ -33,7 +33,7 @@ public:
     return m_Diffusion != nullptr || m_Parked.has_value();
   }
 
-  /** Takes this number of steps. Throws std::overflow_error. */
+  /** Takes this number of steps. Throws InputError. */
   void
   Advance(std::uint64_t steps);
 
