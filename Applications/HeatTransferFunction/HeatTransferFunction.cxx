@@ -109,7 +109,7 @@ void
 MakeTransferFunction(CommandLine & commandLine)
 {
   const auto        choice = ReadTransferFunctionChoice(commandLine);
-  const std::string propertyFile = commandLine.OutputOf("volumeProperty");
+  const std::string propertyFile = commandLine.MainOutput("volumeProperty");
   const std::string pictureFile = commandLine.OutputOf("picture");
 
   const Volumes volumes = ReadVolumes(commandLine, choice);
@@ -130,7 +130,6 @@ MakeTransferFunction(CommandLine & commandLine)
   {
     WriteReport(commandLine, volumes, transferFunction, drawn, renderer);
   }
-  commandLine.RecordRun(output + ".run.json");
 }
 } // namespace
 

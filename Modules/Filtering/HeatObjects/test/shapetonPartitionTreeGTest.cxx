@@ -358,7 +358,7 @@ TEST(PartitionTree, RejectsUnsuitableInput)
 {
   const std::vector<unsigned char> nothing(8, 0);
   EXPECT_THROW(BuildPartitionTree(std::vector<float>(8, 1.0F).data(), VoxelGrid(2, 2, 2), unit, nothing.data()),
-               ParameterError);
+               InputError);
   std::vector<float> values(8, 1.0F);
   EXPECT_THROW(BuildPartitionTree(values.data(), VoxelGrid(0, 2, 2), unit), ParameterError);
   EXPECT_THROW(BuildPartitionTree(values.data(), VoxelGrid(2, 2, 2), { { 1.0, 0.0, 1.0 } }), ParameterError);
