@@ -47,8 +47,8 @@ struct ValveSearch
  * Candidates are bulges of the wall that remain after smoothing removes the folds: regions on the 0.5 level of the
  * lumen, smoothed by a Gaussian of 3 mm, where both principal curvatures are above .01/mm. Regions within 18 mm of each
  * other are the lips of one candidate. Log-odds are the sum of terms for size, position along the line, similarity to a
- * ball (a polyp on a stalk) and tissue. At most one candidate is the valve. The confidence is the probability of the
- * best candidate plus those of the candidates within 25 mm of it, which are on the same fold.
+ * ball (a polyp on a stalk), two lips of similar size and tissue. At most one candidate is the valve. The confidence is
+ * the probability of the best candidate plus those of the candidates within 25 mm of it, which are on the same fold.
  *
  * \param labels nonzero voxels are lumen.
  * \param ct HU on the same grid, cleansed or not; if null, only the shape is used.

@@ -19,6 +19,8 @@ struct ValveEvidence
   double area{ 0.0 };
   /** Solid angle of the largest bulge, sr. */
   double solidAngle{ 0.0 };
+  /** Whether two bulges are beside each other as the lips of a valve are. */
+  bool hasTwoLips{ false };
 };
 
 /** Groups bulges with a larger one that is at most 18 mm away. */

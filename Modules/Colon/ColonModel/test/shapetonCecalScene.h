@@ -21,6 +21,8 @@ struct Scene
 {
   bool   hasValve{ true };
   bool   hasFold{ false };
+  bool   hasTwoLips{ false }; ///< the valve: two lips of 9 mm height on both sides of a slit
+  bool   hasPolyp{ false };   ///< half a ball of soft tissue with a radius of 9 mm, 20 mm nearer to the end
   double ileumLength{ 0.0 };
   double ileumRadius{ 5.0 };
   /** HU inside the valve. */
@@ -36,10 +38,20 @@ IsTube(const Eigen::Vector3d & p)
                                : (p - Eigen::Vector3d(0, 0, end - radius)).norm() < radius;
 }
 
+/** Below 1 inside. */
 inline double
-InValve(const Eigen::Vector3d & p)
+InValve(const Scene & scene, const Eigen::Vector3d & p)
 {
-  return (p - valveBase).cwiseQuotient(Eigen::Vector3d(11.0, 12.0, 9.0)).squaredNorm();
+  const Eigen::Vector3d q = p - valveBase;
+  const Eigen::Vector3d lip(q.x(), q.y(), std::abs(q.z()) - 6.0);
+  return scene.hasTwoLips ? lip.cwiseQuotient(Eigen::Vector3d(9.0, 9.0, 4.5)).squaredNorm()
+                          : q.cwiseQuotient(Eigen::Vector3d(11.0, 12.0, 9.0)).squaredNorm();
+}
+
+inline bool
+IsPolyp(const Scene & scene, const Eigen::Vector3d & p)
+{
+  return scene.hasPolyp && (p - Eigen::Vector3d(-radius, 0.0, 150.0)).norm() < 9.0;
 }
 
 inline bool
@@ -54,8 +66,8 @@ IsLumen(const Scene & scene, const Eigen::Vector3d & p)
 {
   const bool isFold =
     scene.hasFold && std::abs(p.z() - 90.0) < 1.5 && p.head<2>().norm() > radius - 10.0 && p.y() > 0.0;
-  const bool isValve = scene.hasValve && InValve(p) < 1.0;
-  return (IsTube(p) && !isFold && !isValve) || IsIleum(scene, p);
+  const bool isValve = scene.hasValve && InValve(scene, p) < 1.0;
+  return (IsTube(p) && !isFold && !isValve && !IsPolyp(scene, p)) || IsIleum(scene, p);
 }
 
 struct Images
@@ -85,7 +97,7 @@ Draw(const Scene &           scene,
     const Eigen::Vector3d p = scene.turn.transpose() * basetest::ToEigen(point);
     const bool            isLumen = IsLumen(scene, p);
     images.lumen->SetPixel(index, isLumen ? 1 : 0);
-    images.ct->SetPixel(index, isLumen ? -950.0F : InValve(p) < 0.6 ? scene.core : 40.0F);
+    images.ct->SetPixel(index, isLumen ? -950.0F : InValve(scene, p) < 0.6 ? scene.core : 40.0F);
   });
   return images;
 }

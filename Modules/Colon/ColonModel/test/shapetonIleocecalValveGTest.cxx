@@ -64,6 +64,17 @@ TEST(IleocecalValve, IsNoFoldAndNoBubble)
   EXPECT_NE(bubble.reason.find("likely"), std::string::npos);
 }
 
+TEST(IleocecalValve, HasTwoLipsAndAPolypHasNone)
+{
+  Scene scene;
+  scene.hasTwoLips = true;
+  scene.hasPolyp = true;
+  scene.core = 40.0F; // as the polyp
+  const ValveSearch search = cecalscene::Search(scene, cecalscene::Draw(scene, Eigen::Vector3d::Constant(1.0)));
+  ASSERT_TRUE(search.valve) << search.reason;
+  EXPECT_LT((search.valve->position - cecalscene::valveBase).norm(), 12.0);
+}
+
 TEST(IleocecalValve, DoesNotDependOnAxesAndSpacings)
 {
   const Scene scene;
