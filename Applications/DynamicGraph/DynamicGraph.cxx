@@ -9,6 +9,7 @@
 #include "shapetonExceptions.h"
 
 #include <filesystem>
+#include <set>
 
 namespace
 {
@@ -76,14 +77,26 @@ WriteComparison(CommandLine & commandLine, const DynamicSequence & sequence, con
   commandLine.WriteDocument(content, commandLine.Output(commandLine.GetString("outputFolder") + "/compare.json"));
 }
 
+/** Results of an earlier run must not stay beside those of this one. */
+void
+RequireNoOtherResults(const std::string & folder, const std::set<std::string> & steps, bool isCompared, bool isTracked)
+{
+  using Names = std::set<std::string>;
+  CommandLine::RequireNoOthers(folder, "step-", steps);
+  CommandLine::RequireNoOthers(folder, "compare.", isCompared ? Names{ "compare.json", "compare.svg" } : Names{});
+  CommandLine::RequireNoOthers(folder, "tracked.", isTracked ? Names{ "tracked.csv" } : Names{});
+}
+
 void
 Embed(CommandLine & commandLine)
 {
   const std::vector<int>         compared = ComparedSteps(commandLine);
   const std::vector<std::string> tracked = commandLine.GetStrings("track");
-  const std::string              folder = commandLine.MakeFolderOf("outputFolder");
-  const std::string              documentPath = commandLine.Output(folder + "/dynamic.json");
-  const std::string              stepsPath = commandLine.Output(folder + "/steps.csv");
+  const std::string              folder = commandLine.GetString("outputFolder");
+  CommandLine::RequireApart(commandLine.GetString("sequenceFolder"), folder, "use a folder of graph files");
+  commandLine.MakeFolder(folder);
+  const std::string documentPath = commandLine.Output(folder + "/dynamic.json");
+  const std::string stepsPath = commandLine.Output(folder + "/steps.csv");
   commandLine.RecordRun(folder + "/run.json");
   commandLine.LeaveOutOfProvenance("labels"); // affects pictures only
 
@@ -99,12 +112,16 @@ Embed(CommandLine & commandLine)
   {
     WriteComparison(commandLine, sequence, compared);
   }
+  std::set<std::string> names;
   for (std::size_t i = 0; i < sequence.steps.size(); ++i)
   {
     const std::string number = std::to_string(10000 + i).substr(i < 10000 ? 1 : 0); // sorts by name
+    const std::string name = "step-" + number + ".json";
+    names.insert(name);
     sequence.steps[i].certificate.provenance = commandLine.GetProvenance();
-    WriteEmbeddingCertificate(sequence.steps[i].certificate, commandLine.Output(folder + "/step-" + number + ".json"));
+    WriteEmbeddingCertificate(sequence.steps[i].certificate, commandLine.Output(folder + '/' + name));
   }
+  RequireNoOtherResults(folder, names, !compared.empty(), !tracked.empty());
   commandLine.Progress("Painting", 0.95);
   const GraphSideBySide sheet{
     folder, commandLine.GetFlag("labels"), commandLine.GetProvenance(), commandLine.GetWarnings()

@@ -108,6 +108,12 @@ Find(CommandLine & commandLine)
   {
     commandLine.Warn("the balls do not decide the type: there are too few, or packing and resistance disagree");
   }
+  if (commandLine.IsGiven("maximumRadius") &&
+      result.balls.back().radius < std::stoi(commandLine.GetString("maximumRadius")))
+  {
+    commandLine.Warn("the outer face is reached before --maximumRadius: the largest ball has the radius " +
+                     std::to_string(result.balls.back().radius));
+  }
   commandLine.WriteDocument(ConformalTypeToJson(result, NameOfNode(graphs.front(), result.root)), path);
   if (!table.empty())
   {

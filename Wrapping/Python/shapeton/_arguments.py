@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ._graphs import graph_of
 from ._shapeton import Graph, InputError, ParameterError
 from .image import Image
-from .mesh import Curves
+from .mesh import Curves, refuse_mask
 
 Path = Union[str, os.PathLike[str]]
 Progress = Callable[[float, str], object]
@@ -126,6 +126,7 @@ def adapted(hint: Any, value: Any) -> Any:
 def check(name: str, hints: Dict[str, Any], values: Dict[str, Any]) -> None:
     """Raises TypeError for a value that is not of the annotated type."""
     for argument, value in values.items():
+        refuse_mask(argument, value)
         hint = hints.get(argument, Any)
         if not _is(value, hint):
             words = _words(hint)

@@ -43,6 +43,10 @@ def _of_array(array: Any) -> Graph:
 
 
 def _of_numbers(edges: Any) -> Graph:
+    if edges.dtype.kind not in "iu" and edges.size > 0:
+        raise ParameterError(f"edges must be pairs of whole numbers, not {edges.dtype}; names are given in a list of pairs")
+    if edges.size > 0 and edges.max() >= np.iinfo(np.int32).max:
+        raise ParameterError(f"the index {edges.max()} of a node is beyond 2^31 - 2; number the nodes from 0")
     return Graph(int(edges.max()) + 1 if len(edges) > 0 else 0, edges)
 
 
@@ -50,7 +54,9 @@ def _of_named_edges(nodes: Iterable[Any], edges: Iterable[Tuple[Any, Any]]) -> G
     """Nodes are numbered in their order, then in the order of the edges."""
     numbers = {node: number for number, node in enumerate(nodes)}
     ends: List[Tuple[int, int]] = [(numbers.setdefault(a, len(numbers)), numbers.setdefault(b, len(numbers))) for a, b in edges]
-    return Graph(len(numbers), ends, [str(node) for node in numbers])
+    names = [str(node) for node in numbers]
+    unique = len(set(names)) == len(names)  # 1 and "1" are two nodes
+    return Graph(len(numbers), ends, names if unique else [repr(node) for node in numbers])
 
 
 def _of_matrix(matrix: Any) -> Graph:

@@ -93,8 +93,14 @@ class Image:
 
         Of the facts it keeps those on which automatic values depend: modality, patient position and slice thickness.
         """
+        voxels = _volume(array.array if isinstance(array, Image) else array)
+        if voxels.shape != self._array.shape or (isinstance(array, Image) and not np.allclose(array.affine, self.affine)):
+            raise ParameterError(
+                f"the parameter \"array\" is on another grid than the {self._array.shape} voxels of the image; use "
+                "Image(array, spacing, image.point(first_voxel), image.direction)"
+            )
         facts = {name: self.facts[name] for name in _DICOM_FIELDS if name in self.facts}
-        return Image(array, self._spacing, self._origin, self._direction, facts)
+        return Image(voxels, self._spacing, self._origin, self._direction, facts)
 
     def __array__(self, dtype: Any = None) -> NDArray[Any]:
         """The voxels, for numpy functions."""
@@ -276,6 +282,8 @@ def for_vtk(values: NDArray[Any]) -> NDArray[Any]:
 
 
 def _volume(array: Any) -> NDArray[Any]:
+    if isinstance(array, Image):
+        raise ParameterError("the parameter \"array\" is an Image; use image.array, image.like(array) or the image itself")
     if np.ma.is_masked(array):
         raise ParameterError("the parameter \"array\" is masked; fill it, and give the mask as domain or mask of the function")
     voxels: NDArray[Any] = np.asarray(array)

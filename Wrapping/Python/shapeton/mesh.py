@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Iterable, Mapping, Optional, Sequence
+from typing import Any, Iterable, Mapping, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,15 +24,16 @@ class _Geometry:
         point_arrays: Optional[Arrays],
         cell_arrays: Optional[Arrays],
         field_arrays: Optional[Arrays],
-        facts: Iterable[tuple[str, str]],
+        facts: Union[Mapping[str, str], Iterable[tuple[str, str]]],
         notes: Iterable[str],
     ) -> None:
         self._vertices = _rows_of_three("vertices", vertices, np.float64)
-        self.point_arrays: dict[str, NDArray[Any]] = {n: np.asarray(a) for n, a in (point_arrays or {}).items()}
-        self.cell_arrays: dict[str, NDArray[Any]] = {n: np.asarray(a) for n, a in (cell_arrays or {}).items()}
-        self.field_arrays: dict[str, NDArray[Any]] = {n: np.asarray(a) for n, a in (field_arrays or {}).items()}
-        self.facts: list[tuple[str, str]] = [(str(n), str(v)) for n, v in facts]
-        self.notes: list[str] = list(notes)
+        self.point_arrays = _data_arrays(point_arrays)
+        self.cell_arrays = _data_arrays(cell_arrays)
+        self.field_arrays = _data_arrays(field_arrays)
+        pairs = facts.items() if isinstance(facts, Mapping) else facts
+        self.facts: list[tuple[str, str]] = [(str(n), str(v)) for n, v in pairs]
+        self.notes: list[str] = [notes] if isinstance(notes, str) else list(notes)
 
     @property
     def vertices(self) -> NDArray[Any]:
@@ -51,7 +52,7 @@ class Mesh(_Geometry):
         By name: one row per vertex, one row per face, data of the whole surface. Integers are kept
         as int32; all other data are float64.
     facts
-        Pairs of strings, for example provenance; stored in VTP files.
+        Pairs of strings or a dictionary, for example provenance; stored in VTP files.
     notes
         Notes of `read_surface`.
     """
@@ -65,7 +66,7 @@ class Mesh(_Geometry):
         point_arrays: Optional[Arrays] = None,
         cell_arrays: Optional[Arrays] = None,
         field_arrays: Optional[Arrays] = None,
-        facts: Iterable[tuple[str, str]] = (),
+        facts: Union[Mapping[str, str], Iterable[tuple[str, str]]] = (),
         notes: Iterable[str] = (),
     ) -> None:
         super().__init__(vertices, point_arrays, cell_arrays, field_arrays, facts, notes)
@@ -153,7 +154,7 @@ class Curves(_Geometry):
         point_arrays: Optional[Arrays] = None,
         cell_arrays: Optional[Arrays] = None,
         field_arrays: Optional[Arrays] = None,
-        facts: Iterable[tuple[str, str]] = (),
+        facts: Union[Mapping[str, str], Iterable[tuple[str, str]]] = (),
         notes: Iterable[str] = (),
     ) -> None:
         super().__init__(vertices, point_arrays, cell_arrays, field_arrays, facts, notes)
@@ -173,6 +174,20 @@ class Curves(_Geometry):
         return f"<shapeton.Curves {len(self._curves)} curves, {len(self.vertices)} vertices>"
 
 
+def refuse_mask(name: str, values: Any) -> None:
+    """Raises ParameterError for a masked array, because its hidden values would be used."""
+    if np.ma.is_masked(values):
+        raise ParameterError(f"the parameter \"{name}\" is masked; fill it or leave the masked values out")
+
+
+def _data_arrays(arrays: Optional[Arrays]) -> dict[str, NDArray[Any]]:
+    for name, values in (arrays or {}).items():
+        refuse_mask(name, values)
+        if not isinstance(name, str):
+            raise ParameterError(f"the name {name!r} of an array is not a str")
+    return {name: np.asarray(values) for name, values in (arrays or {}).items()}
+
+
 def _whole_numbers(name: str, values: Any) -> NDArray[Any]:
     array = np.asarray(values)
     if array.dtype.kind not in "iu" and array.size > 0:
@@ -183,6 +198,7 @@ def _whole_numbers(name: str, values: Any) -> NDArray[Any]:
 
 
 def _rows_of_three(name: str, values: Any, dtype: Any) -> NDArray[Any]:
+    refuse_mask(name, values)
     array = np.asarray(values)
     if array.ndim != 2 or array.shape[1] != 3:
         raise ParameterError(f"the parameter \"{name}\" has the shape {array.shape}; rows of three numbers are required")

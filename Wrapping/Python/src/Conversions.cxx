@@ -45,44 +45,27 @@ private:
   std::shared_ptr<PyObject> m_Array;
 };
 
-/** Wide numbers must not become infinite as floats. */
-void
-RequireInRange(const py::array & array)
+/** Numbers beyond the range of float32 become infinite without a warning; RequireFinite() refuses them. */
+class QuietOverflow
 {
-  if (array.dtype().kind() != 'f' || array.itemsize() <= py::ssize_t{ sizeof(float) })
-  {
-    return;
-  }
-  const auto           values = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
-  const double * const first = values.data();
-  const auto           beyond = [](double value) {
-    return std::isfinite(value) && std::abs(value) > std::numeric_limits<float>::max();
-  };
-  const auto * const found = std::find_if(first, first + values.size(), beyond);
-  if (found != first + values.size())
-  {
-    throw InputError("the image of " + std::string(py::str(array.dtype())) + " contains " +
-                     std::string(py::str(py::float_(*found))) + ", beyond the range of float32; rescale it");
-  }
-}
+public:
+  QuietOverflow() : m_State(ClassOf("numpy", "errstate")(py::arg("over") = "ignore")) { m_State.attr("__enter__")(); }
+  ~QuietOverflow() { m_State.attr("__exit__")(py::none(), py::none(), py::none()); }
+
+private:
+  py::object m_State;
+};
 
 /** The array itself if type and layout agree, otherwise a copy. */
 template <typename TPixel>
 py::array
 PixelsOf(const py::array & array)
 {
-  constexpr int flags = py::array::c_style | py::array::forcecast | py::detail::npy_api::NPY_ARRAY_ALIGNED_;
-  if constexpr (std::is_same_v<TPixel, float>)
-  {
-    RequireInRange(array);
-  }
-  const auto pixels = py::array_t<TPixel, flags>::ensure(array);
-  if (!pixels)
-  {
-    throw py::error_already_set();
-  }
-  constexpr py::ssize_t exactInFloat = 2; // bytes of integers
-  const bool            isWideInteger =
+  constexpr int       flags = py::array::c_style | py::array::forcecast | py::detail::npy_api::NPY_ARRAY_ALIGNED_;
+  const QuietOverflow quiet;
+  const py::array_t<TPixel, flags> pixels(array);    // throws MemoryError
+  constexpr py::ssize_t            exactInFloat = 2; // bytes of integers
+  const bool                       isWideInteger =
     (array.dtype().kind() == 'i' || array.dtype().kind() == 'u') && array.itemsize() > exactInFloat;
   if ((std::is_integral_v<TPixel> || isWideInteger) && !array.dtype().is(pixels.dtype()) &&
       !ClassOf("numpy", "array_equal")(pixels, array).template cast<bool>())
@@ -97,7 +80,7 @@ PixelsOf(const py::array & array)
 
 template <typename TPixel>
 void
-RequireFinite(const TPixel * pixels, const std::array<std::size_t, 3> & shape)
+RequireFinite(const TPixel * pixels, const std::array<std::size_t, 3> & shape, const py::array & given)
 {
   const std::size_t number = shape[0] * shape[1] * shape[2];
   for (std::size_t i = 0; i < number; ++i)
@@ -105,9 +88,11 @@ RequireFinite(const TPixel * pixels, const std::array<std::size_t, 3> & shape)
     if (!std::isfinite(pixels[i]))
     {
       const std::size_t row = i / shape[2];
-      throw InputError("the image contains values that are not finite (NaN or infinity), the first at [z, y, x] = [" +
-                       std::to_string(row / shape[1]) + ", " + std::to_string(row % shape[1]) + ", " +
-                       std::to_string(i % shape[2]) + "]; replace them");
+      const auto        place = py::make_tuple(row / shape[1], row % shape[1], i % shape[2]);
+      const bool        isBeyond = std::isfinite(given[place].cast<double>());
+      throw InputError("the image contains values that are " +
+                       std::string(isBeyond ? "beyond the range of float32" : "not finite (NaN or infinity)") +
+                       ", the first at [z, y, x] = " + std::string(py::str(py::list(place))) + "; replace them");
     }
   }
 }
@@ -220,13 +205,14 @@ typename itk::Image<TPixel, 3>::Pointer
 ImageOf(const py::handle & image)
 {
   using ImageType = itk::Image<TPixel, 3>;
-  const py::array                  pixels = PixelsOf<TPixel>(Get<py::array>(image, "array"));
+  const auto                       given = Get<py::array>(image, "array");
+  const py::array                  pixels = PixelsOf<TPixel>(given);
   const std::array<std::size_t, 3> shape{ static_cast<std::size_t>(pixels.shape(0)),
                                           static_cast<std::size_t>(pixels.shape(1)),
                                           static_cast<std::size_t>(pixels.shape(2)) };
   if constexpr (std::is_floating_point_v<TPixel>)
   {
-    RequireFinite(static_cast<const TPixel *>(pixels.data()), shape);
+    RequireFinite(static_cast<const TPixel *>(pixels.data()), shape, given);
   }
   const auto result = ImageType::New();
   result->SetRegions(typename ImageType::SizeType{ { shape[2], shape[1], shape[0] } });

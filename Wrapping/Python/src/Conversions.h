@@ -273,7 +273,13 @@ struct type_caster<shapeton::python::Path>
       PyErr_Clear();
       return false;
     }
-    value.text = path.cast<std::string>();
+    const auto encoded = reinterpret_steal<bytes>(PyUnicode_EncodeFSDefault(path.ptr())); // also of names not in UTF-8
+    if (!encoded)
+    {
+      throw error_already_set();
+    }
+    value.text = encoded;
+    shapeton::RequireParameter(value.text.find('\0') == std::string::npos, "a path contains a null character");
     return true;
   }
   static handle

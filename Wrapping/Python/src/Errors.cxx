@@ -59,6 +59,10 @@ Update(itk::ProcessObject * filter)
   {
     throw;
   }
+  catch (const itk::MemoryAllocationError &)
+  {
+    throw std::bad_alloc();
+  }
   catch (const itk::ExceptionObject & error)
   {
     throw ParameterError(WithoutItkPrefix(error.GetDescription()));
@@ -115,6 +119,10 @@ AddErrors(py::module_ & module)
       Raise(outputError, error);
     }
     catch (const DeviceError & error)
+    {
+      Raise(deviceError, error);
+    }
+    catch (const DeviceFailure & error)
     {
       PyErr_SetString(deviceError.ptr(), error.what());
     }

@@ -126,6 +126,7 @@ HistogramOf(const std::vector<ImageType::Pointer> & heats, const std::vector<std
     {
       throw InputError("the grids of the heat images 0 and " + std::to_string(row) + " differ");
     }
+    RequireHeat(heats[row], "the heat image " + std::to_string(row));
     histogram.AddToRow(row, heats[row]->GetBufferPointer(), heats[row]->GetBufferedRegion().GetNumberOfPixels());
   }
   return histogram;

@@ -93,6 +93,17 @@ class GraphTest(TestCase):
             graphs.embed_graph("k7")
         with self.assertRaisesRegex(TypeError, "dict is not a graph of networkx"):
             graphs.as_graph({})
+        with self.assertRaisesRegex(shapeton.ParameterError, "masked"):
+            graphs.as_graph(np.ma.masked_array([[0, 1], [1, 2]], [[False, False], [True, True]]))
+        with self.assertRaisesRegex(shapeton.ParameterError, "beyond 2.31 - 2"):
+            graphs.as_graph([(0, 2**31)])
+        with self.assertRaisesRegex(shapeton.ParameterError, "whole numbers, not <U1"):
+            graphs.as_graph(np.array([["a", "b"], ["b", "c"]]))
+        with self.assertRaisesRegex(shapeton.ParameterError, "two nodes have the name \"a\""):
+            graphs.write_graph(graphs.Graph(2, [[0, 1]], ["a", "a"]), self.folder / "g.graphml")
+        self.assertEqual(graphs.as_graph([(1, "1"), ("1", 2)]).names, ["1", "'1'", "2"])
+        with self.assertRaisesRegex(shapeton.ParameterError, "5 polygons of 3 sides at a node tile a sphere"):
+            graphs.regular_tiling_graph(3, 5, 2)
         for call in (graphs.as_graph, graphs.embed_graph):
             with self.assertRaisesRegex(shapeton.ParameterError, "a pair of nodes; leave out weights"):
                 call([(0, 1, 0.5), (1, 2, 0.5), (0, 2, 0.5)])

@@ -139,7 +139,7 @@ class HeatTest(TestCase):
             shapeton.find_objects(heat, least_probability=2.0)
         with self.assertRaisesRegex(shapeton.InputError, "no negative values"):
             shapeton.find_objects(image)
-        with self.assertRaisesRegex(shapeton.InputError, "outside .0, 1."):
+        with self.assertRaisesRegex(shapeton.InputError, "not in .0, 1."):
             shapeton.classify_heat(image)
         with self.assertRaisesRegex(shapeton.InputError, "grids of the heat images 0 and 1 differ"):
             shapeton.heat_histogram([heat, shapeton.Image(heat.array)], [1, 2])

@@ -18,10 +18,10 @@ enum class Device
   Cuda
 };
 
-/** \class DeviceError
- * \brief A requested GPU is not available or failed.
+/** \class DeviceFailure
+ * \brief A GPU failed during a computation; thrown by the plug-in, which does not depend on ITK.
  * \ingroup ShapetonCommon */
-class DeviceError : public std::runtime_error
+class DeviceFailure : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;

@@ -43,7 +43,7 @@ Check(cudaError_t status, const char * action)
 {
   if (status != cudaSuccess)
   {
-    throw DeviceError(std::string("the GPU failed to ") + action + ": " + cudaGetErrorString(status));
+    throw DeviceFailure(std::string("the GPU failed to ") + action + ": " + cudaGetErrorString(status));
   }
 }
 
@@ -129,7 +129,7 @@ Allocate(std::size_t bytes)
   void * const memory = std::malloc(bytes);
   if (!memory)
   {
-    throw DeviceError("the GPU failed to allocate memory");
+    throw DeviceFailure("the GPU failed to allocate memory");
   }
   std::memset(memory, 0x7f, bytes); // makes reads of uninitialized memory visible
   return memory;

@@ -15,7 +15,7 @@ namespace shapeton
  *
  * what() returns the description unchanged. It is one line with the error, the file or parameter, and the remedy. It
  * refers to a parameter as `the parameter "name"`, which a command-line tool can replace by its option. File, line and
- * location refer to the throwing code. Throw one of the three derived classes.
+ * location refer to the throwing code. Throw one of the derived classes.
  *
  * \ingroup ShapetonCommon */
 class ShapetonCommon_EXPORT Exception : public itk::ExceptionObject
@@ -67,6 +67,15 @@ class ShapetonCommon_EXPORT OutputError : public Exception
 {
 public:
   SHAPETON_EXCEPTION(OutputError);
+};
+
+/** \class DeviceError
+ * \brief A requested GPU is not available.
+ * \ingroup ShapetonCommon */
+class ShapetonCommon_EXPORT DeviceError : public Exception
+{
+public:
+  SHAPETON_EXCEPTION(DeviceError);
 };
 
 #undef SHAPETON_EXCEPTION

@@ -2,12 +2,25 @@
 #define shapetonImageGrid_h
 
 #include "ShapetonCommonExport.h"
+#include "shapetonExceptions.h"
 #include "shapetonVoxelGrid.h"
 
 #include "itkImageBase.h"
 
 namespace shapeton
 {
+/** Throws InputError that begins with `what` if an image is null or its pixels are not allocated.
+ * \ingroup ShapetonCommon */
+template <typename TImage>
+void
+RequirePixels(const TImage * image, const char * what)
+{
+  if (!image || !image->GetBufferPointer())
+  {
+    throw InputError(std::string(what) + " has no pixels; update the filter that makes it");
+  }
+}
+
 /** The grid of the buffer of an image. \ingroup ShapetonCommon */
 inline VoxelGrid
 GridOf(const itk::ImageBase<3> * image)

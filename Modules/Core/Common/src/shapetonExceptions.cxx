@@ -41,6 +41,7 @@ Exception::GetNameOfClass() const
 SHAPETON_EXCEPTION(ParameterError)
 SHAPETON_EXCEPTION(InputError)
 SHAPETON_EXCEPTION(OutputError)
+SHAPETON_EXCEPTION(DeviceError)
 
 std::string
 SpellParameters(const std::string &                                                         text,

@@ -1,6 +1,7 @@
 #include "shapetonImageGrid.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace shapeton
 {
@@ -14,7 +15,7 @@ HaveSameGrid(const itk::ImageBase<3> * a, const itk::ImageBase<3> * b)
     return false;
   }
   const auto & spacing = a->GetSpacing();
-  const double tolerance = 0.01 * std::min({ spacing[0], spacing[1], spacing[2] });
+  const double tolerance = 0.01 * std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
   for (unsigned int corner = 0; corner < 8; ++corner)
   {
     itk::Offset<3> offset;

@@ -31,6 +31,7 @@ TEST(Device, AskedForAndMissingIsAnErrorOfOneLine)
     basetest::ErrorOf<shapeton::DeviceError>([] { ChooseDevice(Device::Cuda, std::size_t{ 1 } << 62); });
   EXPECT_EQ(text.rfind("the GPU cannot be used: ", 0), 0U) << text;
   EXPECT_EQ(text.find('\n'), std::string::npos);
+  EXPECT_THROW(ChooseDevice(Device::Cuda, std::size_t{ 1 } << 62), itk::ExceptionObject);
 }
 
 TEST(Device, HasTheWordsOfItsOption)

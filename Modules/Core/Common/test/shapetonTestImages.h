@@ -38,6 +38,17 @@ NewImage(const typename TImage::SizeType & size,
   return image;
 }
 
+/** An image on the grid of another one, without pixels. */
+template <typename TImage>
+typename TImage::Pointer
+WithoutPixels(const itk::ImageBase<3> * grid)
+{
+  const auto image = TImage::New();
+  image->CopyInformation(grid);
+  image->SetRegions(grid->GetLargestPossibleRegion());
+  return image;
+}
+
 /** Calls `body` with the index and the point of each voxel. */
 template <typename TBody>
 void

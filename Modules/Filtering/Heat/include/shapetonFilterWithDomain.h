@@ -1,7 +1,7 @@
 #ifndef shapetonFilterWithDomain_h
 #define shapetonFilterWithDomain_h
 
-#include "shapetonExceptions.h"
+#include "shapetonImageGrid.h"
 #include "shapetonITKCompatibility.h"
 #include "shapetonVolumeView.h"
 
@@ -38,11 +38,10 @@ public:
     const DomainImageType * const domain = this->GetDomain();
     if (domain)
     {
-      if (domain->GetBufferedRegion().GetSize() != this->GetInput()->GetBufferedRegion().GetSize() ||
-          !domain->GetBufferPointer())
+      RequirePixels(domain, "the domain");
+      if (domain->GetBufferedRegion().GetSize() != this->GetInput()->GetBufferedRegion().GetSize())
       {
-        throw InputError(
-          "the domain has another size than the volume, or no pixels; use a mask on the grid of the volume");
+        throw InputError("the domain has another size than the volume; use a mask on the grid of the volume");
       }
       const unsigned char * const first = domain->GetBufferPointer();
       volume.domain = std::make_shared<const std::vector<unsigned char>>(first, first + volume.NumberOfVoxels());

@@ -27,6 +27,11 @@ struct HeatClassificationRule
   double minimumPeakToValley{ 2.0 };
 };
 
+/** Throws InputError that begins with `what` if an image has no pixels or a value outside [0, 1] (tolerance 1e-4): such
+ * a volume is not a heat volume. \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT void
+RequireHeat(const itk::Image<float, 3> * heat, const std::string & what);
+
 /** The classes of one row of a heat histogram: its peaks, separated at the valleys between them (dissertation 2.3.3:
  * converged heats are lines, similar shapes are close to each other). Classes are ascending in heat and contiguous
  * from the background (class 0) to the greatest heat; labels count from 0, so similar classes have adjacent labels.
@@ -74,11 +79,12 @@ struct HeatClassification
   itk::Image<unsigned char, 3>::Pointer labels;
 };
 
-/** The classes found by a run, with labels and components. \ingroup ShapetonHeat */
+/** The classes found by a run with WantComponents, with labels and components. Throws ParameterError if the run found
+ * none, and as RequireHeat(). \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT HeatClassification
 ClassifyHeat(const itk::Image<float, 3> * heat, const CumulativeHeatDiffusionResult & result);
 
-/** FindHeatClasses, LabelHeat and AssignComponents in one call.
+/** FindHeatClasses, LabelHeat and AssignComponents in one call. Throws as RequireHeat().
  * \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT HeatClassification
 ClassifyHeat(const itk::Image<float, 3> *        heat,

@@ -52,6 +52,7 @@ public:
   const std::uint32_t *
   GetRow(std::size_t row) const
   {
+    this->RequireRow(row);
     return m_Counts.data() + row * NumberOfBins;
   }
 
@@ -80,6 +81,10 @@ public:
   }
 
 private:
+  /** Throws ParameterError if there is no such row. */
+  void
+  RequireRow(std::size_t row) const;
+
   std::vector<std::uint64_t> m_TimeSteps;
   std::vector<std::uint32_t> m_Counts;
 };

@@ -75,6 +75,11 @@ SeededHeatSegmentationImageFilter<TInputImage>::GenerateData()
   this->AllocateOutputs();
   const LabelImageType * const seeds = this->GetSeeds();
   const LabelImageType * const before = this->GetLabelsBefore();
+  RequirePixels(seeds, "the label map of seeds");
+  if (before)
+  {
+    RequirePixels(before, "the label map before");
+  }
   m_LabelValues.clear(); // nothing of the last run remains after an error
   m_Grid = nullptr;
   this->PrepareSolver();

@@ -10,9 +10,7 @@ void
 VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::VerifyPreconditions() const
 {
   Superclass::VerifyPreconditions();
-  const auto & window = this->GetIntensityWindow();
-  RequireParameter(!window || (*window)[0] < (*window)[1],
-                   "the parameter \"intensityWindow\" requires two numbers, the lower one first");
+  RequireWindow(this->GetIntensityWindow());
 }
 
 template <typename TInputImage, typename TOutputImage, typename TOptions>

@@ -14,6 +14,10 @@
 
 namespace shapeton
 {
+/** Throws ParameterError unless a given window has two finite numbers, the lower one first. \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT void
+RequireWindow(const std::optional<std::array<double, 2>> & window);
+
 /** The intensity window of the options, or the minimum and maximum of the volume; {0, 0} for an empty one.
  * \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT std::array<double, 2>

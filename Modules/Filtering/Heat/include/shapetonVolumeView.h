@@ -37,19 +37,19 @@ struct VolumeView
     , spacing(spacingInMm)
   {}
 
-  /** The buffered region of an image, empty if its pixels were not allocated; pixels of types other than float are
-   * copied. */
+  /** The buffered region of an image, empty if it is null or its pixels were not allocated; pixels of types other than
+   * float are copied. */
   template <typename TImage>
   explicit VolumeView(const TImage * image)
   {
     static_assert(TImage::ImageDimension == 3 && std::is_arithmetic_v<typename TImage::PixelType>,
                   "the image must be a volume with scalar pixels");
-    std::copy_n(image->GetSpacing().Begin(), spacing.size(), spacing.begin());
-    const auto * const pixels = image->GetBufferPointer();
+    const auto * const pixels = image ? image->GetBufferPointer() : nullptr;
     if (!pixels)
     {
       return;
     }
+    std::copy_n(image->GetSpacing().Begin(), spacing.size(), spacing.begin());
     std::copy_n(image->GetBufferedRegion().GetSize().begin(), size.size(), size.begin());
     if constexpr (std::is_same_v<typename TImage::PixelType, float>)
     {

@@ -248,12 +248,32 @@ MeasureContacts(const VolumeGradientOperator & volumeGradient,
 }
 } // namespace
 
+void
+RequireHeat(const itk::Image<float, 3> * heat, const std::string & what)
+{
+  RequirePixels(heat, what.c_str());
+  constexpr float     tolerance = 1e-4F; // of expanded heat
+  const float * const values = heat->GetBufferPointer();
+  const bool isHeat = std::all_of(values, values + heat->GetBufferedRegion().GetNumberOfPixels(), [](float value) {
+    return value >= -tolerance && value <= 1.0F + tolerance;
+  });
+  if (!isHeat)
+  {
+    throw InputError(
+      what + " is not a heat volume, its values are not in [0, 1]: use one written by CumulativeHeatDiffusion, or a "
+             ".nrrd or .mha with the visits of ShapetonDiffusion");
+  }
+}
+
 std::vector<HeatClass>
 FindHeatClasses(const HeatHistogram & histogram, std::size_t row, const HeatClassificationRule & rule)
 {
   constexpr unsigned int mostClasses = 254;
   RequireParameter(rule.maximumNumberOfClasses >= 1 && rule.maximumNumberOfClasses <= mostClasses,
                    "the maximum number of classes must be between 1 and 254");
+  RequireParameter(rule.backgroundHeat >= 0.0 && rule.minimumShare >= 0.0 && rule.minimumShare <= 1.0 &&
+                     rule.minimumPeakToValley >= 0.0,
+                   "the rule of classes has a number that is negative, not finite, or a share above 1");
   const std::uint32_t * const counts = histogram.GetRow(row);
   const auto                  smooth = SmoothedDensity(counts);
   std::vector<Hill>           hills = FindHills(smooth, counts);
@@ -327,6 +347,8 @@ MeasureCoherence(const VolumeGradientOperator & volumeGradient, const float * he
 itk::Image<unsigned char, 3>::Pointer
 LabelHeat(const itk::Image<float, 3> * heat, std::vector<HeatClass> & classes)
 {
+  RequireParameter(!classes.empty(), "there are no classes; set WantComponents of the run, or classify its heat alone");
+  RequireHeat(heat, "the image");
   auto                labels = NewImageOn<itk::Image<unsigned char, 3>>(heat);
   std::vector<double> sums(classes.size(), 0.0);
   for (auto & heatClass : classes)
@@ -418,6 +440,7 @@ ClassifyHeat(const itk::Image<float, 3> *        heat,
              const std::vector<ShapeComponent> & components,
              const HeatClassificationRule &      rule)
 {
+  RequireHeat(heat, "the image");
   HeatHistogram histogram({ 0 });
   histogram.AddToRow(0, heat->GetBufferPointer(), heat->GetBufferedRegion().GetNumberOfPixels());
   HeatClassification classification;

@@ -16,6 +16,14 @@ HeatHistogram::HeatHistogram(std::vector<std::uint64_t> timeSteps)
                    "the time steps of a heat histogram must be ascending");
 }
 
+void
+HeatHistogram::RequireRow(std::size_t row) const
+{
+  RequireParameter(row < m_TimeSteps.size(),
+                   "the heat histogram has " + std::to_string(m_TimeSteps.size()) + " rows, but row " +
+                     std::to_string(row) + " is asked for; set the histogram steps of the run");
+}
+
 unsigned int
 HeatHistogram::BinOf(float heat)
 {
@@ -39,6 +47,7 @@ HeatHistogram::LowerEdge(unsigned int bin)
 void
 HeatHistogram::AddToRow(std::size_t row, const std::uint32_t * counts)
 {
+  this->RequireRow(row);
   std::uint32_t * const target = m_Counts.data() + row * NumberOfBins;
   for (unsigned int bin = 0; bin < NumberOfBins; ++bin)
   {
@@ -49,6 +58,7 @@ HeatHistogram::AddToRow(std::size_t row, const std::uint32_t * counts)
 void
 HeatHistogram::AddToRow(std::size_t row, const float * heats, std::size_t number)
 {
+  this->RequireRow(row);
   CountHeats(heats, number, m_Counts.data() + row * NumberOfBins);
 }
 

@@ -369,7 +369,13 @@ ChooseHeatParameters(const VolumeView &                     volume,
                      const GivenHeatParameters &            given,
                      const Progress &                       progress)
 {
-  CheckOptions(options);
+  RequireWindow(options.intensityWindow);
+  RequireWindow(given.intensityWindow);
+  CumulativeHeatDiffusionOptions all = options;
+  all.p = given.p.value_or(options.p);
+  all.smoothing = given.smoothing.value_or(options.smoothing);
+  all.timeSteps = given.timeSteps.value_or(options.timeSteps);
+  CheckOptions(all);
   RequireValues(volume);
   HeatParameterChoice choice;
   choice.intensityWindow = WindowOf(options, volume);

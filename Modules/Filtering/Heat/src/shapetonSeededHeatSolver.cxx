@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bitset>
 #include <numeric>
+#include <set>
 
 namespace shapeton
 {
@@ -256,7 +257,19 @@ SeededHeatSolver::Solve(const unsigned short * seeds, const Progress & progress,
     }
     return inside;
   };
-  return this->SolveInDomain(inDomain(seeds).data(), before ? inDomain(before).data() : nullptr, progress);
+  this->SolveInDomain(inDomain(seeds).data(), before ? inDomain(before).data() : nullptr, progress);
+  std::set<unsigned short> lost(seeds, seeds + domain->size());
+  lost.erase(0);
+  for (const unsigned short label : m_Result.labelValues)
+  {
+    lost.erase(label);
+  }
+  for (const unsigned short label : lost)
+  {
+    m_Result.remarks.push_back("label " + std::to_string(label) +
+                               " has no seed in the domain, and no voxel; move its seeds inside, or change the domain");
+  }
+  return m_Result;
 }
 
 const SeededHeatResult &
@@ -267,9 +280,10 @@ SeededHeatSolver::SolveInDomain(const unsigned short * seeds, const unsigned sho
   const auto         labels = LabelsOf(seeds, before, number);
   if (labels.size() < 2)
   {
-    throw InputError(labels.empty() ? "no voxel has a seed; add seeds of at least two labels"
-                                    : "all seeds have the label " + std::to_string(labels.front()) +
-                                        "; add seeds of at least two labels");
+    const std::string where = m_VolumeGradient.GetDomain() ? " in the domain" : "";
+    throw InputError((labels.empty() ? "no voxel" + where + " has a seed"
+                                     : "all seeds" + where + " have the label " + std::to_string(labels.front())) +
+                     "; add seeds of at least two labels" + where);
   }
   if (grid.GetLength() >= noAggregate / 2)
   {

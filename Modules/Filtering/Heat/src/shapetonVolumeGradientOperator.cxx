@@ -27,7 +27,8 @@ Check(const VolumeView & volume, const VolumeGradientOptions & options)
   const auto & [lower, upper] = *options.intensityWindow;
   if (!std::isfinite(lower) || !std::isfinite(upper))
   {
-    throw InputError("the volume or the intensity window contains values that are not finite (NaN or infinity)");
+    throw InputError(
+      "the volume or the intensity window contains values that are not finite (NaN or infinity) as float");
   }
   if (upper < lower)
   {
@@ -130,6 +131,14 @@ private:
   std::vector<double>        m_Values;
 };
 } // namespace
+
+void
+RequireWindow(const std::optional<std::array<double, 2>> & window)
+{
+  RequireParameter(!window ||
+                     (std::isfinite((*window)[0]) && std::isfinite((*window)[1]) && (*window)[0] < (*window)[1]),
+                   "the parameter \"intensityWindow\" requires two numbers, the lower one first");
+}
 
 std::array<double, 2>
 WindowOf(const VolumeGradientOptions & options, const VolumeView & volume)

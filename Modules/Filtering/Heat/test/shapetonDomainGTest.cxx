@@ -271,10 +271,7 @@ TEST(Domain, WrongDomainsAreRefused)
   const auto filter = Heat::New();
   EXPECT_THROW(filter->GetVolume(), InputError); // no input
   filter->SetInput(volume);
-  const auto unallocated = Mask::New();
-  unallocated->SetRegions(volume->GetLargestPossibleRegion());
-  unallocated->CopyInformation(volume);
-  filter->SetDomain(unallocated);
+  filter->SetDomain(basetest::WithoutPixels<Mask>(volume));
   EXPECT_THROW(filter->GetVolume(), InputError);
 }
 

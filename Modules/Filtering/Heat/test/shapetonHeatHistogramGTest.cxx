@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -37,6 +38,24 @@ TEST(HeatHistogram, CountsEveryVoxelOnce)
   EXPECT_EQ(std::accumulate(histogram.GetRow(1), histogram.GetRow(1) + HeatHistogram::NumberOfBins, 0U), 6U);
   EXPECT_EQ(std::accumulate(histogram.GetRow(0), histogram.GetRow(0) + HeatHistogram::NumberOfBins, 0U), 0U);
   EXPECT_THROW(HeatHistogram({ 10, 0 }), ParameterError);
+  EXPECT_THROW(histogram.AddToRow(2, heats.data(), heats.size()), ParameterError);
+  EXPECT_THROW(FindHeatClasses(histogram, 2), ParameterError);
+  EXPECT_THROW(FindHeatClasses(HeatHistogram(), 0), ParameterError);
+}
+
+TEST(HeatClassification, RefusesWhatIsNoHeat)
+{
+  using Image = itk::Image<float, 3>;
+  const auto heat = basetest::NewImage<Image>({ { 4, 4, 4 } });
+  EXPECT_NO_THROW(ClassifyHeat(heat));
+  EXPECT_THROW(ClassifyHeat(heat, CumulativeHeatDiffusionResult()), ParameterError); // without classes
+  for (const float wrong : { std::numeric_limits<float>::quiet_NaN(), 40.0F, -1000.0F })
+  {
+    heat->SetPixel({ { 1, 2, 3 } }, wrong);
+    EXPECT_THROW(ClassifyHeat(heat), InputError);
+  }
+  EXPECT_THROW(ClassifyHeat(basetest::WithoutPixels<Image>(heat)), InputError);
+  EXPECT_THROW(ClassifyHeat(nullptr), InputError);
 }
 
 TEST(HeatHistogram, EqualizationGivesEachHeatTheShareOfTheVoxelsBelowIt)

@@ -131,6 +131,20 @@ TEST(HeatParameterChoice, EmptyVolumesAndValuesThatAreNotFiniteAreRefused)
   EXPECT_THROW(ChooseHeatParameters(VolumeView(itk::Image<float, 3>::New().GetPointer())), InputError);
 }
 
+TEST(HeatParameterChoice, WrongGivenValuesAreRefused)
+{
+  const auto expectRefused = [volume = Volume({ 16, 16, 16 })](const auto & spoil) {
+    GivenHeatParameters given;
+    spoil(given);
+    EXPECT_THROW(ChooseHeatParameters(volume, {}, given), ParameterError);
+  };
+  expectRefused([](auto & given) { given.intensityWindow = { { 50.0, 20.0 } }; });
+  expectRefused([](auto & given) { given.intensityWindow = { { std::nan(""), 20.0 } }; });
+  expectRefused([](auto & given) { given.p = -1.0; });
+  expectRefused([](auto & given) { given.smoothing = -1.0; });
+  expectRefused([](auto & given) { given.timeSteps = 0; });
+}
+
 TEST(HeatParameterChoice, FollowsTheUnitOfIntensity)
 {
   const auto one = Choose(Body(3.0, 20.0).volume);

@@ -89,6 +89,8 @@ TEST(SeededHeatSegmentationImageFilter, NothingOfTheLastRunRemainsAfterAnError)
   seeds->Modified();
   EXPECT_THROW(filter->Update(), shapeton::InputError);
   EXPECT_TRUE(filter->GetLabelValues().empty());
+  filter->SetSeeds(basetest::WithoutPixels<shapeton::SeedImage>(image));
+  EXPECT_THROW(filter->Update(), shapeton::InputError);
   EXPECT_THROW(filter->GetProbabilities(1), shapeton::ParameterError);
 }
 

@@ -60,14 +60,10 @@ LogarithmOf(const HeatImage * heat, const unsigned char * domain)
   constexpr float     rounding = 1e-4F; // of expanded heat
   const float * const values = heat->GetBufferPointer();
   const std::size_t   voxels = heat->GetBufferedRegion().GetNumberOfPixels();
-  if (voxels == 0)
-  {
-    throw InputError("the heat volume is empty; update the filter that makes it");
-  }
-  const float greatest = *std::max_element(values, values + voxels);
+  const float         greatest = *std::max_element(values, values + voxels);
   if (!(greatest > 0.0F) || std::isinf(greatest))
   {
-    throw InputError("a heat volume needs finite values above 0, not at most " + std::to_string(greatest));
+    throw InputError("a heat volume needs finite values above 0, such as heat or visits");
   }
   for (std::size_t voxel = 0; voxel < voxels; ++voxel)
   {
@@ -384,6 +380,11 @@ HeatObjectTree::HeatObjectTree(const HeatImage *         heat,
   : m_Heat(heat), m_Options(options)
 {
   CheckOptions(options);
+  RequirePixels(heat, "the heat image");
+  if (domain)
+  {
+    RequirePixels(domain, "the domain");
+  }
   if (domain && !HaveSameGrid(heat, domain))
   {
     throw InputError("the domain of the objects has another grid than the heat; resample it to the grid of the heat");

@@ -1,6 +1,7 @@
 #include "shapetonHeatObjectsImageFilter.h"
 
 #include "shapetonFilterProgress.h"
+#include "shapetonInterruption.h"
 
 namespace shapeton
 {
@@ -32,7 +33,9 @@ HeatObjectsImageFilter::EnlargeOutputRequestedRegion(itk::DataObject * output)
 void
 HeatObjectsImageFilter::GenerateData()
 {
-  const Progress progress([this](double share) { ReportProgress(*this, share); });
+  m_List = {};
+  const Interruption interruption([this] { AbortIfAsked(*this); });
+  const Progress     progress([this](double share) { ReportProgress(*this, share); });
   m_List = HeatObjectTree(this->GetInput(), m_Options, this->GetDomain(), progress).List();
   this->GraftOutput(m_List.labels);
   progress("Finding objects", 1.0);

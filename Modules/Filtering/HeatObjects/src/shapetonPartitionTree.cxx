@@ -601,7 +601,10 @@ BuildPartitionTree(const float *                 values,
                      std::to_string(voxels));
   for (const double length : spacing)
   {
-    RequireParameter(length > 0.0 && std::isfinite(length), "the spacing of a partition tree must be positive");
+    if (!(length > 0.0) || !std::isfinite(length))
+    {
+      throw InputError("the voxel spacing must be positive");
+    }
   }
   ParallelForBlocks(voxels, [values](std::size_t voxel) {
     if (!std::isfinite(values[voxel]))

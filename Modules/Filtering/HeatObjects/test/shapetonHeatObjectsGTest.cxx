@@ -274,6 +274,12 @@ TEST(HeatObjects, WrongInputIsRefused)
   EXPECT_THROW(FindHeatObjects(MakeHeat([](double x, double, double) { return x > 0 ? 1.0F : std::nanf(""); })),
                InputError);
   EXPECT_THROW(FindHeatObjects(itk::Image<float, 3>::New().GetPointer()), InputError);
+  const auto heat = MakeHeat(Scene);
+  EXPECT_THROW(FindHeatObjects(basetest::WithoutPixels<HeatImage>(heat)), InputError);
+  EXPECT_THROW(HeatObjectTree(heat, options = {}, basetest::WithoutPixels<HeatObjectTree::MaskImage>(heat)),
+               InputError);
+  heat->GetBufferPointer()[0] = -1.0F;
+  EXPECT_THROW(FindHeatObjects(heat), InputError);
   EXPECT_THROW(MaskOfObject({}, 1), ParameterError);
   EXPECT_THROW(ObjectOfClick({}, 1), ParameterError);
 }

@@ -60,6 +60,10 @@ ParticleDiffusionImageFilter<TInputImage>::PlaceShapetons()
 {
   const MaskImageType * const mask = this->GetMaskImage();
   const VolumeView            volume(this->GetInput());
+  if (mask)
+  {
+    RequirePixels(mask, "the mask");
+  }
   m_Diffusion = std::make_unique<ParticleDiffusion>(volume,
                                                     this->OptionsFor(volume),
                                                     mask ? mask->GetBufferPointer() : nullptr,

@@ -51,6 +51,7 @@ using Facts = std::vector<std::pair<std::string, std::string>>;
 const std::map<std::string, std::string> parametersOfIdentity = {
   { "p", "p" },
   { "intensity window", "intensityWindow" },
+  { "smoothing", "smoothing" },
   { "number of shapetons", "shapetons" },
   { "distance", "distance" },
   { "direction sampling", "directionSampling" },
@@ -246,6 +247,7 @@ struct ParticleDiffusion::Impl : ParticleWalk
              { "spacing", Text(spacing[0]) + " " + Text(spacing[1]) + " " + Text(spacing[2]) },
              { "p", Text(settings.p) },
              { "intensity window", Text(lower) + " " + Text(upper) },
+             { "smoothing", Text(settings.smoothing) },
              { "number of shapetons", std::to_string(settings.shapetons) },
              { "distance", Text(settings.distance) },
              { "direction sampling", NameOf(settings.directionSampling) },

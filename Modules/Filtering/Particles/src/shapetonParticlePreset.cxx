@@ -34,6 +34,19 @@ IsAmong(const Names & names, const std::string & name)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/** Throws ParameterError for a name that no option has. */
+void
+RequireNames(const Names & given, const ShapetonPresetOptions & options)
+{
+  Names known;
+  ShapetonPresetOptions::VisitOptions(
+    options, [&known](const OptionInfo & info, const auto &) { known.push_back(info.GetName()); });
+  for (const std::string & name : given)
+  {
+    RequireParameter(IsAmong(known, name), "\"" + name + "\" is not the name of a parameter of shapeton diffusion");
+  }
+}
+
 double
 LongestSide(const std::array<std::size_t, 3> & size, const std::array<double, 3> & spacing)
 {
@@ -149,6 +162,7 @@ ChooseShapetonParameters(const VolumeView &               volume,
                          const Progress &                 progress)
 {
   CheckOptions(options);
+  RequireNames(given, options);
   ShapetonParameterChoice choice;
   choice.options = options;
   TakeOthers(OptionsOfPreset(options.preset, volume.size, volume.spacing), given, choice.options);

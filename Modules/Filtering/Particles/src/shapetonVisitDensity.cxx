@@ -78,6 +78,7 @@ GreatestVisits(const itk::Image<std::uint32_t, 3> * visits)
 itk::Image<float, 3>::Pointer
 NormalizeVisits(const itk::Image<std::uint32_t, 3> * visits)
 {
+  RequirePixels(visits, "the image of visits");
   auto                density = NewImageOn<itk::Image<float, 3>>(visits);
   const std::uint32_t greatest = GreatestVisits(visits);
   const float         scale = greatest == 0 ? 0.0F : 1.0F / static_cast<float>(greatest);

@@ -293,6 +293,8 @@ TEST(ParticleDiffusionImageFilter, AMaskOfAnotherGridIsRefused)
   EXPECT_NO_THROW(filter->Update());
   mask->SetOrigin(std::array<double, 3>{ { 0.0, 0.5, 0.0 } }.data());
   EXPECT_NE(Refusal(filter.GetPointer()), "");
+  filter->SetMaskImage(basetest::WithoutPixels<itk::Image<unsigned char, 3>>(filter->GetInput()));
+  EXPECT_NE(Refusal(filter.GetPointer()).find("the mask has no pixels"), std::string::npos);
   const auto elsewhere = MakeMask(volume); // with other indices
   elsewhere->SetRegions(itk::ImageRegion<3>({ { 2, 0, 0 } }, { { 9, 8, 7 } }));
   filter->SetMaskImage(elsewhere);

@@ -115,6 +115,12 @@ TEST(ParticlePreset, ObjectsStepsByTwoVoxelsOfAnySpacing)
   EXPECT_DOUBLE_EQ(options.distance, 2.0 * 0.5 / 40.0);
 }
 
+TEST(ParticlePreset, NamesOfGivenValuesAreKnown)
+{
+  const auto image = TwoCubes();
+  EXPECT_THROW(ChooseShapetonParameters(VolumeView(image.GetPointer()), {}, { "Shapetons" }), ParameterError);
+}
+
 TEST(ParticlePreset, GivenValuesWin)
 {
   for (const auto preset : { ShapetonPreset::Objects, ShapetonPreset::Published, ShapetonPreset::Surface })

@@ -41,7 +41,7 @@ ShapetonGraphModel_EXPORT std::vector<std::string>
                           GraphFilesOf(const std::string & folder);
 
 /** Writes GraphML from which ReadGraph restores the same graph; unnamed nodes are called n0, n1, ... Throws
- * OutputError.
+ * ParameterError for names that are not unique, empty or have control characters, and OutputError.
  * \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT void
 WriteGraphML(const Graph & graph, const std::string & path);

@@ -249,8 +249,9 @@ RegularTilingGraph(int sides, int degree, int rings)
   RequireCounts({ sides, degree }, 3, 0.0);
   RequireCounts({ rings }, 1, 0.0);
   constexpr long long euclidean = 4; // (sides - 2) (degree - 2) of a tiling of the plane
-  RequireCounts(
-    { static_cast<int>(std::min((sides - 2LL) * (degree - 2LL), euclidean)) }, static_cast<int>(euclidean), 0.0);
+  RequireParameter((sides - 2LL) * (degree - 2LL) >= euclidean,
+                   std::to_string(degree) + " polygons of " + std::to_string(sides) +
+                     " sides at a node tile a sphere, not a plane; use more sides or a higher degree");
   TilingDisk disk(sides, degree);
   for (int ring = 0; ring < rings; ++ring)
   {

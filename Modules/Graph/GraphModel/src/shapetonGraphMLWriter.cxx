@@ -1,5 +1,10 @@
+#include "shapetonExceptions.h"
 #include "shapetonFileBytes.h"
 #include "shapetonGraphReader.h"
+#include "shapetonPrintable.h"
+
+#include <algorithm>
+#include <set>
 
 namespace shapeton
 {
@@ -34,11 +39,25 @@ Escaped(const std::string & text)
   }
   return escaped;
 }
+/** Names are identifiers of XML 1.0. */
+void
+RequireNames(const Graph & graph)
+{
+  std::set<std::string> names;
+  for (const std::string & name : graph.names)
+  {
+    const bool isText =
+      std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' && c != '\t' && c != '\n'; });
+    RequireParameter(!name.empty() && isText, "a node has an empty name or one with control characters; rename it");
+    RequireParameter(names.insert(name).second, "two nodes have the name " + Quoted(name) + "; rename one");
+  }
+}
 } // namespace
 
 void
 WriteGraphML(const Graph & graph, const std::string & path)
 {
+  RequireNames(graph);
   const auto idOf = [&](int node) {
     return graph.names.empty() ? 'n' + std::to_string(node) : Escaped(graph.names[node]);
   };

@@ -14,8 +14,10 @@
 #include "shapetonNiftiHeader.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <sstream>
 
 namespace shapeton
@@ -550,6 +552,11 @@ ReadImageFile(const std::string & path)
   request.format = ImageFormatOf(path);
   const bool isNifti = request.format == ImageFormat::nifti;
   request.path = isNifti ? NiftiHeaderFile(path) : path; // the file that contains the header
+  errno = 0;
+  if (!std::ifstream(request.path))
+  {
+    ThrowCannotRead(request.path, errno);
+  }
   request.stored = LocateVoxels(request.path, request.format);
   ContainedProcess  process(ImageFileService, 0, LimitsFor(0));
   const ImageHeader header = isNifti ? HeaderOfNifti(request.path) : ReadHeaderContained(process, request);

@@ -5,6 +5,7 @@
 #include "shapetonExceptions.h"
 #include "shapetonFileErrors.h"
 #include "shapetonOperatingSystem.h"
+#include "shapetonPrintable.h"
 
 #include "itkImageFileReader.h"
 #include "itkImageFileWriter.h"
@@ -17,6 +18,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <set>
 
 namespace shapeton
 {
@@ -72,12 +74,48 @@ AsKey(std::string text)
   return text;
 }
 
+/** Fields of the header that metadata would replace. */
+const std::set<std::string> fieldsOfMetaImage = {
+  "AnatomicalOrientation",
+  "BinaryData",
+  "BinaryDataByteOrderMSB",
+  "CenterOfRotation",
+  "Comment",
+  "CompressedData",
+  "CompressedDataSize",
+  "CompressionLevel",
+  "DimSize",
+  "ElementByteOrderMSB",
+  "ElementDataFile",
+  "ElementNumberOfChannels",
+  "ElementSize",
+  "ElementSpacing",
+  "ElementType",
+  "HeaderSize",
+  "HeaderSizePerSlice",
+  "ID",
+  "Modality",
+  "NDims",
+  "Name",
+  "ObjectSubType",
+  "ObjectType",
+  "Offset",
+  "Orientation",
+  "Origin",
+  "ParentID",
+  "Position",
+  "Rotation",
+  "TransformMatrix",
+};
+
 itk::MetaDataDictionary
 MakeDictionary(const VolumeMetadata & metadata)
 {
   itk::MetaDataDictionary dictionary;
   for (const auto & entry : metadata)
   {
+    RequireParameter(fieldsOfMetaImage.count(entry.first) == 0,
+                     "the metadata " + Quoted(entry.first) + " have the name of a field of MetaImage; rename them");
     const std::string value = OnOneLine(entry.second);
     if (!value.empty())
     {

@@ -3,8 +3,6 @@
 #include "shapetonExceptions.h"
 #include "shapetonSparseCholesky.h"
 
-#include <stdexcept>
-
 namespace shapeton
 {
 /** \equation{5.1} with the sign of the forward heat equation. */
@@ -12,9 +10,11 @@ void
 DiffuseOverSurface(const SurfaceLaplacian & laplacian, double time, Eigen::MatrixXd & values, const Progress & progress)
 {
   constexpr int steps = 2;
-  if (values.rows() != laplacian.NumberOfVertices() || !(time >= 0.0))
+  RequireParameter(values.rows() == laplacian.NumberOfVertices(), "the values must have one row per vertex");
+  RequireParameter(time >= 0.0, "the parameter \"time\" must be at least 0");
+  if (!values.allFinite())
   {
-    throw std::invalid_argument("surface diffusion requires one row per vertex and a nonnegative time");
+    throw InputError("a value on the surface is not a finite number; replace it");
   }
   if (time == 0.0)
   {

@@ -39,7 +39,7 @@ TEST(SurfaceDiffusion, HeatIsConservedAndNoTimeChangesNothing)
   EXPECT_NEAR(laplacian.mass.dot(values.col(0)), laplacian.mass[37], 1e-8);
   EXPECT_LT(values.maxCoeff(), 0.5);
   Eigen::MatrixXd wrong = Eigen::MatrixXd::Zero(3, 1);
-  EXPECT_THROW(DiffuseOverSurface(laplacian, 1.0, wrong), std::invalid_argument);
-  EXPECT_THROW(DiffuseOverSurface(laplacian, -1.0, values), std::invalid_argument);
+  EXPECT_THROW(DiffuseOverSurface(laplacian, 1.0, wrong), ParameterError);
+  EXPECT_THROW(DiffuseOverSurface(laplacian, -1.0, values), ParameterError);
 }
 } // namespace

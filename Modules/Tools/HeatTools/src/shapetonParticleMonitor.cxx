@@ -3,6 +3,7 @@
 #include "shapetonAxisTicks.h"
 #include "shapetonCommandLine.h"
 #include "shapetonCsvTable.h"
+#include "shapetonFileErrors.h"
 #include "shapetonHeatColoring.h"
 #include "shapetonLiveExplorer.h"
 #include "shapetonShapeAnalysis.h"
@@ -12,6 +13,7 @@
 #include "itkCommand.h"
 #include "itkImageRegionConstIteratorWithIndex.h"
 
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -88,16 +90,20 @@ void
 ResumeFromCheckpoint(CommandLine & commandLine, ParticleDiffusionImageFilter<itk::Image<float, 3>> * filter)
 {
   const std::string path = commandLine.GetString("resume");
-  std::ifstream     stream(path, std::ios::binary);
-  ParticleState     state;
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+  {
+    ThrowCannotRead(path, errno);
+  }
+  ParticleState state;
   try
   {
     state = ReadParticleState(stream);
   }
   catch (const std::runtime_error & error)
   {
-    throw InputError(path + " is not a valid checkpoint, " + (stream.is_open() ? error.what() : "it cannot be read") +
-                     ": use a file written by --checkpoint");
+    throw InputError(path + " is not a valid checkpoint, " + error.what() + ": use a file written by --checkpoint");
   }
   if (state.step > filter->GetTimeSteps())
   {

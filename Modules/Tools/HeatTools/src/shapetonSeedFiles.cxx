@@ -1,4 +1,5 @@
 #include "shapetonSeedFiles.h"
+#include "shapetonCsvTable.h"
 
 #include "shapetonExceptions.h"
 #include "shapetonImageGrid.h"
@@ -121,7 +122,8 @@ LabelsOfVolume(const Volume & volume, const std::string & path, const itk::Image
     constexpr float greatest = 65535.0F; // of 16 bits
     if (!(value >= 0.0F && value <= greatest) || value != std::floor(value))
     {
-      throw InputError(path + ": labels must be whole numbers from 0 to 65535, found " + std::to_string(value));
+      throw InputError(path + ": labels must be whole numbers from 0 to 65535, found " + CsvTable::Number(value) +
+                       "; use a label map, not intensities or heat");
     }
     seeds->GetBufferPointer()[i] = static_cast<unsigned short>(value);
   }

@@ -33,11 +33,6 @@ FindHeatSnapshot(const std::string & path, std::optional<std::uint64_t> timeStep
 ShapetonHeatViews_EXPORT std::string
                          HeatSnapshotName(std::uint64_t timeStep);
 
-/** Throws InputError with `path` if a value is outside [0, 1] (tolerance 1e-4): such a volume is not a heat volume.
- * \ingroup ShapetonHeatViews */
-ShapetonHeatViews_EXPORT void
-RequireHeat(const itk::Image<float, 3> * heat, const std::string & path);
-
 /** Shapeton visits of a volume: integers, some above 1. The file header must state the time step, so other volumes are
  * not mistaken for visits. Null for any other volume. \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT itk::Image<std::uint32_t, 3>::Pointer

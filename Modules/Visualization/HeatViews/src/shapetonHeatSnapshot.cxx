@@ -161,22 +161,6 @@ HeatSnapshotName(std::uint64_t timeStep)
   return prefix + std::string(digits - std::min(number.size(), digits), '0') + number + suffix;
 }
 
-void
-RequireHeat(const itk::Image<float, 3> * heat, const std::string & path)
-{
-  constexpr float     tolerance = 1e-4F;
-  const float * const values = heat->GetBufferPointer();
-  const bool isHeat = std::all_of(values, values + heat->GetBufferedRegion().GetNumberOfPixels(), [&](float value) {
-    return value >= -tolerance && value <= 1.0F + tolerance;
-  });
-  if (!isHeat)
-  {
-    throw InputError(
-      path + " is not a heat volume, its values are not in [0, 1]: use one written by CumulativeHeatDiffusion, or a "
-             ".nrrd or .mha with the visits of ShapetonDiffusion");
-  }
-}
-
 itk::Image<std::uint32_t, 3>::Pointer
 VisitsOf(const itk::Image<float, 3> * values, const HeatSnapshot & file)
 {

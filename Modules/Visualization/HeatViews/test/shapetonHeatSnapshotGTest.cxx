@@ -1,3 +1,4 @@
+#include "shapetonHeatClassification.h"
 #include "shapetonHeatSnapshot.h"
 #include "shapetonVolumeReader.h"
 #include "shapetonPictureTestUtilities.h"
