@@ -2,6 +2,7 @@
 
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
+#include "shapetonHeatClassification.h"
 #include "shapetonHeatObjectExplorer.h"
 #include "shapetonHeatObjectSelection.h"
 #include "shapetonHeatObjectTable.h"

@@ -1,6 +1,7 @@
 #include "HeatTransferFunctionXML.h"
 
 #include "shapetonCommandLine.h"
+#include "shapetonHeatClassification.h"
 #include "shapetonHeatReport.h"
 #include "shapetonHeatSnapshot.h"
 #include "shapetonShapeAnalysis.h"

@@ -48,9 +48,9 @@ class FilesTest(TestCase):
         np.testing.assert_array_equal(stored(path, image.array.shape), image.array)
         for value in (1.0 + 2.0**-24, 1e300, 1e-60):
             with self.assertRaisesRegex(shapeton.ParameterError, "would be rounded"):
-                shapeton.write_volume(image.like(np.full((3, 4, 5), value)), path)
+                shapeton.write_volume(image.like(np.full(image.array.shape, value)), path)
         with self.assertRaisesRegex(shapeton.InputError, "not finite"):
-            shapeton.write_volume(image.like(np.full((3, 4, 5), np.nan)), path)
+            shapeton.write_volume(image.like(np.full(image.array.shape, np.nan)), path)
 
     def test_equal_images_give_equal_files(self):
         paths = [self.folder / name for name in ("a.nrrd", "b.nrrd")]
@@ -67,7 +67,7 @@ class FilesTest(TestCase):
         with self.assertRaisesRegex(shapeton.ParameterError, "extension"):
             shapeton.write_volume(image, str(self.folder / "volume.xyz"))
         with self.assertRaisesRegex(shapeton.ParameterError, "int64"):
-            shapeton.write_volume(image.like(np.zeros((8, 8, 8), np.int64)), str(self.folder / "volume.nrrd"))
+            shapeton.write_volume(image.like(np.zeros(image.array.shape, np.int64)), str(self.folder / "volume.nrrd"))
 
 
     def test_nifti_with_numbers_that_are_not_finite_is_refused(self):

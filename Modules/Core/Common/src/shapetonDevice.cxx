@@ -1,4 +1,5 @@
 #include "shapetonDevice.h"
+#include "shapetonExceptions.h"
 #include "shapetonOperatingSystem.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+#include "shapetonExceptions.h"
 #include "shapetonAutomaticParameters.h"
 #include "shapetonCumulativeHeatDiffusion.h"
 #include "shapetonDeviceTestTools.h"

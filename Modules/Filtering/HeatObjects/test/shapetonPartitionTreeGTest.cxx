@@ -361,7 +361,7 @@ TEST(PartitionTree, RejectsUnsuitableInput)
                InputError);
   std::vector<float> values(8, 1.0F);
   EXPECT_THROW(BuildPartitionTree(values.data(), VoxelGrid(0, 2, 2), unit), ParameterError);
-  EXPECT_THROW(BuildPartitionTree(values.data(), VoxelGrid(2, 2, 2), { { 1.0, 0.0, 1.0 } }), ParameterError);
+  EXPECT_THROW(BuildPartitionTree(values.data(), VoxelGrid(2, 2, 2), { { 1.0, 0.0, 1.0 } }), InputError);
   values[5] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THROW(BuildPartitionTree(values.data(), VoxelGrid(2, 2, 2), unit), InputError);
 }

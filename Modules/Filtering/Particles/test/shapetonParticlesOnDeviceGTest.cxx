@@ -1,3 +1,4 @@
+#include "shapetonExceptions.h"
 #include "shapetonDeviceTestTools.h"
 #include "shapetonParticleTestRuns.h"
 
