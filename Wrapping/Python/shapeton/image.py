@@ -56,6 +56,8 @@ class Image:
         self._spacing = _triple("spacing", spacing)
         self._origin = _triple("origin", origin)
         self._direction = _axes(np.eye(3) if direction is None else direction)
+        if facts is not None and not isinstance(facts, Mapping):
+            raise ParameterError(f"the parameter \"facts\" must be a dictionary, not {type(facts).__name__}")
         self.facts = dict(facts or {})
         if not all(s > 0.0 for s in self._spacing):
             raise ParameterError(f"the parameter \"spacing\" = {self._spacing}: the spacing must be positive")
@@ -108,12 +110,12 @@ class Image:
 
     def point(self, index: Any) -> NDArray[Any]:
         """Returns the position (LPS, mm) of a voxel ``[z, y, x]``, or of each row of such indices."""
-        xyz = np.asarray(index, dtype=np.float64)[..., ::-1]
+        xyz = _rows("index", index)[..., ::-1]
         return np.asarray(xyz @ self.affine[:3, :3].T + self.affine[:3, 3])
 
     def index(self, point: Any) -> NDArray[Any]:
         """Returns the continuous index ``[z, y, x]`` of a position (LPS, mm), or of each row of such positions."""
-        xyz = (np.asarray(point, dtype=np.float64) - self.affine[:3, 3]) @ np.linalg.inv(self.affine[:3, :3]).T
+        xyz = (_rows("point", point) - self.affine[:3, 3]) @ np.linalg.inv(self.affine[:3, :3]).T
         return np.asarray(xyz[..., ::-1])
 
     def __repr__(self) -> str:
@@ -145,8 +147,8 @@ class Image:
     def from_affine(cls, array: Any, affine: Any, facts: Optional[Mapping[str, Any]] = None) -> Image:
         """From voxels ``[z, y, x]`` and a 4 x 4 matrix that maps the index (x, y, z, 1) to LPS, mm."""
         matrix = np.asarray(affine, dtype=np.float64)
-        if matrix.shape != (4, 4):
-            raise ParameterError(f"the parameter \"affine\" must be a 4 x 4 matrix, got the shape {matrix.shape}")
+        if matrix.shape != (4, 4) or not np.array_equal(matrix[3], (0.0, 0.0, 0.0, 1.0)):
+            raise ParameterError("the parameter \"affine\" must be a 4 x 4 matrix with the last row 0, 0, 0, 1")
         spacing = np.linalg.norm(matrix[:3, :3], axis=0)
         if not np.all(spacing > 0.0):
             raise ParameterError("the parameter \"affine\" has a column of length 0: an axis has no direction")
@@ -295,6 +297,13 @@ def _volume(array: Any) -> NDArray[Any]:
             f"the parameter \"array\" has the shape {voxels.shape}; an image requires three non-empty axes z, y, x"
         )
     return voxels
+
+
+def _rows(name: str, values: Any) -> NDArray[Any]:
+    rows = np.asarray(values, dtype=np.float64)
+    if rows.ndim == 0 or rows.shape[-1] != 3:
+        raise ParameterError(f"the parameter \"{name}\" has the shape {rows.shape}; three numbers or rows of three are required")
+    return rows
 
 
 def _step(name: str, axis: NDArray[Any]) -> float:

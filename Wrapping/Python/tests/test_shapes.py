@@ -26,6 +26,15 @@ def ball(radius, shape=(48, 48, 48), spacing=(1.0, 1.0, 1.0)):
 
 
 class SeedsTest(TestCase):
+    def test_a_label_without_seed_in_the_domain_is_named(self):
+        image, seeds = two_halves()
+        left = np.ones(seeds.array.shape, np.uint8)
+        seeds.array[10, 12, 5] = 7
+        left[:, :, 20:] = 0
+        result = shapes.SeededHeat(image, domain=image.like(left)).segment(seeds)
+        self.assertEqual(np.unique(result.labels.array).tolist(), [0, 4, 7])
+        self.assertIn("label 9 has no seed in the domain", "; ".join(result.warnings))
+
     def test_wrong_parameters_are_refused_at_once(self):
         image, seeds = two_halves()
         with self.assertRaisesRegex(shapeton.ParameterError, "the parameter \"p\""):

@@ -51,7 +51,7 @@ OptionInfo::Check(double value) const
 {
   const auto require = [&](bool condition, const std::string & reason) {
     std::ostringstream number;
-    number << std::setprecision(std::numeric_limits<float>::max_digits10) << value;
+    number << std::setprecision(std::numeric_limits<int>::digits10 + 1) << value;
     RequireParameter(condition, "the parameter \"" + std::string(m_Name) + "\": " + number.str() + " is " + reason);
   };
   require(std::isfinite(value), "not a finite number");

@@ -80,6 +80,8 @@ ChosenClasses(const SeedImage * classes, const ClassSeeds & choice)
 {
   const unsigned short * const begin = classes->GetBufferPointer();
   const std::set<int>          present(begin, begin + classes->GetLargestPossibleRegion().GetNumberOfPixels());
+  RequireParameter(std::set<int>(choice.classes.begin(), choice.classes.end()).size() == choice.classes.size(),
+                   "the parameter \"classes\" has a class twice");
   for (const int value : choice.classes)
   {
     if (present.count(value) == 0)

@@ -60,14 +60,19 @@ LogarithmOf(const HeatImage * heat, const unsigned char * domain)
   constexpr float     rounding = 1e-4F; // of expanded heat
   const float * const values = heat->GetBufferPointer();
   const std::size_t   voxels = heat->GetBufferedRegion().GetNumberOfPixels();
-  const float         greatest = *std::max_element(values, values + voxels);
+  const auto          isInside = [domain](std::size_t voxel) { return !domain || domain[voxel] != 0; };
+  float               greatest = 0.0F;
+  for (std::size_t voxel = 0; voxel < voxels; ++voxel)
+  {
+    greatest = isInside(voxel) && values[voxel] > greatest ? values[voxel] : greatest;
+  }
   if (!(greatest > 0.0F) || std::isinf(greatest))
   {
     throw InputError("a heat volume needs finite values above 0, such as heat or visits");
   }
   for (std::size_t voxel = 0; voxel < voxels; ++voxel)
   {
-    if (values[voxel] < -rounding * greatest && (!domain || domain[voxel] != 0))
+    if (values[voxel] < -rounding * greatest && isInside(voxel))
     {
       throw InputError("a heat volume has no negative values, such as " + std::to_string(values[voxel]) +
                        "; use the heat or the visits of a volume, not its intensities");

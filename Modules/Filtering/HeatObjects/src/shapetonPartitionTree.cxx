@@ -606,8 +606,8 @@ BuildPartitionTree(const float *                 values,
       throw InputError("the voxel spacing must be positive");
     }
   }
-  ParallelForBlocks(voxels, [values](std::size_t voxel) {
-    if (!std::isfinite(values[voxel]))
+  ParallelForBlocks(voxels, [values, domain](std::size_t voxel) {
+    if (!std::isfinite(values[voxel]) && (!domain || domain[voxel] != 0))
     {
       throw InputError("voxel " + std::to_string(voxel) + " is not a finite number");
     }

@@ -233,6 +233,9 @@ TEST(HeatObjects, ObjectsStayInTheDomain)
   EXPECT_EQ(below.voxels, 9U * 6U * 12U); // the plane divides the box
   EXPECT_EQ(above.voxels, 9U * 5U * 12U);
   EXPECT_EQ(list.labels->GetPixel({ { 30, 20, 20 } }), 0);
+  heat->SetPixel({ { 0, 20, 0 } }, std::nanf("")); // outside
+  EXPECT_EQ(basetest::BytesOf(HeatObjectTree(heat, AllObjects(), domain).List().labels),
+            basetest::BytesOf(list.labels));
 }
 
 TEST(HeatObjects, AFactorOfHeatDoesNotChangeTheObjects)

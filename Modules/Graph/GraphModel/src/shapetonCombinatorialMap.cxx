@@ -88,7 +88,10 @@ CombinatorialMap::LinkNodes()
   for (int h = 0; h < HalfEdges(); ++h)
   {
     const int next = m_Next[h];
-    Require(next >= 0 && next < HalfEdges(), [&] { return "half-edge " + std::to_string(h) + " is missing"; });
+    Require(next >= 0 && next < HalfEdges(), [&] {
+      return "half-edge " + std::to_string(h) + ", which leaves node " + std::to_string(m_Node[h]) +
+             ", is missing among the neighbors of this node (nodes count from 0)";
+    });
     Require(m_Node[next] == m_Node[h], [&] { return "half-edge " + std::to_string(next) + " leaves another node"; });
     Require(m_Previous[next] < 0, [&] { return "half-edge " + std::to_string(next) + " is listed twice"; });
     m_Previous[next] = h;

@@ -157,7 +157,8 @@ TEST(CombinatorialMap, WrongRotationsAreRefused)
   const shapeton::Graph triangle = shapeton::CycleGraph(3);
   EXPECT_EQ(FaultOf(triangle, { { 0, 5 }, { 1, 2 }, { 3, 4 } }), "");
   EXPECT_NE(FaultOf(triangle, { { 0, 5 }, { 1, 2 } }).find("2 orders for 3 nodes"), std::string::npos);
-  EXPECT_NE(FaultOf(triangle, { { 0, 5 }, { 1, 2 }, { 3 } }).find("half-edge 4 is missing"), std::string::npos);
+  EXPECT_NE(FaultOf(triangle, { { 0, 5 }, { 1, 2 }, { 3 } }).find("half-edge 4, which leaves node 2, is missing"),
+            std::string::npos);
   EXPECT_NE(FaultOf(triangle, { { 0, 5 }, { 1, 2 }, { 3, 3 } }).find("half-edge 3 is listed twice"), std::string::npos);
   EXPECT_NE(FaultOf(triangle, { { 0, 4 }, { 1, 2 }, { 3, 5 } }).find("leaves another node"), std::string::npos);
   EXPECT_NE(FaultOf(triangle, { { 0, 5 }, { 1, 2 }, { 3, 6 } }).find("invalid half-edge 6"), std::string::npos);

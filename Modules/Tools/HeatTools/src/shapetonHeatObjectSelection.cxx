@@ -29,8 +29,8 @@ SelectAt(const itk::Point<double, 3> & point, std::int64_t climb, const HeatObje
   const auto least = objects.begin() - clicked;
   const auto most = objects.end() - clicked - 1;
   RequireParameter(climb >= least && climb <= most,
-                   "--climb " + std::to_string(climb) + ": with the objects at this point, it can be " +
-                     std::to_string(least) + " to " + std::to_string(most));
+                   "--climb " + std::to_string(climb) + ": at this point are " + std::to_string(most) + " larger and " +
+                     std::to_string(-least) + " smaller objects");
   return { { *(clicked + climb) }, objects, true, "" };
 }
 
@@ -42,8 +42,9 @@ SelectNumbers(const CommandLine & commandLine, const HeatObjectList & list)
   {
     const auto most = static_cast<int>(list.objects.size());
     RequireParameter(number >= 1 && number <= most,
-                     "--objects " + std::to_string(number) + ": there are " + std::to_string(most) +
-                       " objects and offers");
+                     "--objects " + std::to_string(number) +
+                       ": the objects and the less probable regions have the numbers 1 to " + std::to_string(most) +
+                       "; see --table or the page of --report");
     numbers.push_back(static_cast<int>(number));
   }
   return numbers;

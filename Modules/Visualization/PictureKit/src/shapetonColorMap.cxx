@@ -28,15 +28,15 @@ struct NamedColor
 };
 
 // The CSS colors of these names.
-constexpr NamedColor namedColors[] = { { "black", 0x000000 },  { "blue", 0x0000ff },    { "brown", 0xa52a2a },
-                                       { "cyan", 0x00ffff },   { "gold", 0xffd700 },    { "gray", 0x808080 },
-                                       { "green", 0x008000 },  { "gray", 0x808080 },    { "ivory", 0xfffff0 },
-                                       { "lime", 0x00ff00 },   { "magenta", 0xff00ff }, { "navy", 0x000080 },
-                                       { "olive", 0x808000 },  { "orange", 0xffa500 },  { "pink", 0xffc0cb },
-                                       { "purple", 0x800080 }, { "red", 0xff0000 },     { "salmon", 0xfa8072 },
-                                       { "silver", 0xc0c0c0 }, { "skyblue", 0x87ceeb }, { "steelblue", 0x4682b4 },
-                                       { "tan", 0xd2b48c },    { "teal", 0x008080 },    { "tomato", 0xff6347 },
-                                       { "violet", 0xee82ee }, { "white", 0xffffff },   { "yellow", 0xffff00 } };
+constexpr NamedColor namedColors[] = { { "black", 0x000000 },   { "blue", 0x0000ff },      { "brown", 0xa52a2a },
+                                       { "cyan", 0x00ffff },    { "gold", 0xffd700 },      { "gray", 0x808080 },
+                                       { "green", 0x008000 },   { "ivory", 0xfffff0 },     { "lime", 0x00ff00 },
+                                       { "magenta", 0xff00ff }, { "navy", 0x000080 },      { "olive", 0x808000 },
+                                       { "orange", 0xffa500 },  { "pink", 0xffc0cb },      { "purple", 0x800080 },
+                                       { "red", 0xff0000 },     { "salmon", 0xfa8072 },    { "silver", 0xc0c0c0 },
+                                       { "skyblue", 0x87ceeb }, { "steelblue", 0x4682b4 }, { "tan", 0xd2b48c },
+                                       { "teal", 0x008080 },    { "tomato", 0xff6347 },    { "violet", 0xee82ee },
+                                       { "white", 0xffffff },   { "yellow", 0xffff00 } };
 
 RGBColor
 FromBits(unsigned int rgb)
