@@ -44,7 +44,7 @@ SelectNumbers(const CommandLine & commandLine, const HeatObjectList & list)
     RequireParameter(number >= 1 && number <= most,
                      "--objects " + std::to_string(number) +
                        ": the objects and the less probable regions have the numbers 1 to " + std::to_string(most) +
-                       "; see --table or the page of --report");
+                       "; see the table");
     numbers.push_back(static_cast<int>(number));
   }
   return numbers;
