@@ -7,8 +7,8 @@ namespace shapeton
 {
 namespace
 {
-/** Whether two bulges of similar size are beside each other. The lips of realistic patients are 9 to 15 mm apart, of 59
- * to 176 mm^2 each, with area ratios up to 2.1; a polyp is one bulge. */
+/** Whether two bulges are adjacent and of similar size. The limits leave a margin around the lips of realistic 1 to 7:
+ * 9 to 15 mm apart, 59 to 176 mm^2 each, area ratio up to 2.1. A polyp is one bulge. */
 bool
 AreTwoLips(const ValveBulge & a, const ValveBulge & b)
 {
@@ -108,7 +108,9 @@ ValveLogOdds(const ValveEvidence & evidence)
   const double ofPlace = -0.5 * Squared((evidence.beforeEnd - 70.0) / 40.0);
   // The solid angle of a ball, such as the head of a polyp on a stalk, is 4 pi.
   const double ofBall = -4.0 * Step(evidence.solidAngle, 8.5, 0.7);
-  const double ofLips = evidence.hasTwoLips ? 1.5 : 0.0; // chosen; some valves have no separate lips
+  // Log odds; chosen so that two small lips outweigh a polyp of the same total area. Some valves have no separate lips.
+  constexpr double ofTwoLips = 1.5;
+  const double     ofLips = evidence.hasTwoLips ? ofTwoLips : 0.0;
   return LogOddsOfSize(evidence.area) + ofPlace + ofBall + ofLips + LogOddsOfContent(evidence.valve.attenuation);
 }
 } // namespace shapeton

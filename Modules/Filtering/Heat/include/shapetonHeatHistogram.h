@@ -81,7 +81,7 @@ public:
   }
 
 private:
-  /** Throws ParameterError if there is no such row. */
+  /** Throws ParameterError if the row does not exist. */
   void
   RequireRow(std::size_t row) const;
 

@@ -67,10 +67,11 @@ public:
 
   /** The edges of a volume for the given p, window and smoothing. Throws ParameterError for options out of range,
    * InputError for an empty volume, a spacing that is not positive and intensities that are not finite. If both ends of
-   * the window are equal, the volume is treated as constant. \param conductance how the conductances depend on the
-   * spacing \param leastWeight weight of an edge with half gradient 1 / p, in [0, 1]; for larger gradients, it
-   * decreases with the square of the gradient. With 0, as in (2.5), such edges insulate. \param progress may throw to
-   * abort */
+   * the window are equal, the volume is treated as constant.
+   * \param conductance how the conductances depend on the spacing
+   * \param leastWeight weight of an edge with half gradient 1 / p, in [0, 1]; for larger gradients, it decreases with
+   * the square of the gradient. With 0, as in (2.5), such edges insulate.
+   * \param progress may throw to abort */
   explicit VolumeGradientOperator(const VolumeView &            volume,
                                   const VolumeGradientOptions & options = {},
                                   Conductance                   conductance = Conductance::Physical,

@@ -347,7 +347,8 @@ MeasureCoherence(const VolumeGradientOperator & volumeGradient, const float * he
 itk::Image<unsigned char, 3>::Pointer
 LabelHeat(const itk::Image<float, 3> * heat, std::vector<HeatClass> & classes)
 {
-  RequireParameter(!classes.empty(), "there are no classes; set WantComponents of the run, or classify its heat alone");
+  RequireParameter(!classes.empty(),
+                   "the list of classes is empty; turn WantComponents on for the run, or classify its heat alone");
   RequireHeat(heat, "the image");
   auto                labels = NewImageOn<itk::Image<unsigned char, 3>>(heat);
   std::vector<double> sums(classes.size(), 0.0);

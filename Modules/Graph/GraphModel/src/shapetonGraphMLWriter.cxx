@@ -39,7 +39,7 @@ Escaped(const std::string & text)
   }
   return escaped;
 }
-/** Names are identifiers of XML 1.0. */
+/** Names identify nodes, and XML 1.0 has no other control characters. */
 void
 RequireNames(const Graph & graph)
 {
