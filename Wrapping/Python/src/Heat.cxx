@@ -225,7 +225,10 @@ AddHeat(py::module_ & module)
   AddClasses(module);
   py::class_<Heat>(module, "HeatResult", "Result of `diffuse_heat`.")
     .def_readonly("heat", &Heat::heat, "Heat after the last step, in [0, 1]; float32, on the grid of the input.")
-    .def_readonly("initial_heat", &Heat::initialHeat, "Heat at step 0; None unless requested.")
+    .def_property_readonly(
+      "initial_heat",
+      [](const Heat & heat) { return heat.initialHeat ? std::optional(heat.initialHeat) : std::nullopt; },
+      "Heat at step 0; None unless requested.")
     .def_property_readonly(
       "p", [](const Heat & heat) { return heat.result.p; }, "The p used.")
     .def_property_readonly(

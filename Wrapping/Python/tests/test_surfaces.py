@@ -3,7 +3,7 @@ import unittest
 import numpy as np
 
 import shapeton
-from shapeton import Curves, Mesh, flattening, surfaces
+from shapeton import Curves, InputError, Mesh, flattening, surfaces
 
 from support import DATA, TestCase, cylinder, needs_tools, run_tool
 
@@ -112,6 +112,8 @@ class ShapeTest(TestCase):
         sphere = icosphere(20.0, 4)
         self.assertAlmostEqual(surfaces.surface_area(sphere), 4.0 * np.pi * 20.0**2, delta=0.01 * 4.0 * np.pi * 400.0)
         self.assertAlmostEqual(surfaces.enclosed_volume(sphere) / (4.0 / 3.0 * np.pi * 8000.0), 1.0, delta=0.01)
+        with self.assertRaisesRegex(InputError, "encloses no volume"):
+            surfaces.enclosed_volume(Mesh(sphere.vertices, sphere.faces[1:]))
         facts = surfaces.inspect_surface(sphere)
         self.assertEqual((facts["genus"], facts["closed"], facts["faces"]), (0, True, 5120))
 

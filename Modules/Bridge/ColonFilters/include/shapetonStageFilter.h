@@ -2,6 +2,7 @@
 #define shapetonStageFilter_h
 
 #include "shapetonExceptions.h"
+#include "shapetonFilterInput.h"
 #include "shapetonFilterOptions.h"
 #include "shapetonFilterProgress.h"
 #include "shapetonIndexedOutputs.h"
@@ -42,11 +43,6 @@ protected:                                                                      
                                                                                                                        \
 public:                                                                                                                \
   static_assert(true, "")
-
-/** Set and Get methods of an optional input. */
-#define shapetonInputMacro(name, type)                                                                                 \
-  itkSetInputMacro(name, type);                                                                                        \
-  itkGetInputMacro(name, type)
 
 /** Set and Get methods of a required input. The first one is the primary input unless the superclass has one. */
 #define shapetonRequiredInputMacro(name, type)                                                                         \
@@ -293,13 +289,7 @@ protected:
   GenerateInputRequestedRegion() override
   {
     Superclass::GenerateInputRequestedRegion();
-    for (const auto & name : this->GetInputNames())
-    {
-      if (auto * const input = this->ProcessObject::GetInput(name))
-      {
-        input->SetRequestedRegionToLargestPossibleRegion();
-      }
-    }
+    RequestWholeInputs(*this);
   }
 
   void

@@ -1,8 +1,8 @@
 #ifndef shapetonFilterWithDomain_h
 #define shapetonFilterWithDomain_h
 
+#include "shapetonFilterInput.h"
 #include "shapetonImageGrid.h"
-#include "shapetonITKCompatibility.h"
 #include "shapetonVolumeView.h"
 
 #include "itkImage.h"
@@ -23,8 +23,7 @@ public:
 
   /** 0 for each voxel that heat neither enters nor leaves, on the grid of the volume; not set or null: heat flows in
    * the whole volume. */
-  itkSetInputMacro(Domain, DomainImageType);
-  itkGetInputMacro(Domain, DomainImageType);
+  shapetonInputMacro(Domain, DomainImageType);
 
   /** The input with its domain, of the buffered regions. Throws InputError if they differ in size, or without input. */
   VolumeView

@@ -43,12 +43,10 @@ public:
   itkOverrideGetNameOfClassMacro(SeededHeatSegmentationImageFilter);
 
   /** Seed label of each voxel, 0 for none. */
-  itkSetInputMacro(Seeds, LabelImageType);
-  itkGetInputMacro(Seeds, LabelImageType);
+  shapetonInputMacro(Seeds, LabelImageType);
 
   /** Labels that the seeds correct, 0 for none, on the grid of the volume; optional: see SeededHeatSolver::Solve(). */
-  itkSetInputMacro(LabelsBefore, LabelImageType);
-  itkGetInputMacro(LabelsBefore, LabelImageType);
+  shapetonInputMacro(LabelsBefore, LabelImageType);
 
   /** SeededHeatResult::uncertainty. */
   HeatImageType *

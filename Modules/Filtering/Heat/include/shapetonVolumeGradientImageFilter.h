@@ -2,6 +2,7 @@
 #define shapetonVolumeGradientImageFilter_h
 
 #include "shapetonExceptions.h"
+#include "shapetonFilterInput.h"
 #include "shapetonFilterOptions.h"
 #include "shapetonIndexedOutputs.h"
 #include "shapetonITKCompatibility.h"

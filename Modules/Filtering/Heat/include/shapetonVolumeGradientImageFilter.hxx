@@ -32,13 +32,7 @@ void
 VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::GenerateInputRequestedRegion()
 {
   Superclass::GenerateInputRequestedRegion();
-  for (const auto & name : this->GetInputNames())
-  {
-    if (auto * const input = this->ProcessObject::GetInput(name))
-    {
-      input->SetRequestedRegionToLargestPossibleRegion();
-    }
-  }
+  RequestWholeInputs(*this);
 }
 
 template <typename TInputImage, typename TOutputImage, typename TOptions>

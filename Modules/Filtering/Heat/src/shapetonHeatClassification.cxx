@@ -1,5 +1,6 @@
 #include "shapetonHeatClassification.h"
 #include "shapetonExceptions.h"
+#include "shapetonImageGrid.h"
 #include "shapetonDisjointSets.h"
 #include "shapetonMappedImage.h"
 #include "shapetonParallelFor.h"

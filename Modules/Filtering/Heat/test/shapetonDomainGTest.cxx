@@ -273,6 +273,8 @@ TEST(Domain, WrongDomainsAreRefused)
   filter->SetInput(volume);
   filter->SetDomain(basetest::WithoutPixels<Mask>(volume));
   EXPECT_THROW(filter->GetVolume(), InputError);
+  filter->SetInput("Domain", volume); // of floats
+  EXPECT_THROW(filter->Update(), InputError);
 }
 
 TEST(Domain, AnotherFirstIndexIsTheSameGrid)

@@ -1,6 +1,7 @@
 #ifndef shapetonHeatObjectsImageFilter_h
 #define shapetonHeatObjectsImageFilter_h
 
+#include "shapetonFilterInput.h"
 #include "shapetonFilterOptions.h"
 #include "shapetonHeatObjectOptionsMethods.h"
 #include "shapetonHeatObjects.h"
@@ -33,8 +34,7 @@ public:
   itkOverrideGetNameOfClassMacro(HeatObjectsImageFilter);
 
   /** See HeatObjectTree; optional. */
-  itkSetInputMacro(Domain, HeatObjectTree::MaskImage);
-  itkGetInputMacro(Domain, HeatObjectTree::MaskImage);
+  shapetonInputMacro(Domain, HeatObjectTree::MaskImage);
 
   /** The objects, by descending volume; valid after Update(). */
   const std::vector<HeatObject> &

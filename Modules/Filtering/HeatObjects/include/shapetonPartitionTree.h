@@ -1,6 +1,7 @@
 #ifndef shapetonPartitionTree_h
 #define shapetonPartitionTree_h
 
+#include "shapetonProgress.h"
 #include "shapetonVoxelGrid.h"
 #include "ShapetonHeatObjectsExport.h"
 
@@ -117,7 +118,8 @@ ShapetonHeatObjects_EXPORT PartitionTree
 BuildPartitionTree(const float *                 values,
                    const VoxelGrid &             grid,
                    const std::array<double, 3> & spacing,
-                   const unsigned char *         domain = nullptr);
+                   const unsigned char *         domain = nullptr,
+                   const Progress &              progress = {});
 } // namespace shapeton
 
 #endif

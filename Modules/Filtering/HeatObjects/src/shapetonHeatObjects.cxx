@@ -396,9 +396,12 @@ HeatObjectTree::HeatObjectTree(const HeatImage *         heat,
   }
   const auto         spacing = heat->GetSpacing();
   const auto * const inside = domain ? domain->GetBufferPointer() : nullptr;
-  m_Tree = BuildPartitionTree(
-    LogarithmOf(heat, inside).data(), GridOf(heat), { { spacing[0], spacing[1], spacing[2] } }, inside);
-  constexpr double shareOfTree = 0.8; // of the time
+  constexpr double   shareOfTree = 0.8; // of the time
+  m_Tree = BuildPartitionTree(LogarithmOf(heat, inside).data(),
+                              GridOf(heat),
+                              { { spacing[0], spacing[1], spacing[2] } },
+                              inside,
+                              progress.Part("Finding objects", 0.0, shareOfTree));
   progress("Finding objects", shareOfTree);
   m_Candidates = FindCandidates(m_Tree, spacing[0] * spacing[1] * spacing[2], options);
 }

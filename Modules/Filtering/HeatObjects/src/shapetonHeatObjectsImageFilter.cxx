@@ -15,13 +15,7 @@ void
 HeatObjectsImageFilter::GenerateInputRequestedRegion()
 {
   Superclass::GenerateInputRequestedRegion();
-  for (const auto & name : this->GetInputNames())
-  {
-    if (auto * const input = this->ProcessObject::GetInput(name))
-    {
-      input->SetRequestedRegionToLargestPossibleRegion();
-    }
-  }
+  RequestWholeInputs(*this);
 }
 
 void

@@ -372,9 +372,9 @@ public:
   }
 
   PartitionTree
-  Build()
+  Build(const Progress & progress)
   {
-    this->MergeRegions();
+    this->MergeRegions(progress);
     this->JoinTrees();
     this->OrderVoxels();
     return std::move(m_Tree);
@@ -436,8 +436,9 @@ private:
   }
 
   void
-  MergeRegions()
+  MergeRegions(const Progress & progress)
   {
+    constexpr std::size_t atOnce = 1024; // regions, to make a report worth its time
     m_Between.reserve(m_Borders.size());
     for (Index border = 0; border < m_Borders.size(); ++border)
     {
@@ -459,6 +460,11 @@ private:
       else
       {
         this->Merge(border);
+        const std::size_t merged = m_Tree.m_Regions.size() - m_Basins.Number();
+        if (merged % atOnce == 0)
+        {
+          progress(static_cast<double>(merged) / m_Basins.Number());
+        }
       }
     }
   }
@@ -592,8 +598,10 @@ PartitionTree
 BuildPartitionTree(const float *                 values,
                    const VoxelGrid &             grid,
                    const std::array<double, 3> & spacing,
-                   const unsigned char *         domain)
+                   const unsigned char *         domain,
+                   const Progress &              progress)
 {
+  constexpr double      shareOfBasins = 0.4; // of the time
   constexpr std::size_t mostVoxels = std::numeric_limits<Face>::max() / 3;
   const std::size_t     voxels = grid.NumberOfVoxels();
   RequireParameter(voxels > 0 && voxels <= mostVoxels,
@@ -618,6 +626,7 @@ BuildPartitionTree(const float *                 values,
   {
     throw InputError("the domain of the objects has no voxel; use a mask with nonzero voxels");
   }
-  return PartitionTreeBuilder(steps, basins).Build();
+  progress(shareOfBasins);
+  return PartitionTreeBuilder(steps, basins).Build(progress.Part("", shareOfBasins, 1.0));
 }
 } // namespace shapeton

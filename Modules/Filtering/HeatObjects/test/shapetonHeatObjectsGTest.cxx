@@ -256,8 +256,12 @@ TEST(HeatObjects, TheFilterAndThreadsDoNotChangeTheResult)
   }();
   const auto filter = HeatObjectsImageFilter::New();
   filter->SetInput(heat);
+  std::vector<float> shares;
+  filter->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) { shares.push_back(filter->GetProgress()); });
   filter->Update();
   EXPECT_EQ(filter->GetProgress(), 1.0F);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_LT(*std::upper_bound(shares.begin(), shares.end(), 0.0F), 0.5F); // while the tree is built
   ASSERT_EQ(filter->GetObjects().size(), list.objects.size());
   EXPECT_EQ(basetest::BytesOf(list.labels), basetest::BytesOf(filter->GetOutput()));
   filter->SetLeastVoxels(2000); // the ball is the largest one

@@ -1,10 +1,10 @@
 #ifndef shapetonParticleDiffusionImageFilter_h
 #define shapetonParticleDiffusionImageFilter_h
 
+#include "shapetonFilterInput.h"
 #include "shapetonParticleDiffusionOptionsMethods.h"
 #include "shapetonParticleOptionsMethods.h"
 #include "shapetonHeatHistogram.h"
-#include "shapetonITKCompatibility.h"
 #include "shapetonParticleDiffusion.h"
 #include "shapetonVolumeDiffusionImageFilter.h"
 
@@ -78,7 +78,7 @@ public:
   const MaskImageType *
   GetMaskImage() const
   {
-    return itkDynamicCastInDebugMode<const MaskImageType *>(this->ProcessObject::GetInput(1));
+    return InputOfType<MaskImageType>(this->ProcessObject::GetInput(1), "mask");
   }
 
   /** The device used by the last Update(). */
