@@ -87,7 +87,7 @@ MakePhantom(CommandLine & commandLine)
 {
   const std::string folder = WithoutTrailingSlashes(commandLine.GetString("outputFolder"));
   const std::string truth = WithoutTrailingSlashes(commandLine.GetString("truth"));
-  RequireParameter(folder != truth, "--truth: the series requires a separate folder");
+  commandLine.RequireOutside("truth", folder);
   commandLine.LeaveOutOfProvenance("truth");
   const CurveSet other = ReadOtherPosition(commandLine);
   const auto     source = MakeSource(commandLine);

@@ -115,6 +115,7 @@ Diffuse(CommandLine & commandLine)
   const auto & result = filter->GetResult();
   commandLine.AddRunFact("device", result.device);
   const auto lastSnapshot = snapshotSteps.empty() ? 0 : snapshotSteps.back();
+  commandLine.Warn(RemarksOnWindow(filter->GetVolume(), { { filter->GetWindowLower(), filter->GetWindowUpper() } }));
   commandLine.Warn(RunRemarks(result, filter->GetUntilSteady(), lastSnapshot));
   HeatClassification classification;
   if (files.WantClasses())

@@ -17,14 +17,19 @@ main(int argc, char * argv[])
     constexpr bool allowSingleSlice = true;
     const Volume   volume = ReadVolume(commandLine, "inputVolume", allowSingleSlice);
     commandLine.Progress("Writing", 0.7);
+    VolumeMetadata metadata = ProvenanceMetadata(commandLine.GetProvenance());
+    for (const auto & field : DicomMetadata(volume))
+    {
+      metadata.push_back(field);
+    }
     const auto whole = ToShort(volume.image);
     if (whole)
     {
-      WriteVolume(whole.GetPointer(), output, ProvenanceMetadata(commandLine.GetProvenance()));
+      WriteVolume(whole.GetPointer(), output, metadata);
     }
     else
     {
-      WriteVolume(volume.image.GetPointer(), output, ProvenanceMetadata(commandLine.GetProvenance()));
+      WriteVolume(volume.image.GetPointer(), output, metadata);
     }
     commandLine.Progress("Writing", 1.0);
   });

@@ -21,6 +21,12 @@ PlanarOf(CommandLine & commandLine, Graph graph, const std::string & what)
 {
   if (!commandLine.GetFlag("planarPart"))
   {
+    CombinatorialMap map;
+    if (!FindPlanarEmbedding(graph, map))
+    {
+      throw InputError('"' + commandLine.GetString("graph") + "\": " + what +
+                       "the graph is not planar; use --planarPart");
+    }
     return graph;
   }
   const std::vector<int> kept = PlanarEdges(graph);
@@ -71,7 +77,7 @@ RootOf(const CommandLine & commandLine, const Graph & graph)
       return node;
     }
   }
-  throw InputError("a graph has no node \"" + name + "\"; see --root");
+  throw InputError('"' + commandLine.GetString("graph") + "\": a graph has no node \"" + name + "\"; see --root");
 }
 
 ConformalTypeResult

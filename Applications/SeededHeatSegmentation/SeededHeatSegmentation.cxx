@@ -5,6 +5,7 @@
 #include "shapetonReadOptions.h"
 #include "shapetonCsvTable.h"
 #include "shapetonExceptions.h"
+#include "shapetonLabelFiles.h"
 #include "shapetonMappedImage.h"
 #include "shapetonSeedFiles.h"
 #include "shapetonSeededHeatSegmentationImageFilter.h"
@@ -123,8 +124,9 @@ Segment(CommandLine & commandLine)
   commandLine.Watch(filter, "Diffusing heat from the seeds", 0.0, 0.95);
   filter->Update();
   commandLine.Warn(filter->GetRemarks());
+  WriteSeededLabels(
+    filter->GetOutput(), filter->GetLabelValues(), commandLine.MainOutput("outputLabels"), commandLine.GetProvenance());
   const auto metadata = ProvenanceMetadata(commandLine.GetProvenance());
-  WriteVolume(filter->GetOutput(), commandLine.MainOutput("outputLabels"), metadata);
   if (commandLine.IsGiven("uncertainty"))
   {
     WriteVolume(filter->GetUncertaintyOutput(), commandLine.OutputOf("uncertainty"), metadata);

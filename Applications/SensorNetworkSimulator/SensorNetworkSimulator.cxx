@@ -26,8 +26,8 @@ RequireOwnFolder(const std::string & folder, int steps)
     const bool        isStep = std::sscanf(name.c_str(), "step-%d.graphml", &step) == 1 && step >= 0 && step < steps;
     if (name[0] != '.' && name != "devices" && !isStep)
     {
-      throw OutputError('"' + folder + "\" holds \"" + name +
-                        "\", which would become a step of the sequence; use an empty folder");
+      throw ParameterError('"' + folder + "\" holds \"" + name +
+                           "\", which would become a step of the sequence; use an empty folder");
     }
   }
 }

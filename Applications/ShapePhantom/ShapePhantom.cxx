@@ -80,6 +80,10 @@ MakePhantom(CommandLine & commandLine)
 {
   const std::string output = WithoutTrailingSlashes(commandLine.GetString("outputVolume"));
   const bool        dicom = commandLine.GetFlag("dicom");
+  if (dicom)
+  {
+    commandLine.RequireOutside("labels", output);
+  }
   const auto        source = MakeSource(commandLine);
   const std::string volumeFile = dicom ? "" : commandLine.Output(output);
   const std::string labelFile = commandLine.OutputOf("labels");

@@ -110,6 +110,21 @@ def _advice_by_name(signature: inspect.Signature, arguments: Any) -> str:
     return ""
 
 
+#: Arguments that tell where an image is not zero.
+_MASKS = ("domain", "mask")
+
+
+def as_mask(name: str, value: Any) -> Any:
+    """A mask as bool, whatever the type of its voxels; other arguments as they are."""
+    if name not in _MASKS or not isinstance(value, Image) or value.array.dtype.kind not in "iuf":
+        return value
+    if value.array.dtype == np.uint8:
+        return value
+    if not np.all(np.isfinite(value.array)):
+        raise InputError(f"the parameter \"{name}\" contains NaN or infinity; a mask requires zero and other numbers")
+    return value.like(value.array != 0)
+
+
 def adapted(hint: Any, value: Any) -> Any:
     """The value, as an image or a graph if the annotation is one and the value is one of another package."""
     inner = _without_none(hint) or hint
@@ -131,6 +146,7 @@ def check(name: str, hints: Dict[str, Any], values: Dict[str, Any]) -> None:
         if not _is(value, hint):
             words = _words(hint)
             advice = next((text for kind, text in _ADVICE.items() if kind in words and isinstance(value, np.ndarray)), "")
+            advice = "; use shapeton.Mesh.from_vtk(surface)" if "a shapeton.Mesh" in words and hasattr(value, "GetPolys") else advice
             advice = "; use shapeton.graphs.as_graph(edges)" if (name, argument) == ("Graph", "nodes") else advice
             raise TypeError(f"{name}(): the argument \"{argument}\" must be {words}, not {_kind(value)}{advice}")
 

@@ -13,7 +13,7 @@ import threading
 from queue import Empty, SimpleQueue
 from typing import Any, Callable, Dict, Tuple, TypeVar, cast, get_type_hints
 
-from ._arguments import MissingFileError, adapted, bound, check, lacks_file
+from ._arguments import MissingFileError, adapted, as_mask, bound, check, lacks_file
 from ._shapeton import InputError, _StopFlag
 
 _Function = Callable[..., Any]
@@ -109,7 +109,7 @@ def public(function: _AnyFunction) -> _AnyFunction:
         given = bound(name, signature, arguments, options)
         hints.update({} if hints else get_type_hints(function))
         for argument, value in given.arguments.items():
-            given.arguments[argument] = adapted(hints.get(argument), value)
+            given.arguments[argument] = as_mask(argument, adapted(hints.get(argument), value))
         check(name, hints, given.arguments)
         try:
             return work(*given.args, **given.kwargs)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import warnings
+from collections.abc import Iterable, Mapping, Set
 from typing import Any, List, Tuple
 
 import numpy as np
@@ -11,18 +12,28 @@ from ._shapeton import Graph, InputError, ParameterError
 
 
 def graph_of(graph: Any) -> Graph:
-    """A graph from one of networkx, edges as pairs or an m x 2 array, or an adjacency matrix of numpy or scipy."""
+    """A graph from one of networkx, edges as pairs or an m x 2 array, or an adjacency matrix of numpy or scipy.
+
+    Weights are left out, with a warning.
+    """
     if isinstance(graph, Graph):
         return graph
     if hasattr(graph, "nodes") and hasattr(graph, "is_directed"):
         if graph.is_directed():
             raise InputError("the graph is directed; use graph.to_undirected()")
+        if any(data.get("weight", 1) != 1 for _, _, data in graph.edges(data=True)):
+            _warn_of_weights()
         return _of_named_edges(graph.nodes, graph.edges())
     if hasattr(graph, "tocoo"):
         return _of_matrix(graph.toarray())
-    if not isinstance(graph, Iterable) or isinstance(graph, (str, bytes, Mapping)):
+    is_mapping = isinstance(graph, Mapping) and not isinstance(graph, Set)  # the edges of networkx are both
+    if not isinstance(graph, Iterable) or is_mapping or isinstance(graph, (str, bytes)):
         raise TypeError(f"{type(graph).__name__} is not a graph of networkx, edges or an adjacency matrix")
     return _of_array(graph) if isinstance(graph, np.ndarray) else _of_rows(list(graph))
+
+
+def _warn_of_weights() -> None:
+    warnings.warn("the weights of the edges are left out: all edges count the same", stacklevel=2)
 
 
 def _of_rows(rows: List[Any]) -> Graph:
@@ -65,4 +76,6 @@ def _of_matrix(matrix: Any) -> Graph:
         raise ParameterError("the adjacency matrix must have finite real numbers")
     if not np.array_equal(matrix, matrix.T):
         raise ParameterError("the adjacency matrix is not symmetric: the graph is directed")
+    if np.any((matrix != 0) & (matrix != 1)):
+        _warn_of_weights()
     return Graph(len(matrix), np.argwhere(np.triu(matrix)))

@@ -988,7 +988,7 @@ class HeatResult:
         """One row per step of histogram_steps reached."""
 
     @property
-    def initial_heat(self) -> Image:
+    def initial_heat(self) -> Optional[Image]:
         """Heat at step 0; None unless requested."""
 
     @property
@@ -1263,7 +1263,7 @@ class SeededLabels:
 
     @property
     def probabilities(self) -> Dict[int, Image]:
-        """One image per label, float32 in [0, 1]; the images sum to 1. Empty unless requested."""
+        """By label, an image: float32 in [0, 1]; the images sum to 1. Empty unless requested."""
 
     @property
     def uncertainty(self) -> Image:

@@ -104,6 +104,10 @@ class Image:
         facts = {name: self.facts[name] for name in _DICOM_FIELDS if name in self.facts}
         return Image(voxels, self._spacing, self._origin, self._direction, facts)
 
+    def dicom_metadata(self) -> list[tuple[str, str]]:
+        """The known facts on which automatic values depend, as keys and values of DICOM."""
+        return [(key, str(self.facts[name])) for name, key in _DICOM_FIELDS.items() if self.facts.get(name)]
+
     def __array__(self, dtype: Any = None) -> NDArray[Any]:
         """The voxels, for numpy functions."""
         return np.asarray(self._array, dtype=dtype)
@@ -170,13 +174,20 @@ class Image:
         millimeters = np.diag([_MILLIMETERS.get(units, 1.0)] * 3 + [1.0])
         if voxels.ndim == 4 and voxels.shape[3] == 1:
             voxels = voxels[..., 0]
-        return cls.from_affine(voxels.T, _RAS @ millimeters @ affine)
+        try:
+            return cls.from_affine(voxels.T, _RAS @ millimeters @ affine)
+        except ParameterError as error:
+            if "direction" not in str(error):
+                raise
+            raise InputError("the axes of the nibabel image are not perpendicular; resample it to a grid whose axes are") from None
 
     def to_nibabel(self) -> Any:
         """A nibabel.Nifti1Image; its voxels are a view."""
         import nibabel
 
         voxels = self._array.astype(np.uint8) if self._array.dtype == bool else self._array
+        if voxels.dtype in (np.int64, np.uint64, np.float16):
+            raise ParameterError(f"NIfTI images of {voxels.dtype} are not portable; convert it, for example by array.astype(\"i4\")")
         image = nibabel.Nifti1Image(voxels.T, _RAS @ self.affine)
         image.header.set_xyzt_units("mm")
         return image
@@ -279,6 +290,8 @@ class Image:
 
 def for_vtk(values: NDArray[Any]) -> NDArray[Any]:
     """Returns a C-contiguous array in native byte order, bool as uint8; copies only if necessary."""
+    if values.dtype == np.float16:
+        raise ParameterError("VTK has no float16; convert the array to float32")
     native = values.astype(np.uint8) if values.dtype == bool else values.astype(values.dtype.newbyteorder("="), copy=False)
     return np.ascontiguousarray(native)
 

@@ -159,6 +159,8 @@ class Curves(_Geometry):
     ) -> None:
         super().__init__(vertices, point_arrays, cell_arrays, field_arrays, facts, notes)
         lists = [np.arange(len(self.vertices))] if curves is None else curves
+        if any(np.ndim(curve) != 1 for curve in lists):
+            raise ParameterError("the parameter \"curves\" must have a sequence of indices for each curve, as [[0, 1, 2]]")
         self._curves = [_whole_numbers("curves", curve) for curve in lists]
 
     @property

@@ -67,13 +67,17 @@ PixelsOf(const py::array & array)
   constexpr py::ssize_t            exactInFloat = 2; // bytes of integers
   const bool                       isWideInteger =
     (array.dtype().kind() == 'i' || array.dtype().kind() == 'u') && array.itemsize() > exactInFloat;
+  // Integers are compared as such: in float64, numbers beyond 2^53 are rounded.
+  const py::object back = isWideInteger ? pixels.attr("astype")(array.dtype()) : py::object(pixels);
   if ((std::is_integral_v<TPixel> || isWideInteger) && !array.dtype().is(pixels.dtype()) &&
-      !ClassOf("numpy", "array_equal")(pixels, array).template cast<bool>())
+      !ClassOf("numpy", "array_equal")(back, array).template cast<bool>())
   {
+    constexpr bool isOfVisits = sizeof(TPixel) == sizeof(std::uint32_t);
     throw InputError("the image of " + std::string(py::str(array.dtype())) + " contains values not representable in " +
                      std::string(py::str(pixels.dtype())) + "; " +
-                     (std::is_integral_v<TPixel> ? "convert it, for example a mask by array != 0"
-                                                 : "subtract an offset or round it: float32 has 24 bits"));
+                     (!std::is_integral_v<TPixel> ? "subtract an offset or round it: float32 has 24 bits"
+                      : isOfVisits                ? "visits are whole numbers; for heat, use classify_heat()"
+                                                  : "convert it, for example a mask by array != 0"));
   }
   return pixels;
 }

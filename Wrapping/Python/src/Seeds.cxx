@@ -129,7 +129,7 @@ AddSeeds(py::module_ & module)
                   "float32: 1 minus the difference of the two greatest probabilities; 0 if one label is certain.")
     .def_readonly("probabilities",
                   &SeededLabels::probabilities,
-                  "One image per label, float32 in [0, 1]; the images sum to 1. Empty unless requested.")
+                  "By label, an image: float32 in [0, 1]; the images sum to 1. Empty unless requested.")
     .def_readonly(
       "iterations", &SeededLabels::iterations, "Number of solver iterations; few after a small change of the seeds.")
     .def_readonly("warnings", &SeededLabels::warnings, "Labels that hardly extend beyond their seeds, one per line.");

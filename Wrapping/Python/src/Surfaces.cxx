@@ -81,13 +81,6 @@ AddSurfaces(py::module_ & module)
   module.def("simplify_surface", Reporting(&Simplify), ReleaseGil());
   module.def("remesh_surface", Reporting(&Remesh), ReleaseGil());
   module.def("surface_area", [](const SurfaceMesh & mesh) { return SurfaceArea(mesh.V, mesh.F); });
-  module.def("enclosed_volume", [](const SurfaceMesh & mesh) {
-    const auto volume = InspectSurface(mesh).volume;
-    if (!volume)
-    {
-      throw InputError("the surface is not closed and oriented, so it encloses no volume; repair_surface() closes it");
-    }
-    return *volume;
-  });
+  module.def("enclosed_volume", [](const SurfaceMesh & mesh) { return EnclosedVolume(mesh.V, mesh.F); });
 }
 } // namespace shapeton::python

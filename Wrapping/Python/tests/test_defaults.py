@@ -55,6 +55,7 @@ NAMES = {
 
 #: Keywords and special values of tools, and their equivalents in Python.
 MEANINGS = {
+    ("ColonFlattening", "eigenpairs"): {50: None},
     ("ConformalMap", "metric"): {"euclidean": None},
     ("ConformalMap", "time"): {0: None},
     ("GraphConformalType", "maximumRadius"): {"auto": None},

@@ -82,6 +82,12 @@ class GraphTest(TestCase):
         self.assertEqual(graphs.embed_graph(networkx.complete_graph(7)).genus, 1)
         double = graphs.as_graph(networkx.MultiGraph([(5, 3), (5, 3), (3, 3)]))
         self.assertEqual((double.names, double.edges.tolist()), (["5", "3"], [[0, 1], [0, 1], [1, 1]]))
+        self.assertEqual(graphs.as_graph(networkx.complete_graph(4).edges).edges.tolist(), graphs.complete_graph(4).edges.tolist())
+        weighted = networkx.Graph()
+        weighted.add_edge("a", "b", weight=2.0)
+        for given in (weighted, np.array([[0, 2.0, 0], [2.0, 0, 0], [0, 0, 0]])):
+            with self.assertWarnsRegex(UserWarning, "weights of the edges are left out"):
+                graphs.as_graph(given)
         with self.assertRaisesRegex(shapeton.InputError, r"directed; use graph.to_undirected\(\)"):
             graphs.ricci_curvature(networkx.DiGraph([(0, 1)]))
 

@@ -208,6 +208,8 @@ class ShapetonsTest(TestCase):
         self.assertEqual(result.visits.array[voxels == 0].sum(), 0)
         with self.assertRaisesRegex(shapeton.InputError, "mask"):
             shapeton.diffuse_shapetons(image, mask=image.like(np.zeros((20, 20, 20), bool)))
+        with self.assertRaisesRegex(shapeton.ParameterError, "do not combine it with \"distance\""):
+            shapeton.diffuse_shapetons(image, distance=0.05, feature_size=5.0)
 
 
 class ThreadsTest(TestCase):

@@ -116,6 +116,10 @@ class LayoutTest(TestCase):
     def test_what_float32_would_lose_is_refused(self):
         with self.assertRaisesRegex(shapeton.InputError, "not representable in float32"):
             shapeton.diffuse_heat(shapeton.Image(np.arange(8).reshape(2, 2, 2) + 2**40))
+        with self.assertRaisesRegex(shapeton.InputError, "not representable in float32"):
+            shapeton.diffuse_heat(shapeton.Image(2**60 + 100 * np.arange(8).reshape(2, 2, 2)))
+        with self.assertRaisesRegex(shapeton.InputError, r"use classify_heat\(\)"):
+            shapeton.visit_density(shapeton.Image(np.full((2, 2, 2), 0.5)))
         with self.assertRaisesRegex(shapeton.InputError, r"beyond the range of float32, the first at .z, y, x. = .0, 0, 0."):
             shapeton.diffuse_heat(shapeton.Image(np.full((2, 2, 2), -1e300)))
         with self.assertRaisesRegex(shapeton.ParameterError, "masked"):
@@ -129,10 +133,15 @@ class LayoutTest(TestCase):
             with self.assertRaisesRegex(shapeton.InputError, r"not finite.*\[3, 4, 5\]"):
                 self.heat(self.image.like(voxels))
 
-    def test_a_mask_of_other_numbers_is_refused(self):
-        for voxels in (np.full((12, 14, 16), 256), np.full((12, 14, 16), 0.5), np.full((12, 14, 16), -1)):
-            with self.assertRaisesRegex(shapeton.InputError, "not representable in uint8"):
-                shapeton.diffuse_shapetons(self.image, mask=self.image.like(voxels), time_steps=1)
+    def test_a_mask_is_where_an_image_is_not_zero(self):
+        inside = np.arange(16) % 3 > 0
+        run = {"time_steps": 1, "shapetons": 100}
+        visits = shapeton.diffuse_shapetons(self.image, mask=self.image.like(np.broadcast_to(inside, (12, 14, 16))), **run).visits
+        for number in (256, 0.5, -1):
+            mask = self.image.like(np.broadcast_to(number * inside, (12, 14, 16)))
+            self.assertSame(shapeton.diffuse_shapetons(self.image, mask=mask, **run).visits.array, visits.array)
+        with self.assertRaisesRegex(shapeton.InputError, "\"mask\" contains NaN"):
+            shapeton.diffuse_shapetons(self.image, mask=self.image.like(np.full((12, 14, 16), np.nan)), **run)
 
     def test_a_numpy_array_alone_is_no_image(self):
         with self.assertRaises(TypeError):

@@ -3,7 +3,7 @@ import unittest
 import numpy as np
 
 import shapeton
-from shapeton import Curves, InputError, Mesh, flattening, surfaces
+from shapeton import Curves, Mesh, flattening, surfaces
 
 from support import DATA, TestCase, cylinder, needs_tools, run_tool
 
@@ -105,6 +105,8 @@ class MeshTest(TestCase):
         read = surfaces.read_curves(path)
         np.testing.assert_array_equal(read.points(1), curves.points(1))
         np.testing.assert_array_equal(read.point_arrays["arcLength"], curves.point_arrays["arcLength"])
+        with self.assertRaisesRegex(shapeton.ParameterError, r"as \[\[0, 1, 2\]\]"):
+            Curves(np.eye(3), [0, 1, 2])
 
 
 class ShapeTest(TestCase):
@@ -112,8 +114,8 @@ class ShapeTest(TestCase):
         sphere = icosphere(20.0, 4)
         self.assertAlmostEqual(surfaces.surface_area(sphere), 4.0 * np.pi * 20.0**2, delta=0.01 * 4.0 * np.pi * 400.0)
         self.assertAlmostEqual(surfaces.enclosed_volume(sphere) / (4.0 / 3.0 * np.pi * 8000.0), 1.0, delta=0.01)
-        with self.assertRaisesRegex(InputError, "encloses no volume"):
-            surfaces.enclosed_volume(Mesh(sphere.vertices, sphere.faces[1:]))
+        opened = surfaces.enclosed_volume(Mesh(sphere.vertices, sphere.faces[1:]))
+        self.assertAlmostEqual(opened / surfaces.enclosed_volume(sphere), 1.0, delta=0.001)
         facts = surfaces.inspect_surface(sphere)
         self.assertEqual((facts["genus"], facts["closed"], facts["faces"]), (0, True, 5120))
 
@@ -210,6 +212,13 @@ class FlatteningTest(TestCase):
             flattening.flatten_tube(icosphere(10.0, 1))
         with self.assertRaisesRegex(shapeton.ParameterError, "euclidean"):
             flattening.flatten_tube(cylinder(15.0, 80.0), metric="flat")
+        with self.assertRaisesRegex(shapeton.ParameterError, "\"time\" applies"):
+            flattening.flatten_tube(cylinder(15.0, 80.0), metric="euclidean", time=5.0)
+        with self.assertRaisesRegex(shapeton.ParameterError, "\"eigenpairs\" requires"):
+            flattening.flatten_tube(cylinder(15.0, 80.0), eigenpairs=20)
+        elsewhere = np.array([[500.0, 0.0, 0.0], [500.0, 0.0, 80.0]])
+        with self.assertRaisesRegex(shapeton.InputError, "farther from both ends"):
+            flattening.flatten_tube(cylinder(15.0, 80.0), elsewhere, metric="euclidean")
 
 
 @needs_tools

@@ -107,7 +107,15 @@ private:
     if (!m_Ends.isRectumKnown && !centerline.curves.empty())
     {
       const Eigen::RowVector3d start = centerline.V.row(centerline.curves.front().front());
-      if (this->DistanceOfLoop(m_Ends.second, start) < this->DistanceOfLoop(m_Ends.first, start))
+      const double             toFirst = this->DistanceOfLoop(m_Ends.first, start);
+      const double             toSecond = this->DistanceOfLoop(m_Ends.second, start);
+      const Eigen::RowVector3d ofFirst = m_Result.surface.V.row(m_Ends.first.front());
+      if (std::min(toFirst, toSecond) > this->DistanceOfLoop(m_Ends.second, ofFirst))
+      {
+        throw InputError("the centerline begins farther from both ends of the surface than these are apart; use the "
+                         "centerline of this surface, in LPS and mm");
+      }
+      if (toSecond < toFirst)
       {
         std::swap(m_Ends.first, m_Ends.second);
       }

@@ -126,11 +126,13 @@ CsvFile::Parse(const std::string & text)
 void
 CsvFile::RequireColumns(const std::vector<std::string> & columns) const
 {
-  std::string header;
-  for (const std::string & column : columns)
+  constexpr std::size_t most = 12; // named columns; more hide the message
+  std::string           header;
+  for (std::size_t i = 0; i < std::min(most, columns.size()); ++i)
   {
-    header += (header.empty() ? "" : ",") + column;
+    header += (header.empty() ? "" : ",") + columns[i];
   }
+  header += columns.size() > most ? ",... (" + std::to_string(columns.size()) + " columns)" : "";
   for (const std::string & column : columns)
   {
     const auto number = std::count(m_Columns.begin(), m_Columns.end(), column);

@@ -107,6 +107,7 @@ private:
   unsigned int                                  m_Iterations{ 0 };
   std::vector<unsigned short>                   m_LabelValues;
   Remarks                                       m_Remarks;
+  Remarks                                       m_RemarksOnWindow;
   std::optional<Origin>                         m_Origin;
   std::unique_ptr<const VolumeGradientOperator> m_Operator;
   std::unique_ptr<SeededHeatSolver>             m_Solver;

@@ -60,6 +60,7 @@ SeededHeatSegmentationImageFilter<TInputImage>::PrepareSolver()
     return;
   }
   m_Solver.reset();
+  m_RemarksOnWindow = RemarksOnWindow(volume, origin.options.intensityWindow.value());
   m_Operator = std::make_unique<const VolumeGradientOperator>(
     volume, origin.options, VolumeGradientOperator::Conductance::Physical, origin.options.leastWeight, [this](double) {
       ReportProgress(*this, 0.0);
@@ -94,7 +95,8 @@ SeededHeatSegmentationImageFilter<TInputImage>::GenerateData()
   m_Grid->SetRegions(this->GetOutput()->GetBufferedRegion());
   m_LabelValues = result.labelValues;
   m_Iterations = result.iterations;
-  m_Remarks = result.remarks;
+  m_Remarks = m_RemarksOnWindow;
+  AppendRemarks(m_Remarks, result.remarks);
   if (!this->GetKeepProbabilities())
   {
     m_Solver.reset();

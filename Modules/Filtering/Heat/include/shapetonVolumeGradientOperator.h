@@ -3,6 +3,7 @@
 
 #include "shapetonPaddedGrid.h"
 #include "shapetonProgress.h"
+#include "shapetonRemarks.h"
 #include "shapetonVolumeGradientOptions.h"
 #include "shapetonVolumeView.h"
 
@@ -22,6 +23,11 @@ RequireWindow(const std::optional<std::array<double, 2>> & window);
  * \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT std::array<double, 2>
                     WindowOf(const VolumeGradientOptions & options, const VolumeView & volume);
+
+/** A remark if the intensities in the domain differ by less than 1 % of a window, so that there are no edges; otherwise
+ * none. \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT Remarks
+RemarksOnWindow(const VolumeView & volume, const std::array<double, 2> & window);
 
 /** \class EdgeVolume
  * \brief The smoothed volume in which edges are found, and options with the window set, so that it and any part of it

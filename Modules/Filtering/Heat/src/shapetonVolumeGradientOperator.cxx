@@ -1,5 +1,6 @@
 #include "shapetonVolumeGradientOperator.h"
 #include "shapetonExceptions.h"
+#include "shapetonNumberText.h"
 #include "shapetonParallelFor.h"
 #include "shapetonSmoothVoxels.h"
 
@@ -157,6 +158,26 @@ WindowOf(const VolumeGradientOptions & options, const VolumeView & volume)
     }
   }
   return window;
+}
+
+Remarks
+RemarksOnWindow(const VolumeView & volume, const std::array<double, 2> & window)
+{
+  constexpr double leastShare = 0.01; // of the window; chosen: the default p of presets finds no such edge
+  const auto       ofVolume = WindowOf({}, volume);
+  const double     lowest = std::clamp(ofVolume[0], window[0], window[1]);
+  const double     highest = std::clamp(ofVolume[1], window[0], window[1]);
+  if (highest == lowest)
+  {
+    return { "all voxels have the same intensity in the window: there are no edges; choose another window" };
+  }
+  if (highest - lowest < leastShare * (window[1] - window[0]))
+  {
+    return { "the intensities fill less than 1 % of the window, so that there are hardly any edges; choose a window "
+             "in the unit of the volume, which is from " +
+             NumberText(ofVolume[0], 4) + " to " + NumberText(ofVolume[1], 4) };
+  }
+  return {};
 }
 
 EdgeVolume::EdgeVolume(const VolumeView & given, const VolumeGradientOptions & givenOptions)

@@ -194,6 +194,17 @@ GreatestDifference(const std::vector<float> & a, const std::vector<double> & b)
 }
 } // namespace
 
+TEST(SeededHeatSolver, AWindowWithoutContrastIsRemarked)
+{
+  const std::vector<float> values{ 0.0F, 1.0F, 0.0F, 1.0F };
+  const VolumeView         volume(values.data(), { { 4, 1, 1 } });
+  EXPECT_TRUE(shapeton::RemarksOnWindow(volume, { { 0.0, 1.0 } }).empty());
+  EXPECT_TRUE(shapeton::RemarksOnWindow(volume, { { 0.0, 99.0 } }).empty());
+  ASSERT_EQ(shapeton::RemarksOnWindow(volume, { { -160.0, 240.0 } }).size(), 1U);
+  EXPECT_NE(shapeton::RemarksOnWindow(volume, { { -160.0, 240.0 } })[0].find("from 0 to 1"), std::string::npos);
+  EXPECT_NE(shapeton::RemarksOnWindow(volume, { { 5000.0, 6000.0 } })[0].find("no edges"), std::string::npos);
+}
+
 TEST(SeededHeatSolver, BetweenTwoPlatesHeatFallsInAStraightLine)
 {
   const Size size{ { 33, 5, 4 } };

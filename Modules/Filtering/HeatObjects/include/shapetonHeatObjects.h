@@ -102,8 +102,8 @@ class ShapetonHeatObjects_EXPORT HeatObjectTree
 public:
   using MaskImage = itk::Image<unsigned char, 3>;
 
-  /** Works for shapeton visits, too. Throws InputError if a value is not a finite number or none is above 0, and
-   * ParameterError if an option is out of range or the grids differ. \param domain objects consist of its voxels that
+  /** Works for shapeton visits, too. Throws InputError if a value is not a finite number, none is above 0, or the grids
+   * differ, and ParameterError if an option is out of range. \param domain objects consist of its voxels that
    * are not 0, and its border is a border of the volume; null: all voxels */
   explicit HeatObjectTree(const itk::Image<float, 3> * heat,
                           const HeatObjectOptions &    options = {},

@@ -25,7 +25,8 @@ struct ShapetonParameterChoice
   AutomaticShapetons       feature; ///< reasons for what was derived from the feature size
 };
 
-/** The options; those whose names are not in `given` are set by the preset. The duration of Objects is twice
+/** The options; those whose names are not in `given` are set by the preset, except seed, untilSteady, epsilon and
+ * device, which no preset determines. The duration of Objects is twice
  * EquivalentHeatTimeSteps() of the chosen heat diffusion time, because visits accumulate from the first step. It is
  * limited so that the total number of visits allows 20,000 to 200,000 shapetons, depending on the size of the volume.
  * The number of shapetons is chosen for 200 visits per voxel on average, but at most 1e8 visits in total. With a

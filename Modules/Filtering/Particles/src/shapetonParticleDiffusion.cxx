@@ -66,6 +66,7 @@ RequireIdentity(const Facts & saved, const Facts & own)
 {
   std::string difference;
   std::string remedy;
+  bool        needsVolume = false; // no parameter repairs another size or content
   for (std::size_t i = 0; i < own.size(); ++i)
   {
     const auto & [name, value] = own[i];
@@ -74,6 +75,7 @@ RequireIdentity(const Facts & saved, const Facts & own)
     {
       continue;
     }
+    needsVolume = needsVolume || name == "size" || name == "spacing";
     std::string before = isKnown ? saved[i].second : "missing";
     if (difference.empty())
     {
@@ -90,7 +92,7 @@ RequireIdentity(const Facts & saved, const Facts & own)
   if (!difference.empty())
   {
     throw InputError("the saved state belongs to another run: its " + difference + "; continue it with " +
-                     (remedy.empty() ? "the volume and mask of that run" : remedy));
+                     (needsVolume ? "the volume and mask of that run" : remedy));
   }
 }
 

@@ -165,7 +165,9 @@ ChooseShapetonParameters(const VolumeView &               volume,
   RequireNames(given, options);
   ShapetonParameterChoice choice;
   choice.options = options;
-  TakeOthers(OptionsOfPreset(options.preset, volume.size, volume.spacing), given, choice.options);
+  Names kept = given;
+  kept.insert(kept.end(), { "seed", "untilSteady", "epsilon", "device" }); // no preset determines them
+  TakeOthers(OptionsOfPreset(options.preset, volume.size, volume.spacing), kept, choice.options);
   if (options.preset != ShapetonPreset::Published)
   {
     choice.heat = ChooseByHeat(volume, options.preset, given, choice.options, progress);

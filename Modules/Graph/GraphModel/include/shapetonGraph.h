@@ -26,6 +26,10 @@ struct Graph
 ShapetonGraphModel_EXPORT void
 RequireSound(const Graph & graph, const std::string & what);
 
+/** Throws InputError with the prefix `what` if an edge has an invalid node. \ingroup ShapetonGraphModel */
+ShapetonGraphModel_EXPORT void
+RequireEnds(const Graph & graph, const std::string & what);
+
 /** Maximum number of bytes of a node name quoted in a message. \ingroup ShapetonGraphModel */
 constexpr std::size_t LongestName = 60;
 

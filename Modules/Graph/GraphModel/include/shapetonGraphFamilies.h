@@ -6,7 +6,7 @@
 namespace shapeton
 {
 /** \name Graphs with known genus and embeddings, for tests, examples and benchmarks.
- * They throw std::invalid_argument if a count is negative or below the stated minimum, or for more than 2^31 - 1
+ * They throw ParameterError if a count is negative or below the stated minimum, or for more than 2^31 - 1
  * nodes. \ingroup ShapetonGraphModel */
 ///@{
 ShapetonGraphModel_EXPORT Graph

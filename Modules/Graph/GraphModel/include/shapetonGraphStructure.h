@@ -12,6 +12,7 @@ namespace shapeton
  * \ingroup ShapetonGraphModel */
 struct ShapetonGraphModel_EXPORT Incidence
 {
+  /** Throws InputError if an edge has an invalid node. */
   explicit Incidence(const Graph & graph);
 
   int

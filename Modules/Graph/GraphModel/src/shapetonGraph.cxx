@@ -21,15 +21,20 @@ RequireSound(const Graph & graph, const std::string & what)
   require(graph.names.empty() || graph.names.size() == static_cast<std::size_t>(graph.nodes),
           "the graph has " + std::to_string(graph.nodes) + " nodes but " + std::to_string(graph.names.size()) +
             " names");
+  RequireEnds(graph, what);
+}
+
+void
+RequireEnds(const Graph & graph, const std::string & what)
+{
   for (std::size_t e = 0; e < graph.edges.size(); ++e)
   {
     for (const int node : graph.edges[e])
     {
-      if (node < 0 || node >= graph.nodes) // create the message on demand only
+      if (node < 0 || node >= graph.nodes)
       {
-        require(false,
-                "edge " + std::to_string(e) + " names node " + std::to_string(node) + ", but there are " +
-                  std::to_string(graph.nodes));
+        throw InputError(what + ": edge " + std::to_string(e) + " names node " + std::to_string(node) +
+                         ", but there are " + std::to_string(graph.nodes));
       }
     }
   }

@@ -43,6 +43,9 @@ Escaped(const std::string & text)
 void
 RequireNames(const Graph & graph)
 {
+  RequireParameter(graph.names.empty() || graph.names.size() == static_cast<std::size_t>(graph.nodes),
+                   "the graph has " + std::to_string(graph.nodes) + " nodes but " + std::to_string(graph.names.size()) +
+                     " names");
   std::set<std::string> names;
   for (const std::string & name : graph.names)
   {
@@ -57,6 +60,7 @@ RequireNames(const Graph & graph)
 void
 WriteGraphML(const Graph & graph, const std::string & path)
 {
+  RequireEnds(graph, Quoted(path));
   RequireNames(graph);
   const auto idOf = [&](int node) {
     return graph.names.empty() ? 'n' + std::to_string(node) : Escaped(graph.names[node]);

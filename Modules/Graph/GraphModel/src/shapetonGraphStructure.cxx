@@ -8,6 +8,7 @@ namespace shapeton
 {
 Incidence::Incidence(const Graph & graph) : start(graph.nodes + 1, 0), halfEdges(2 * graph.edges.size())
 {
+  RequireEnds(graph, "the graph");
   for (const auto & edge : graph.edges)
   {
     ++start[edge[0] + 1];

@@ -1,8 +1,15 @@
 #include "shapetonGraph.h"
+#include "shapetonExceptions.h"
 #include "shapetonGraphFamilies.h"
+#include "shapetonGraphGenus.h"
+#include "shapetonGraphReader.h"
+#include "shapetonGraphStructure.h"
 #include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
+
+#include <functional>
+#include <initializer_list>
 
 namespace
 {
@@ -12,6 +19,23 @@ FaultOf(const shapeton::Graph & graph)
   return basetest::ErrorOf([&] { shapeton::RequireSound(graph, "file.gml"); });
 }
 } // namespace
+
+TEST(Graph, EndsOutOfRangeAreRefusedEverywhere)
+{
+  shapeton::Graph graph{ 3, { { { 1, 2 } }, { { 2, 3 } }, { { 3, 1 } } }, {} }; // numbered from 1
+  for (const auto & call : std::initializer_list<std::function<void()>>{
+         [&] { shapeton::ConnectedComponents(graph); },
+         [&] { shapeton::BlocksOf(graph); },
+         [&] { shapeton::Girth(graph); },
+         [&] { shapeton::GenusLowerBound(graph); },
+         [&] { shapeton::WriteGraphML(graph, "/proc/nowhere/g.graphml"); } })
+  {
+    EXPECT_THROW(call(), shapeton::InputError);
+  }
+  graph.edges.clear();
+  graph.names = { "a" };
+  EXPECT_THROW(shapeton::WriteGraphML(graph, "/proc/nowhere/g.graphml"), shapeton::ParameterError);
+}
 
 TEST(Graph, UnsoundGraphsAreRefusedByName)
 {

@@ -7,6 +7,7 @@
 #include "itkImage.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shapeton
@@ -18,7 +19,7 @@ struct Volume
   using ImageType = itk::Image<float, 3>;
   /** Rescaled intensities; Hounsfield units for CT. Its MetaDataDictionary has the fields of shapetonDicomFields.h. */
   ImageType::Pointer image;
-  /** "CT", "MR", ...; empty for formats without a modality. */
+  /** "CT", "MR", ...; empty if unknown. */
   std::string modality;
   /** DICOM Patient Position, for example "HFS"; empty if unknown. */
   std::string patientPosition;
@@ -41,6 +42,11 @@ ShapetonVolumeFiles_EXPORT std::string
 /** The selector contained in a series identity; empty for any other identity. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT std::string
                            SeriesOfIdentity(const std::string & identity);
+
+/** Modality, Patient Position and Slice Thickness as metadata for the header of an NRRD or MetaImage file, under the
+ * keys of shapetonDicomFields.h; unknown ones are left out. ReadVolume() reads them. \ingroup ShapetonVolumeFiles */
+ShapetonVolumeFiles_EXPORT std::vector<std::pair<std::string, std::string>>
+                           DicomMetadata(const Volume & volume);
 
 /** A mask that is 1 where the volume is not 0. Throws InputError, prefixed by `path`, if all voxels are 0.
  * \ingroup ShapetonVolumeFiles */

@@ -92,10 +92,8 @@ CheckContents(const fs::path & target)
   {
     if (!IsOurSlice(entry))
     {
-      ThrowCannotWriteSeries(target,
-                             "it contains \"" + entry.path().filename().string() +
-                               "\", which is not a slice of a series written by this program",
-                             "use a new or empty folder");
+      throw ParameterError("the folder \"" + target.string() + "\" contains \"" + entry.path().filename().string() +
+                           "\", which is not a slice of a series written by this program; use a new or empty folder");
     }
   }
 }

@@ -356,19 +356,32 @@ AddNotes(const DicomSeries & series, Volume & volume)
   }
 }
 
-/** Sets the fields of shapetonDicomFields.h. */
+} // namespace
+
+std::vector<std::pair<std::string, std::string>>
+DicomMetadata(const Volume & volume)
+{
+  std::vector<std::pair<std::string, std::string>> metadata;
+  const auto                                       add = [&metadata](const char * key, const std::string & value) {
+    if (!value.empty())
+    {
+      metadata.emplace_back(key, value);
+    }
+  };
+  add(DicomModality, volume.modality);
+  add(DicomPatientPosition, volume.patientPosition);
+  add(DicomSliceThickness, volume.sliceThickness > 0.0 ? DicomDecimal(volume.sliceThickness) : "");
+  return metadata;
+}
+
 void
 SetDicomFields(Volume & volume)
 {
-  auto & dictionary = volume.image->GetMetaDataDictionary();
-  itk::EncapsulateMetaData(dictionary, DicomModality, volume.modality);
-  itk::EncapsulateMetaData(dictionary, DicomPatientPosition, volume.patientPosition);
-  if (volume.sliceThickness > 0.0)
+  for (const auto & [key, value] : DicomMetadata(volume))
   {
-    itk::EncapsulateMetaData(dictionary, DicomSliceThickness, DicomDecimal(volume.sliceThickness));
+    itk::EncapsulateMetaData(volume.image->GetMetaDataDictionary(), key, value);
   }
 }
-} // namespace
 
 DeshearedPlane
 PlaneOfSlices(const DicomSeries & series, const std::vector<DicomSlice> & slices)

@@ -20,6 +20,10 @@ struct DeshearedPlane
 DeshearedPlane
 PlaneOfSlices(const DicomSeries & series, const std::vector<DicomSlice> & slices);
 
+/** Sets the fields of shapetonDicomFields.h in the dictionary of the image. */
+void
+SetDicomFields(Volume & volume);
+
 /** Reads the pixels of a series and applies the requested and necessary repairs. The series must not have other
  * defects. Throws InputError. */
 Volume

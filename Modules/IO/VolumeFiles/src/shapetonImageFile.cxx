@@ -1,5 +1,7 @@
 #include "shapetonImageFile.h"
 #include "shapetonFileErrors.h"
+#include "shapetonDicomFields.h"
+#include "shapetonDicomVolume.h"
 #include "shapetonOperatingSystem.h"
 
 #include "shapetonByteStream.h"
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -41,6 +44,7 @@ struct ImageHeader : VoxelFormat
   std::vector<double> origin;
   std::vector<double> direction; // row by row
   bool                isScalar{ false };
+  std::string         modality, patientPosition, sliceThickness; // from DICOM; empty if unknown
 };
 
 template <typename TStream, typename THeader>
@@ -69,6 +73,7 @@ TransmitHeader(TStream & stream, THeader & header)
     stream & cosine;
   }
   stream & header.componentType & header.componentBytes & header.components & header.isScalar & header.statesSpacing;
+  stream & header.modality & header.patientPosition & header.sliceThickness;
 }
 
 /** The cause in an ITK exception, without class and function names. NrrdIO lists functions from the outermost one to
@@ -126,6 +131,9 @@ ReadHeader(const std::string & path, ImageFormat format)
   header.components = io->GetNumberOfComponents();
   header.isScalar = io->GetPixelType() == itk::IOPixelEnum::SCALAR && header.components == 1;
   header.statesSpacing = StatesSpacing(path, format);
+  header.modality = DicomField(io, DicomModality);
+  header.patientPosition = DicomField(io, DicomPatientPosition);
+  header.sliceThickness = DicomField(io, DicomSliceThickness);
   return header;
 }
 
@@ -565,6 +573,10 @@ ReadImageFile(const std::string & path)
   request.voxelBytes = static_cast<std::uint64_t>(CheckSize(path, header, request.stored));
   Volume volume;
   ReadImage(process, request, header, volume);
+  volume.modality = header.modality;
+  volume.patientPosition = header.patientPosition;
+  volume.sliceThickness = std::max(0.0, std::strtod(header.sliceThickness.c_str(), nullptr));
+  SetDicomFields(volume);
   CheckFinite(path, header, volume.image);
   AppendRemarks(volume.notes, header.notes);
   NoteMissingSpacing(header, volume);

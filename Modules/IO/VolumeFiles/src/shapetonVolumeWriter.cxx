@@ -1,5 +1,6 @@
 #include "shapetonVolumeWriter.h"
 
+#include "shapetonImageGrid.h"
 #include "shapetonMappedImage.h"
 #include "shapetonStoredVoxels.h"
 #include "shapetonExceptions.h"
@@ -234,6 +235,7 @@ void
 WriteVolume(const itk::Image<TPixel, 3> * image, const std::string & path, const VolumeMetadata & metadata)
 {
   using ImageType = itk::Image<TPixel, 3>;
+  RequirePixels(image, "the image");
   const itk::ImageIOBase::Pointer io = MakeImageIO(path);
   // A copy of the header that shares the pixels; the caller's image keeps its dictionary.
   const auto output = ImageType::New();

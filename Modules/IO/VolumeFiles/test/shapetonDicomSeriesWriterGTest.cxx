@@ -359,8 +359,8 @@ TEST(DicomSeriesFolder, RefusesAFolderWithOtherThings)
   shapeton::WriteDicomSeriesFolder(MakeImage(), series, Describe());
   const auto refuses = [&series] {
     const auto before = BytesIn(series);
-    EXPECT_THROW(shapeton::CheckDicomSeriesFolder(series), shapeton::OutputError);
-    EXPECT_THROW(shapeton::WriteDicomSeriesFolder(MakeImage(2), series, Describe()), shapeton::OutputError);
+    EXPECT_THROW(shapeton::CheckDicomSeriesFolder(series), shapeton::ParameterError);
+    EXPECT_THROW(shapeton::WriteDicomSeriesFolder(MakeImage(2), series, Describe()), shapeton::ParameterError);
     EXPECT_EQ(BytesIn(series), before);
   };
   EXPECT_NO_THROW(shapeton::CheckDicomSeriesFolder(series));

@@ -330,8 +330,9 @@ RequireOneManifold(const SurfaceConnectivity & connectivity, const std::string &
   }
   if (connectivity.Components().size() > 1)
   {
-    throw InputError(what + " has " + std::to_string(connectivity.Components().size()) +
-                     " components instead of one; choose a component");
+    throw InputError(
+      what + " has " + std::to_string(connectivity.Components().size()) +
+      " components instead of one; choose one of them, or repair the surface if its triangles share no vertices");
   }
 }
 } // namespace shapeton

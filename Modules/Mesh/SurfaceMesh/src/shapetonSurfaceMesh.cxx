@@ -15,7 +15,7 @@ RequireRows(const Arrays & arrays, Eigen::Index rows, const std::string & what)
     if (array.values.rows() != rows)
     {
       throw InputError(what + ": the array \"" + array.name + "\" has " + std::to_string(array.values.rows()) +
-                       " rows for " + std::to_string(rows) + " elements; write the file again");
+                       " rows for " + std::to_string(rows) + " elements; give one row for each");
     }
   }
 }

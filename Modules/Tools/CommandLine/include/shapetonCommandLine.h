@@ -152,6 +152,10 @@ public:
   static void
   RequireNoOthers(const std::string & folder, const std::string & prefix, const std::set<std::string> & names);
 
+  /** Throws ParameterError if the output of an option is inside a folder that only one other output may use. */
+  void
+  RequireOutside(const std::string & option, const std::string & folder) const;
+
   /** Throws ParameterError if a result folder is the input folder or inside it, which would change the input. Throws
    * InputError if the input does not exist; `advice` completes the message. */
   static void

@@ -43,6 +43,16 @@ FlushStdout()
   }
 }
 
+/** An absolute path without "..", also of what does not exist yet. */
+std::filesystem::path
+Resolved(const std::string & path)
+{
+  std::error_code             error;
+  const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+  const std::filesystem::path resolved = std::filesystem::weakly_canonical(absolute, error);
+  return error ? std::filesystem::path(path) : resolved; // reported when it is opened
+}
+
 struct Failure
 {
   int         status;
@@ -209,7 +219,8 @@ struct CommandLine::State
       for (const auto & value : values ? *values : std::vector<std::string>())
       {
         std::error_code error;
-        if (std::filesystem::equivalent(value, path, error))
+        if (std::filesystem::equivalent(value, path, error) ||
+            std::filesystem::equivalent(value, Resolved(path), error)) // through a folder that is made later
         {
           throw ParameterError("the output " + Quoted(path) + " is an input of this run; use another name");
         }
@@ -573,6 +584,14 @@ CommandLine::RequireNoOthers(const std::string &           folder,
 }
 
 void
+CommandLine::RequireOutside(const std::string & option, const std::string & folder) const
+{
+  const std::filesystem::path relative = Resolved(this->GetString(option)).lexically_relative(Resolved(folder));
+  RequireParameter(!this->IsGiven(option) || relative.empty() || *relative.begin() == "..",
+                   "--" + option + " is inside the folder of the series; choose a place outside");
+}
+
+void
 CommandLine::RequireApart(const std::string & input, const std::string & outputFolder, const std::string & advice)
 {
   namespace fs = std::filesystem;
@@ -580,7 +599,7 @@ CommandLine::RequireApart(const std::string & input, const std::string & outputF
   {
     throw InputError("\"" + input + "\" does not exist; " + advice);
   }
-  const fs::path relative = fs::weakly_canonical(outputFolder).lexically_relative(fs::weakly_canonical(input));
+  const fs::path relative = Resolved(outputFolder).lexically_relative(Resolved(input));
   RequireParameter(!fs::is_directory(input) || relative.empty() || *relative.begin() == "..",
                    "an output is inside the input folder; choose a place outside");
 }

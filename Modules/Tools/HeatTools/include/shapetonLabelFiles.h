@@ -31,6 +31,14 @@ WriteObjectLabels(const HeatObjectList::LabelImage * labels,
                   const std::vector<int> &           objects,
                   const std::string &                path,
                   const Provenance &                 provenance);
+
+/** Writes labels grown from seeds, as a segmentation whose segments are named by their labels. Throws as WriteVolume().
+ * \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT void
+WriteSeededLabels(const itk::Image<unsigned short, 3> * labels,
+                  const std::vector<unsigned short> &   labelValues,
+                  const std::string &                   path,
+                  const Provenance &                    provenance);
 } // namespace shapeton
 
 #endif

@@ -522,11 +522,7 @@ RunRemarks(const CumulativeHeatDiffusionResult & result, bool untilSteady, std::
 {
   std::vector<std::string> remarks;
   const std::string        steps = std::to_string(result.timeStep) + " steps";
-  if (result.cold)
-  {
-    remarks.push_back("all voxels have the same intensity in the window: the heat is 0 everywhere");
-  }
-  const auto regions =
+  const auto               regions =
     std::count_if(result.classes.begin(), result.classes.end(), [](const HeatClass & c) { return !IsIncoherent(c); });
   if (!result.cold && !result.classes.empty() && regions < leastRegions)
   {

@@ -65,4 +65,18 @@ WriteObjectLabels(const HeatObjectList::LabelImage * labels,
   }
   WriteSegments(labels, segments, path, provenance);
 }
+
+void
+WriteSeededLabels(const itk::Image<unsigned short, 3> * labels,
+                  const std::vector<unsigned short> &   labelValues,
+                  const std::string &                   path,
+                  const Provenance &                    provenance)
+{
+  std::vector<Segment> segments;
+  for (const unsigned short label : labelValues)
+  {
+    segments.push_back(MakeSegment(label, "label " + std::to_string(label), ColorOfObject(label)));
+  }
+  WriteSegments(labels, segments, path, provenance);
+}
 } // namespace shapeton

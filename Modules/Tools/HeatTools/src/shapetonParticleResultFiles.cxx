@@ -58,10 +58,9 @@ ParticleRemarks(const FilterType * filter)
 {
   const ParticleMeasures & measures = filter->GetMeasures();
   std::vector<std::string> remarks;
-  if (!(filter->GetWindowLower() < filter->GetWindowUpper()))
-  {
-    remarks.push_back("all voxels have the same intensity in the window: there is no shape to find");
-  }
+  AppendRemarks(
+    remarks,
+    RemarksOnWindow(VolumeView(filter->GetInput()), { { filter->GetWindowLower(), filter->GetWindowUpper() } }));
   if (filter->GetUntilSteady() && !measures.steady)
   {
     remarks.push_back("the density is not yet steady after " + std::to_string(measures.step) + " steps");

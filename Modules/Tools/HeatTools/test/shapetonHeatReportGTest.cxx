@@ -242,8 +242,6 @@ TEST(HeatTables, RemarksTellWhatIsNotAsExpected)
   result.steady = true;
   EXPECT_TRUE(shapeton::RunRemarks(result, true, 0).empty());
   EXPECT_EQ(shapeton::RunRemarks(result, true, 501).size(), 1U);
-  result.cold = true;
-  EXPECT_EQ(shapeton::RunRemarks(result, true, 501).size(), 2U);
 }
 
 TEST(PartRemarks, SayThatHeatShowsMoreOfSpeckle)
