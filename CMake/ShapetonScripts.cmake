@@ -3,15 +3,16 @@
 # cmake -DOUT=F.cxx -DNAME=N "-DFILES=a.mjs;b.mjs" [-DSTART=statement] -P ShapetonScripts.cmake
 #
 # ES modules, in dependency order, are combined into one classic script inside a function, because browsers reject modules from
-# file://. The lines "import ..." and the words "export" are removed, so top-level names must be unique. Other files, such as
-# styles, are joined unchanged. F.cxx defines the array shapeton::N of pieces, because compilers may not support literals longer
-# than 64 kB; F.txt contains the whole text.
+# file://. The lines "import ...", lines of comments and the words "export" are removed, so top-level names must be unique. Other
+# files, such as styles, are joined unchanged. F.cxx defines the array shapeton::N of pieces, because compilers may not support
+# literals longer than 64 kB; F.txt contains the whole text.
 set(text "")
 foreach(file IN LISTS FILES)
   file(READ "${file}" part)
   if(file MATCHES "\\.mjs$")
     string(REGEX REPLACE "(^|\n)import [^;]*;" "\\1" part "${part}")
     string(REGEX REPLACE "(^|\n)export " "\\1" part "${part}")
+    string(REGEX REPLACE "\n *//[^\n]*" "" part "${part}")
   endif()
   string(APPEND text "${part}\n")
 endforeach()

@@ -93,7 +93,7 @@ test('the report of the reader states sizes, category and what is unread', () =>
   const text = readFileSync(`${folder}/reader-report.html`, 'utf8');
   assert.match(text, new RegExp(`Preliminary: ${total - 1} candidates? (is|are) unread`));
   assert.match(text, /C2, as entered by the reader/);
-  assert.match(text, /1 of 10 mm and more, 1 of 6 to 9 mm, 0 of 5 mm and less/);
+  assert.match(text, /1 of 10 mm and more, 1 of 6 to 9 mm, 0 below 6 mm/);
   assert.match(text, /src="data:image\/png;base64,/);
   const rows = readFileSync(`${folder}/reader-report.csv`, 'utf8').trim().split('\n');
   assert.equal(rows.length, 1 + total + 1);
@@ -169,6 +169,18 @@ test('a second reader sees no candidates until asking for them, and verdicts say
   const { chosen, ...revealed } = await look();
   assert.deepEqual(revealed, { secondReader: true, candidatesRevealed: true, items: number, marks: number, isOffered: false });
   assert.ok(number > 0 && chosen);
+});
+
+test('the page states the limitations of the report and why C0 should be considered', async () => {
+  const stated = JSON.parse(readFileSync(`${exam}/limitations.json`));
+  assert.ok(stated.limitations.length > 0);
+  assert.match(stated.note, /^Consider category C0/);
+  const report = readFileSync(`${exam}/report.html`, 'utf8').replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&amp;', '&');
+  for (const text of [stated.note, ...stated.limitations]) assert.ok(report.includes(text), text);
+  await open(`${work}/first`);
+  const shown = await page.evaluate(() => [...document.querySelectorAll('#stated li')].map((item) => item.textContent));
+  assert.deepEqual(shown, stated.limitations);
+  assert.ok((await notices()).includes(stated.note));
 });
 
 test('the page lists the warnings of the stages', () => {

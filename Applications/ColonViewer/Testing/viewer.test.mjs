@@ -517,6 +517,13 @@ test('verdicts, assessment, findings and bookmarks are saved, reopened, and reje
   const [finding] = verdicts.findings, [bookmark] = verdicts.bookmarks;
   assert.ok(finding.diameter > 0 && finding.lps.length === 3 && finding.uv.length === 2);
   assert.ok(finding.arcLength > 0 && typeof finding.segment === 'string' && finding.morphology === '');
+  assert.deepEqual(finding.caliper.map((end) => end.length), [3, 3], 'the caliper stays');
+  assert.ok(Math.abs(far(...finding.caliper) - finding.diameter) < 0.2);
+  const isRefused = await page.evaluate(() => {
+    const { verdicts } = viewer, [entry] = verdicts.findings, elsewhere = entry.lps.map((x) => x + 100);
+    return !verdicts.setCaliper(entry, 5, [{ xyz: entry.lps }, { xyz: elsewhere }]) && entry.diameter !== 5;
+  });
+  assert.ok(isRefused, 'a measurement elsewhere does not change the size');
   const picture = Buffer.from(bookmark.picture.replace(/^data:image\/png;base64,/, ''), 'base64');
   assert.ok(picture.readUInt32BE(16) <= 900 && picture.readUInt32BE(20) > 100, 'width and height of the PNG');
   await page.evaluate(() => {

@@ -4,6 +4,7 @@
 #include "shapetonColonSegments.h"
 #include "shapetonColonoscopyFacts.h"
 #include "shapetonPlaceInWords.h"
+#include "shapetonReadableText.h"
 #include "shapetonScanResolution.h"
 
 #include <algorithm>
@@ -192,6 +193,12 @@ AddHiddenStretches(const ColonoscopyResults & results,
 void
 AddCompleteness(const ColonoscopyResults & results, std::vector<Limitation> & list)
 {
+  if (IsOfMask(results.quality))
+  {
+    list.push_back({ "The input is a lumen mask without a CT: what lies under fluid or residue is not known, and a "
+                     "candidate may be stool.",
+                     {} });
+  }
   for (const Json & part : MissingPartsOf(results))
   {
     list.push_back({ "Incomplete: " + part.get<std::string>() + ".", {} });
@@ -505,5 +512,25 @@ ReasonForInadequate(const ColonoscopyResults & results, const ColonoscopyQuality
     }
   }
   return reasons;
+}
+
+std::string
+NoteOfInadequate(const ColonoscopyResults & results, const ColonoscopyQuality & quality)
+{
+  const std::string reason = ReasonForInadequate(results, quality);
+  return reason.empty() ? "" : "Consider category C0 (inadequate examination): " + reason + ".";
+}
+
+Json
+LimitationsToJson(const ColonoscopyResults & results, const ColonoscopyQuality & quality)
+{
+  Json json;
+  json["note"] = ReadableText(NoteOfInadequate(results, quality));
+  json["limitations"] = Json::array();
+  for (const Limitation & one : LimitationsOf(results, quality))
+  {
+    json["limitations"].push_back(ReadableText(one.text));
+  }
+  return json;
 }
 } // namespace shapeton

@@ -23,6 +23,14 @@ struct Limitation
 ShapetonColonTools_EXPORT std::vector<Limitation>
                           LimitationsOf(const ColonoscopyResults & results, const ColonoscopyQuality & quality);
 
+/** The limitations as JSON: note, the sentence on category C0 or "", and limitations, their texts. */
+ShapetonColonTools_EXPORT Json
+LimitationsToJson(const ColonoscopyResults & results, const ColonoscopyQuality & quality);
+
+/** The sentence of the first page on category C0; "" without a reason. */
+std::string
+NoteOfInadequate(const ColonoscopyResults & results, const ColonoscopyQuality & quality);
+
 /** Why a reader should consider category C0 (inadequate) of C-RADS: parts of the colon are missing or segments are not
  * evaluable in any position; "" without a reason. */
 ShapetonColonTools_EXPORT std::string

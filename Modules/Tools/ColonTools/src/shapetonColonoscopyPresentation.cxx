@@ -1,5 +1,6 @@
 #include "shapetonColonoscopyPresentation.h"
 
+#include "shapetonColonoscopyLimitations.h"
 #include "shapetonColonoscopyReport.h"
 #include "shapetonContentIdentity.h"
 #include "shapetonFlatColonStrip.h"
@@ -14,58 +15,51 @@ namespace shapeton
 {
 namespace
 {
-class Presenter
+Json
+SignatureOf(const ColonoscopyPresentation & presentation)
+{
+  Json signature;
+  for (const auto & [key, value] : presentation.provenance)
+  {
+    signature[key] = value;
+  }
+  signature["failure"] = presentation.failure;
+  signature["warnings"] = presentation.warnings;
+  for (const StageResult & stage : presentation.stages)
+  {
+    std::string files;
+    for (const auto & [name, hash] : stage.files)
+    {
+      files += name + ' ' + hash + '\n';
+    }
+    signature["stages"][stage.name] = stage.version + ' ' + Sha256OfBytes(files);
+  }
+  return signature;
+}
+
+/** Files of one page in the folder of a series, with a record of what they were made from. */
+class RecordedFiles
 {
 public:
-  Presenter(CommandLine & commandLine, const ColonoscopyPresentation & presentation)
-    : m_CommandLine(commandLine), m_Presentation(presentation), m_Folder(presentation.folder)
+  RecordedFiles(CommandLine & commandLine, const ColonoscopyPresentation & presentation, const std::string & name)
+    : m_CommandLine(commandLine)
+    , m_Folder(presentation.folder)
+    , m_Record(presentation.folder + "/stages/" + name)
+    , m_Signature(SignatureOf(presentation))
   {}
 
-  void
-  Update()
-  {
-    const Json signature = this->Signature();
-    if (!this->IsUnchanged(signature))
-    {
-      this->Write(signature);
-    }
-  }
-
-private:
-  Json
-  Signature() const
-  {
-    Json signature;
-    for (const auto & [key, value] : m_Presentation.provenance)
-    {
-      signature[key] = value;
-    }
-    signature["failure"] = m_Presentation.failure;
-    signature["warnings"] = m_Presentation.warnings;
-    for (const StageResult & stage : m_Presentation.stages)
-    {
-      std::string files;
-      for (const auto & [name, hash] : stage.files)
-      {
-        files += name + ' ' + hash + '\n';
-      }
-      signature["stages"][stage.name] = stage.version + ' ' + Sha256OfBytes(files);
-    }
-    return signature;
-  }
-
   bool
-  IsUnchanged(const Json & signature) const
+  AreUnchanged() const
   {
     try
     {
-      const Json record = ReadJson(m_Folder + "/stages/report.json");
-      bool       isUnchanged = record.at("signature") == signature;
+      const Json record = ReadJson(m_Record);
+      bool       areUnchanged = record.at("signature") == m_Signature;
       for (const auto & file : record.at("files").items())
       {
-        isUnchanged = isUnchanged && IdentityOf(m_Folder + '/' + file.key()) == file.value();
+        areUnchanged = areUnchanged && IdentityOf(m_Folder + '/' + file.key()) == file.value();
       }
-      return isUnchanged;
+      return areUnchanged;
     }
     catch (const InputError &) // a file is missing
     {
@@ -77,66 +71,100 @@ private:
     }
   }
 
+  /** Keeps a written file even if the run fails. */
   void
-  Write(const Json & signature)
+  Publish(const std::string & name)
   {
-    m_CommandLine.Progress("report", 0.94);
-    ColonoscopyResults results = ReadColonoscopyResults(m_Folder, m_Presentation.stages);
-    results.isSecond = m_Presentation.isSecond;
-    if (results.isSecond)
-    {
-      results.polypsOfOther = ExaminationFolder(m_Folder + "/..").ReadCandidates();
-    }
-    if (results.ct)
-    {
-      results.device = ChooseFlatVolumeDevice(results.ct, ReadDevice(m_CommandLine));
-      m_CommandLine.AddRunFact("device", results.device.Describe());
-    }
-    ColonoscopyReportContent content{ &results,
-                                      MeasureColonoscopyQuality(results),
-                                      m_Presentation.failure,
-                                      m_Presentation.warnings,
-                                      m_Presentation.provenance };
-    Json                     record;
-    record["signature"] = signature;
-    const auto publish = [&](const std::string & name) {
-      m_CommandLine.Publish(m_Folder + '/' + name); // keep the report even if the run fails
-      record["files"][name] = IdentityOf(m_Folder + '/' + name);
-    };
-    const std::string page = m_Folder + '/' + examination::report.name;
-    WriteColonoscopyReport(content, m_CommandLine.Output(page), m_Folder + "/.report.part");
-    publish(examination::report.name);
-    const OutputPath outputPath = [&](const std::string & path) { return m_CommandLine.Output(path); };
-    const Remarks    notPrinted = PrintPage(page, m_Folder + '/' + examination::printedReport.name, outputPath);
-    m_CommandLine.Warn(notPrinted);
-    if (notPrinted.empty())
-    {
-      publish(examination::printedReport.name);
-    }
-    if (!content.quality.segments.empty())
-    {
-      TableOfSegmentQuality(content.quality.segments)
-        .Write(outputPath(m_Folder + '/' + examination::segmentQuality.name));
-      publish(examination::segmentQuality.name);
-    }
-    m_CommandLine.MakeFolder(m_Folder + "/slicer");
-    for (const std::string & name : WriteColonoscopySlicerFiles(results, m_Folder + "/slicer", outputPath))
-    {
-      publish("slicer/" + name);
-    }
-    WriteJson(record, m_CommandLine.Output(m_Folder + "/stages/report.json"));
-    m_CommandLine.Publish(m_Folder + "/stages/report.json");
+    m_CommandLine.Publish(m_Folder + '/' + name);
+    m_Files[name] = IdentityOf(m_Folder + '/' + name);
   }
 
-  CommandLine &                   m_CommandLine;
-  const ColonoscopyPresentation & m_Presentation;
-  std::string                     m_Folder;
+  void
+  WriteRecord() const
+  {
+    WriteJson({ { "signature", m_Signature }, { "files", m_Files } }, m_CommandLine.Output(m_Record));
+    m_CommandLine.Publish(m_Record);
+  }
+
+private:
+  CommandLine & m_CommandLine;
+  std::string   m_Folder;
+  std::string   m_Record;
+  Json          m_Signature;
+  Json          m_Files = Json::object();
 };
 } // namespace
 
-void
-Present(CommandLine & commandLine, const ColonoscopyPresentation & presentation)
+const ColonoscopyResults &
+ColonoscopyPresenter::Read(const ColonoscopyPresentation & presentation)
 {
-  Presenter(commandLine, presentation).Update();
+  if (!m_Results)
+  {
+    m_Results = std::make_shared<ColonoscopyResults>(ReadColonoscopyResults(presentation.folder, presentation.stages));
+    m_Results->isSecond = presentation.isSecond;
+    if (presentation.isSecond)
+    {
+      m_Results->polypsOfOther = ExaminationFolder(presentation.folder + "/..").ReadCandidates();
+    }
+    if (m_Results->ct)
+    {
+      m_Results->device = ChooseFlatVolumeDevice(m_Results->ct, ReadDevice(m_CommandLine));
+      m_CommandLine.AddRunFact("device", m_Results->device.Describe());
+    }
+  }
+  m_Results->stages = presentation.stages;
+  return *m_Results;
+}
+
+void
+ColonoscopyPresenter::WriteLimitations(const ColonoscopyPresentation & presentation)
+{
+  RecordedFiles files(m_CommandLine, presentation, "limitations.json");
+  if (files.AreUnchanged())
+  {
+    return;
+  }
+  const ColonoscopyResults & results = this->Read(presentation);
+  WriteJson(LimitationsToJson(results, MeasureColonoscopyQuality(results)),
+            m_CommandLine.Output(presentation.folder + '/' + examination::limitations.name));
+  files.Publish(examination::limitations.name);
+  files.WriteRecord();
+}
+
+void
+ColonoscopyPresenter::WriteReport(const ColonoscopyPresentation & presentation)
+{
+  RecordedFiles files(m_CommandLine, presentation, "report.json");
+  if (files.AreUnchanged())
+  {
+    return;
+  }
+  m_CommandLine.Progress("report", 0.94);
+  const std::string &        folder = presentation.folder;
+  const ColonoscopyResults & results = this->Read(presentation);
+  ColonoscopyReportContent   content{
+    &results, MeasureColonoscopyQuality(results), presentation.failure, presentation.warnings, presentation.provenance
+  };
+  const std::string page = folder + '/' + examination::report.name;
+  WriteColonoscopyReport(content, m_CommandLine.Output(page), folder + "/.report.part");
+  files.Publish(examination::report.name);
+  const OutputPath outputPath = [this](const std::string & path) { return m_CommandLine.Output(path); };
+  const Remarks    notPrinted = PrintPage(page, folder + '/' + examination::printedReport.name, outputPath);
+  m_CommandLine.Warn(notPrinted);
+  if (notPrinted.empty())
+  {
+    files.Publish(examination::printedReport.name);
+  }
+  if (!content.quality.segments.empty())
+  {
+    TableOfSegmentQuality(content.quality.segments).Write(outputPath(folder + '/' + examination::segmentQuality.name));
+    files.Publish(examination::segmentQuality.name);
+  }
+  m_CommandLine.MakeFolder(folder + "/slicer");
+  for (const std::string & name : WriteColonoscopySlicerFiles(results, folder + "/slicer", outputPath))
+  {
+    files.Publish("slicer/" + name);
+  }
+  files.WriteRecord();
 }
 } // namespace shapeton

@@ -2,9 +2,11 @@
 #define shapetonColonoscopyPresentation_h
 
 #include "shapetonRemarks.h"
+#include "shapetonColonoscopyResults.h"
 #include "shapetonCommandLine.h"
 #include "shapetonStagedRun.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,9 +25,27 @@ struct ColonoscopyPresentation
   bool isSecond{ false };
 };
 
-/** Writes report.html and the files for Slicer; rewrites them if a stage or one of these files has changed. */
-void
-Present(CommandLine & commandLine, const ColonoscopyPresentation & presentation);
+/** Writes the pages on a series. Files are written again if a stage or one of them has changed. */
+class ColonoscopyPresenter
+{
+public:
+  explicit ColonoscopyPresenter(CommandLine & commandLine) : m_CommandLine(commandLine) {}
+
+  /** Writes limitations.json, which the viewer repeats, after all stages whose results it needs. */
+  void
+  WriteLimitations(const ColonoscopyPresentation & presentation);
+
+  /** Writes report.html and the files for Slicer, after the last stage. */
+  void
+  WriteReport(const ColonoscopyPresentation & presentation);
+
+private:
+  const ColonoscopyResults &
+  Read(const ColonoscopyPresentation & presentation);
+
+  CommandLine &                       m_CommandLine;
+  std::shared_ptr<ColonoscopyResults> m_Results; ///< null: not read
+};
 } // namespace shapeton
 
 #endif

@@ -171,9 +171,9 @@ AddFirstPage(HtmlReport & html, const ColonoscopyReportContent & content)
     html.AddNote(content.failure);
   }
   html.AddFacts(SummaryOf(content));
-  if (const std::string reason = ReasonForInadequate(results, quality); !reason.empty())
+  if (const std::string note = NoteOfInadequate(results, quality); !note.empty())
   {
-    html.AddNote("Consider category C0 (inadequate examination): " + reason + ".");
+    html.AddNote(note);
   }
   if (!quality.segments.empty())
   {

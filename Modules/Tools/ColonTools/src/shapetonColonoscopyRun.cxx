@@ -4,6 +4,8 @@
 #include "shapetonColonoscopyPresentation.h"
 #include "shapetonColonoscopyStages.h"
 #include "shapetonExaminationFolder.h"
+#include "shapetonJson.h"
+#include "shapetonStageRecord.h"
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
 #include "shapetonToolDevice.h"
@@ -68,6 +70,24 @@ public:
         m_CommandLine.AddInput(parameter, m_Run.Identify(m_CommandLine.GetString(parameter)));
       }
     }
+  }
+
+  /** A finished examination is not replaced by that of another input, which may be a mistake. */
+  void
+  RequireSameInput()
+  {
+    const auto record = ReadStageRecord(m_Folder + "/stages/" + colonoscopystage::segmentation + ".json");
+    if (!record || record->result.status != 0)
+    {
+      return;
+    }
+    const std::string input = m_Run.Identify(m_CommandLine.GetString(ParameterOfSeries("inputVolume", m_Series)));
+    const bool wasLumen = Json::parse(record->signature).dump().find(R"(["inputIsLumen","true"])") != std::string::npos;
+    const bool isSame = record->IdentityOfInput() == input && wasLumen == m_CommandLine.GetFlag("inputIsLumen");
+    RequireParameter(isSame,
+                     "the folder \"" + m_Folder +
+                       "\" contains the examination of another input, or of this one with "
+                       "another value of the parameter \"inputIsLumen\"; use a new folder, or remove this one first");
   }
 
   /** Runs all stages until one fails. */
@@ -269,16 +289,27 @@ RunOne(CommandLine & commandLine, SeriesRun & only)
 {
   constexpr ColonoscopySeries first = ColonoscopySeries::First;
   constexpr PartOfProgress    series{ 0.0, 0.9 }, foldsAndPolyps{ 0.79, 0.13 }, last{ 0.93, 0.01 };
+  ColonoscopyPresenter        presenter(commandLine);
   if (only.Run(StagesOfSeries(commandLine, first), series) &&
       only.RunInTurn(StageOfFolds(commandLine, first), StageOfPolyps(commandLine, first), foldsAndPolyps))
   {
+    presenter.WriteLimitations(only.Presentation());
     only.Run(LastStages(commandLine, ColonoscopySeries::First), last);
   }
-  Present(commandLine, only.Presentation());
+  presenter.WriteReport(only.Presentation());
   if (only.Status() != 0)
   {
     ThrowFailure(only.Status(), only.Failure());
   }
+}
+
+/** The presentation of the first series with what failed in the second one; a run stops at the first failed stage. */
+ColonoscopyPresentation
+PresentationOfPair(const SeriesRun & first, const SeriesRun & second)
+{
+  ColonoscopyPresentation presentation = first.Presentation();
+  presentation.failure += second.Failure();
+  return presentation;
 }
 
 /** The report of the first series includes the results of both, so it is written last. */
@@ -293,13 +324,15 @@ RunTwo(CommandLine & commandLine, SeriesRun & first, SeriesRun & second)
     stages.push_back(StageOfFolds(commandLine, series));
     return stages;
   };
-  const bool hasFirst = first.Run(withFolds(ColonoscopySeries::First), ofFirst);
+  ColonoscopyPresenter presenter(commandLine);
+  const bool           hasFirst = first.Run(withFolds(ColonoscopySeries::First), ofFirst);
   if (hasFirst && second.Run(withFolds(ColonoscopySeries::Second), ofSecond) &&
       first.RunBoth(StageOfSearch(commandLine), StageOfRegistration(commandLine), ofPair) &&
       second.Run({ StageOfPolyps(commandLine, ColonoscopySeries::Second) }, polypsOfSecond) &&
       first.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, polypsOfFirst) &&
       second.Run(LastStages(commandLine, ColonoscopySeries::Second), lastOfSecond))
   {
+    presenter.WriteLimitations(PresentationOfPair(first, second));
     first.Run(LastStages(commandLine, ColonoscopySeries::First), lastOfFirst);
   }
   if (hasFirst)
@@ -307,11 +340,10 @@ RunTwo(CommandLine & commandLine, SeriesRun & first, SeriesRun & second)
     ColonoscopyPresentation presentation = second.Presentation();
     LeaveOut(optionsOfPair, presentation.provenance);
     LeaveOut({ "viewer" }, presentation.provenance);
-    Present(commandLine, presentation);
+    ColonoscopyPresenter(commandLine).WriteReport(presentation);
   }
-  ColonoscopyPresentation presentation = first.Presentation();
-  presentation.failure += second.Failure(); // the run stops at the first failed stage
-  Present(commandLine, presentation);
+  const ColonoscopyPresentation presentation = PresentationOfPair(first, second);
+  presenter.WriteReport(presentation);
   if (!presentation.failure.empty())
   {
     ThrowFailure(std::max(first.Status(), second.Status()), presentation.failure);
@@ -342,6 +374,7 @@ RunColonoscopy(CommandLine & commandLine, const std::string & toolFolder)
   SeriesRun        first(commandLine, toolFolder, ColonoscopySeries::First);
   commandLine.RecordRun(folder + "/run.json");
   commandLine.Progress("reading", 0.0);
+  first.RequireSameInput();
   first.AddInputs();
   if (!hasSecond)
   {
@@ -355,6 +388,7 @@ RunColonoscopy(CommandLine & commandLine, const std::string & toolFolder)
   else
   {
     SeriesRun second(commandLine, toolFolder, ColonoscopySeries::Second);
+    second.RequireSameInput();
     second.AddInputs();
     RunTwo(commandLine, first, second);
   }

@@ -19,17 +19,20 @@ function itemOf({ text, warnings }) {
   return element('li', {}, [element('details', {}, [element('summary', { textContent: `${warnings.length} times: ${text}` }), all])]);
 }
 
+const sentence = (text) => element('li', { textContent: text });
+
 function folded(id, title, items) {
   return element('details', { id }, [element('summary', { textContent: title }), element('ul', {}, items)]);
 }
 
 // The folded lists of warnings and limitations.
-export function fillNotes(root, { warnings, positions }, exams, bits) {
+export function fillNotes(root, { warnings, positions, stated }, exams, bits) {
   const number = warnings.reduce((sum, kind) => sum + kind.warnings.length, 0);
   const limits = [...LIMITATIONS, ...positions.map(({ name }, k) => evaluableOf(exams[k], positions.length > 1 ? name || k + 1 : ''))];
   if (bits === 8) limits.push('HU are stored in steps of 6 up to 320 HU, and of 40 up to 1560 HU.');
   root.replaceChildren(folded('warnings', `Warnings of the examination (${number})`, warnings.map(itemOf)),
-    folded('limitations', `Limits of this page (${limits.length})`, limits.map((text) => element('li', { textContent: text }))));
+    folded('stated', `Limitations of this examination (${stated.limitations.length})`, stated.limitations.map(sentence)),
+    folded('limitations', `Limits of this page (${limits.length})`, limits.map(sentence)));
 }
 
 // Share of the centerline around which the wall is evaluable.
@@ -44,7 +47,8 @@ const hiddenSegments = ({ segments }) => segments.filter((s) => s.share < 0.9).m
 // Notices to show before reading.
 export function tellMissing(info, painter) {
   const [{ name }] = info.positions;
-  if (info.positions.length === 1) notice(`${name || 'Position unknown'}; one position only, so the examination is incomplete.`);
+  if (info.stated.note) notice(info.stated.note);
+  else if (info.positions.length === 1) notice(`${name || 'Position unknown'}; one position only, so the examination is incomplete.`);
   for (const position of info.positions) {
     const hidden = hiddenSegments(position);
     if (hidden.length) notice(`Evaluable length${info.positions.length > 1 ? ` (${position.name})` : ''}: ${hidden.join(', ')}.`);

@@ -15,9 +15,10 @@ const HEAD_SPAN = 80, HEAD_SCALE = 1.5; // size of slices in mm, and least pixel
 // All views of one position, around one crosshair.
 export class Panel {
   // notify: callback with this panel after its crosshair has moved; zoomed: with a slice after its scale has changed; marksOf:
-  // candidates and findings to show.
-  constructor(root, exam, layers, { notify, zoomed, marksOf }) {
-    Object.assign(this, { root, exam, layers, notify, zoomed, marksOf, window: [1500, -200], paintings: 0, measure: null });
+  // candidates and findings to show; calipersOf: their measurements.
+  constructor(root, exam, layers, { notify, zoomed, marksOf, calipersOf }) {
+    Object.assign(this, { root, exam, layers, notify, zoomed, marksOf, calipersOf });
+    Object.assign(this, { window: [1500, -200], paintings: 0, measure: null });
     Object.assign(this, { translucent: null, tissuePaintings: 0 }); // translucent: the place around which it is shown
     this.volumeText = 'Loading the volume …';
     this.place = exam.fromXyz(exam.center[Math.min(60, exam.center.length - 1)].xyz, false);
@@ -158,22 +159,25 @@ export class Panel {
     m.lengths = { straight, wall: m.path ? m.path.length : null, line: Math.abs(a.arc - b.arc) };
     const wall = m.path ? `${m.path.length.toFixed(1)} mm` : isOnWall ? 'more than 1 m' : 'unknown (a point is off the wall)';
     m.text = `straight ${straight.toFixed(1)} mm · along the wall ${wall} · along the centerline ${m.lengths.line.toFixed(1)} mm`;
-    if (m.done) m.done(straight);
+    if (m.done) m.done(straight, m.places);
   }
 
   // at: maps a point in space to its pixel, or null.
   drawMeasure(view, g, at) {
+    for (const { ends, text } of this.calipersOf(this)) this.drawCaliper(view, g, ends.map(at), text);
     if (!this.measure) return;
-    const { places, path } = this.measure, ends = places.map((p) => at(p.xyz));
+    const { places, path, lengths } = this.measure;
     if (path && view !== this.flat) view.line(g, path.line.map(at), '#ffffff', 1.5);
+    this.drawCaliper(view, g, places.map((p) => at(p.xyz)), lengths ? `${lengths.straight.toFixed(1)} mm` : '');
+  }
+
+  drawCaliper(view, g, ends, text) {
     view.line(g, ends, '#7cfc00', 2);
     g.fillStyle = '#7cfc00';
     for (const p of ends) if (p) g.fillRect(p[0] - 3, p[1] - 3, 6, 6);
-    if (ends.length === 2 && ends[0] && ends[1]) {
-      g.font = '13px sans-serif';
-      const text = `${this.measure.lengths.straight.toFixed(1)} mm`;
-      g.fillText(text, (ends[0][0] + ends[1][0]) / 2 + 6, (ends[0][1] + ends[1][1]) / 2 - 6);
-    }
+    if (ends.length < 2 || !ends[0] || !ends[1]) return;
+    g.font = '13px sans-serif';
+    g.fillText(text, (ends[0][0] + ends[1][0]) / 2 + 6, (ends[0][1] + ends[1][1]) / 2 - 6);
   }
 
   describe() {

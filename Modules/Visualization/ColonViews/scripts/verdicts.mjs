@@ -1,11 +1,15 @@
+import { distance } from '../../../Core/Pages/scripts/math.mjs';
 import { element, saveFile } from '../../../Core/Pages/scripts/page.mjs';
 
 const VERDICTS = ['unread', 'polyp', 'not a polyp', 'unsure'], ACCEPTED = 'polyp';
 const MORPHOLOGIES = ['', 'flat', 'sessile', 'pedunculated'];
 const VERSIONS = [1, 2];
+const AT_LESION = 40; // mm; the ends of a caliper are not farther from the center of a lesion
 
 const wordOf = (words, word) => (words.includes(word) ? word : words[0]);
 const numberOf = (x) => (Number.isFinite(x) && x > 0 ? Math.round(10 * x) / 10 : null);
+const isPoint = (p) => Array.isArray(p) && p.length === 3 && p.every(Number.isFinite);
+const caliperOf = (ends) => (Array.isArray(ends) && ends.length === 2 && ends.every(isPoint) ? ends : null);
 // As in report.html.
 const scoreOf = (score) => (score < 0.01 ? '< 0.01' : score.toFixed(2));
 // Recognized as something else, and not listed as a possible polyp in the other position.
@@ -22,7 +26,7 @@ export class Verdicts {
     this.isRevealed = !info.isSecondReader;
     this.entries = exams.flatMap((exam, position) => exam.info.candidates.map((candidate) => ({
       id: (position ? 'second/' : '') + candidate.candidate, position, candidate,
-      verdict: VERDICTS[0], note: '', size: null, morphology: '',
+      verdict: VERDICTS[0], note: '', size: null, morphology: '', caliper: null,
     })));
     // Lesions of two positions in the order of the report, then by score; what was recognized as something else last.
     const rank = (entry) => (isOther(entry) ? 1 : 0), lesion = ({ candidate: c }) => (c.lesion ?? '').padStart(2);
@@ -55,6 +59,14 @@ export class Verdicts {
     return { text: entry.id, xyz: entry.lps, uv: entry.uv, depth: (entry.diameter || 0) / 2, chosen };
   }
 
+  // Only what is accepted has a size by the reader.
+  isSized(entry) { return !entry.candidate || entry.verdict === ACCEPTED; }
+
+  calipers(position) {
+    const shown = this.all.filter((e) => e.position === position && e.caliper);
+    return shown.map((e) => ({ ends: e.caliper, text: `${(e.candidate ? e.size : e.diameter).toFixed(1)} mm` }));
+  }
+
   marks(position) { return this.all.filter((e) => e.position === position).map((e) => this.markOf(e)); }
 
   // Selects the next or previous entry.
@@ -83,8 +95,10 @@ export class Verdicts {
     this.setVerdict(this.chosen, VERDICTS[(VERDICTS.indexOf(this.chosen.verdict) + 1) % VERDICTS.length]);
   }
 
+  // One verdict for the candidates of a lesion in both positions.
   setVerdict(entry, verdict) {
-    entry.verdict = verdict;
+    const lesion = entry.candidate?.lesion;
+    for (const one of this.entries) if (one === entry || (lesion && one.candidate.lesion === lesion)) one.verdict = verdict;
     this.changed();
     this.list();
   }
@@ -101,13 +115,13 @@ export class Verdicts {
   }
 
   // A complete finding; files of version 1 lack its place along the colon.
-  findingOf({ id, position = 0, lps, uv, diameter, note, segment, arcLength, morphology }) {
+  findingOf({ id, position = 0, lps, uv, diameter, note, segment, arcLength, morphology, caliper }) {
     const place = this.exams[position].fromXyz(lps);
     return {
       id, position, lps, uv, diameter: numberOf(diameter), note: String(note ?? ''),
       segment: segment ?? this.exams[position].nameOfSegment(place.face),
       arcLength: arcLength ?? Math.round(10 * place.arc) / 10,
-      morphology: wordOf(MORPHOLOGIES, morphology),
+      morphology: wordOf(MORPHOLOGIES, morphology), caliper: caliperOf(caliper),
     };
   }
 
@@ -118,9 +132,18 @@ export class Verdicts {
     this.list();
   }
 
+  // The size by a measurement, which stays; false if it is not at the entry.
+  setCaliper(entry, mm, places) {
+    const center = entry.candidate ? entry.candidate.xyz : entry.lps;
+    if (places.some(({ xyz }) => distance(xyz, center) > AT_LESION)) return false;
+    this.setSize(entry, mm, places.map(({ xyz }) => Array.from(xyz, (x) => Math.round(10 * x) / 10)));
+    return true;
+  }
+
   // mm, or null
-  setSize(entry, size) {
+  setSize(entry, size, caliper = null) {
     entry[entry.candidate ? 'size' : 'diameter'] = numberOf(size);
+    entry.caliper = caliper;
     this.changed();
     this.list();
   }
@@ -147,9 +170,9 @@ export class Verdicts {
     const note = element('input', { className: 'note', placeholder: 'note', value: entry.note });
     note.setAttribute('aria-label', `note on ${entry.id}`);
     note.oninput = () => { entry.note = note.value; this.changed(); };
-    const isSized = !entry.candidate || entry.verdict === ACCEPTED;
+    const verdict = entry.candidate ? [this.select(entry, 'verdict', VERDICTS)] : [];
     const item = element('li', {}, [
-      head, ...(entry.candidate ? [this.select(entry, 'verdict', VERDICTS)] : []), ...(isSized ? this.measures(entry) : []), note,
+      head, ...verdict, ...(this.isSized(entry) ? this.measures(entry) : []), note,
       ...(entry.candidate ? [] : [this.removal(entry)]),
     ]);
     item.dataset.id = entry.id;
@@ -167,10 +190,12 @@ export class Verdicts {
 
   // The numbers of report.html.
   factsOf(entry) {
-    const c = entry.candidate, whole = (x) => Math.round(x);
+    const c = entry.candidate;
     const facts = [`${this.lesionOf(c)}${c.candidate}${this.whereOf(entry)}`, `score ${scoreOf(c.score)}`];
     facts.push(`${c.segment || 'segment unknown'}${c.arcLength === null ? '' : `, ${cmOf(c.arcLength)}`}`);
-    facts.push(c.plane ? `${whole(c.planeDiameter)} mm, ${c.plane}; ${whole(c.diameter)} mm in 3-D` : `${whole(c.diameter)} mm in 3-D`);
+    const larger = c.lesionSize > c.diameter ? `; ${c.lesionSize.toFixed(1)} mm in the other position counts` : '';
+    facts.push(`${c.diameter.toFixed(1)} mm${larger}`);
+    if (c.plane) facts.push(`greatest in the ${c.plane} plane`);
     if (c.morphology) facts.push(c.morphology);
     if (c.meanAttenuation !== null) facts.push(`mean attenuation ${this.attenuationOf(c)}`);
     facts.push(...[c.recognizedAs, c.remark].filter((text, i, all) => text && all.indexOf(text) === i));
@@ -217,8 +242,10 @@ export class Verdicts {
       secondReader: this.isSecondReader,
       candidatesRevealed: this.isRevealed,
       assessment: this.assessment.value,
-      candidates: this.entries.map(({ id, verdict, note, size, morphology }) => ({ id, verdict, note, size, morphology })),
-      findings: this.findings,
+      candidates: this.entries.map(({ id, verdict, note, size, morphology, caliper }) => ({
+        id, verdict, note, size, morphology, ...(caliper ? { caliper } : {}),
+      })),
+      findings: this.findings.map(({ caliper, ...finding }) => ({ ...finding, ...(caliper ? { caliper } : {}) })),
       bookmarks: this.bookmarks.list,
     };
   }
@@ -249,9 +276,9 @@ export class Verdicts {
     this.isSecondReader ||= saved.secondReader === true;
     this.isRevealed ||= saved.candidatesRevealed === true;
     for (const entry of this.entries) {
-      const { verdict, note, size, morphology } = saved.candidates.find((c) => c.id === entry.id) || {};
+      const { verdict, note, size, morphology, caliper } = saved.candidates.find((c) => c.id === entry.id) || {};
       const texts = { verdict: wordOf(VERDICTS, verdict), note: String(note ?? ''), morphology: wordOf(MORPHOLOGIES, morphology) };
-      Object.assign(entry, texts, { size: numberOf(size) });
+      Object.assign(entry, texts, { size: numberOf(size), caliper: numberOf(size) && caliperOf(caliper) });
     }
     this.findings = findings;
     this.assessment.take(saved.assessment);

@@ -79,6 +79,7 @@ class Viewer {
       notify: (panel) => this.moved(panel),
       zoomed: (slice) => this.zoomOthers(slice),
       marksOf: (panel) => this.verdicts.marks(this.panels.indexOf(panel)),
+      calipersOf: (panel) => this.verdicts.calipers(this.panels.indexOf(panel)),
     });
   }
 
@@ -204,15 +205,19 @@ class Viewer {
 
   toggleMeasure() {
     const isOn = Boolean(this.panel.measure);
-    this.panels.forEach((p) => (isOn ? p.endMeasure() : p.startMeasure()));
+    const keep = (position) => (mm, places) => {
+      const { chosen } = this.verdicts;
+      if (chosen?.position === position && this.verdicts.isSized(chosen)) this.verdicts.setCaliper(chosen, mm, places);
+    };
+    this.panels.forEach((p, position) => (isOn ? p.endMeasure() : p.startMeasure(keep(position))));
     this.notify();
   }
 
   // Measures a candidate or finding by two clicks.
   resize(entry) {
-    this.panels[entry.position].startMeasure((mm) => {
-      this.verdicts.setSize(entry, mm);
+    this.panels[entry.position].startMeasure((mm, places) => {
       this.panels[entry.position].endMeasure();
+      if (!this.verdicts.setCaliper(entry, mm, places)) notice(`This measurement is not at ${entry.id}: its size is unchanged.`);
     });
     this.notify();
   }

@@ -90,6 +90,7 @@ NameLesions(const ColonExamination & exam, Json & positions)
         if (candidate["candidate"] == std::to_string(k == 0 ? lesion.first : lesion.second))
         {
           candidate["lesion"] = lesion.letter;
+          candidate["lesionSize"] = lesion.size;
         }
       }
     }
@@ -134,6 +135,10 @@ WriteColonViewer(const std::string &        folderOfExam,
   info["bits"] = options.bits;
   info["isSecondReader"] = options.isSecondReader;
   info["warnings"] = WarningsForPage(options.warnings);
+  const ExaminationFolder & first = exam.GetPositions().front();
+  info["stated"] = options.second.empty() && first.Has(examination::limitations)
+                     ? ReadJson(first.PathOf(examination::limitations))
+                     : Json{ { "note", "" }, { "limitations", Json::array() } };
   info["hasMap"] = PutMaps(blocks, exam.GetPositions(), RegistrationOf(exam.GetPositions().front(), options));
   if (!options.verdicts.empty())
   {

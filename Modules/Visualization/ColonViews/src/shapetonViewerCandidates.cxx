@@ -30,7 +30,6 @@ ForViewer(const PolypCandidate & one)
            { "arcLength", NumberOrNull(one.arcLength) },
            { "diameter", one.diameter },
            { "height", one.height },
-           { "planeDiameter", NumberOrNull(one.planeDiameter) },
            { "plane", one.plane },
            { "morphology", MorphologyInWords(one) },
            { "meanAttenuation", NumberOrNull(one.meanAttenuation) },
