@@ -27,46 +27,58 @@ CheckUsage(const CommandLine & commandLine)
                    "--other requires --registration, which maps candidates to the other position");
 }
 
-/** Selects the map of a registration that starts from the wall of the candidates. */
-void
-MapToOther(CommandLine & commandLine, Candidates & candidates)
+/** The registration with the other position, as seen from this one. */
+struct OtherPosition
 {
-  if (!commandLine.IsGiven("registration"))
-  {
-    return;
-  }
-  std::vector<OtherPolypCandidate> others;
+  std::vector<OtherPolypCandidate> candidates;
+  std::string                      nearest;       ///< path of the map
+  SurfaceMesh                      map;           ///< the map that starts from the wall of this position
+  int                              position{ 0 }; ///< 0: this position is the supine one
+};
+
+OtherPosition
+ReadOther(CommandLine & commandLine, const SurfaceMesh & wall)
+{
+  const std::string folder = commandLine.GetString("registration");
+  OtherPosition     other;
   if (commandLine.IsGiven("other"))
   {
     const std::string path = commandLine.GetString("other");
     commandLine.AddInput("other", "sha256:" + Sha256OfFile(path));
-    others = ReadOtherPolypCandidates(path);
+    other.candidates = ReadOtherPolypCandidates(path);
   }
-  const std::string folder = commandLine.GetString("registration");
-  std::string       nearest;
-  SurfaceMesh       map;
-  double            least = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
+  int    position = 0;
   for (const auto & file : { examination::supineToProne, examination::proneToSupine })
   {
     const std::string path = folder + '/' + file.name;
-    const Surface     surface = ReadSurface(path);
+    Surface           surface = ReadSurface(path);
     commandLine.AddProvenance(file.Path(), surface.identity);
-    const double distance = MeanDistanceToWall(surface.mesh, candidates);
+    const double distance = MeanDistanceToWall(surface.mesh, wall.V);
     if (distance < least)
     {
       least = distance;
-      nearest = path;
-      map = surface.mesh;
+      other.nearest = path;
+      other.map = std::move(surface.mesh);
+      other.position = position;
     }
+    ++position;
   }
-  const double confidence = ConfidenceOfRegistration(folder);
+  return other;
+}
+
+void
+MapToOther(CommandLine & commandLine, const OtherPosition & other, Candidates & candidates)
+{
+  const std::string folder = commandLine.GetString("registration");
+  const double      confidence = ConfidenceOfRegistration(folder);
   if (confidence < LeastRegistrationConfidence)
   {
     commandLine.Warn("the registration \"" + folder + "\" has a confidence of " + CsvTable::Rounded(confidence, 2) +
                      "; the other position was ignored (see the reasons in its report)");
     return;
   }
-  FindInOtherPosition(map, '"' + nearest + '"', others, candidates);
+  FindInOtherPosition(other.map, '"' + other.nearest + '"', other.candidates, candidates);
   if (commandLine.IsGiven("other"))
   {
     WeighByOtherPosition(confidence, candidates);
@@ -84,19 +96,29 @@ SearchForPolyps(CommandLine & commandLine)
   const std::string report = commandLine.MakeFolderOf("report");
 
   commandLine.Progress("Reading", 0.0);
-  const PolypColon colon = ReadPolypColon(ExaminationFolder(commandLine.GetString("inputFolder"), "ColonPolyps"));
+  PolypColon colon = ReadPolypColon(ExaminationFolder(commandLine.GetString("inputFolder"), "ColonPolyps"));
   commandLine.LeaveOutOfProvenance("inputFolder");
   for (const auto & [name, identity] : colon.facts)
   {
     commandLine.AddProvenance(name, identity);
   }
   commandLine.Warn(colon.warnings);
+  const bool          hasOther = commandLine.IsGiven("registration");
+  const OtherPosition other = hasOther ? ReadOther(commandLine, colon.wall) : OtherPosition();
+  if (const auto valve =
+        hasOther ? ValveOfRegistration(commandLine.GetString("registration"), other.position) : std::nullopt)
+  {
+    SetIleocecalValve(*valve, colon.centerline);
+  }
 
   PolypSearchSettings settings;
   ReadOptions(commandLine, settings);
   settings.progress = commandLine.PartOfProgress(0.2, 0.7);
   Candidates candidates = SearchPolyps(colon, settings);
-  MapToOther(commandLine, candidates);
+  if (hasOther)
+  {
+    MapToOther(commandLine, other, candidates);
+  }
 
   commandLine.Progress("Writing", 0.7);
   TableOfPolypCandidates(candidates).Write(table);

@@ -3,7 +3,10 @@
 
 #include "ShapetonColonExaminationExport.h"
 #include "shapetonCsvTable.h"
+#include "shapetonIleocecalValve.h"
 #include "shapetonRegistrationResults.h"
+
+#include <optional>
 
 namespace shapeton
 {
@@ -32,6 +35,11 @@ ReadRegistrationResults(const std::string & folder);
  * if the JSON file does not state it. */
 ShapetonColonExamination_EXPORT double
 ConfidenceOfRegistration(const std::string & folder);
+
+/** The valve that was decided from both positions, of the supine (0) or prone (1) one. None if the registration is
+ * unreliable, or was written before it stated the valve. Throws InputError as ConfidenceOfRegistration(). */
+ShapetonColonExamination_EXPORT std::optional<ValveSearch>
+                                ValveOfRegistration(const std::string & folder, int position);
 ///@}
 } // namespace shapeton
 

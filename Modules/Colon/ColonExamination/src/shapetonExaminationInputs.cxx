@@ -4,6 +4,7 @@
 #include "shapetonFlatColon.h"
 #include "shapetonHaustralFoldFiles.h"
 #include "shapetonParallelFor.h"
+#include "shapetonRunRecords.h"
 #include "shapetonSha256.h"
 
 namespace shapeton
@@ -104,12 +105,22 @@ IdentityOfPosition(const ExaminationFolder & exam)
   }
   return "sha256:" + Sha256OfBytes(identities);
 }
+/** Rejects the folder of an interrupted or failed run, which may mix results of two. */
+void
+RequireCurrent(const ExaminationFolder & exam)
+{
+  for (const char * const stage : { colonoscopystage::landmarks, colonoscopystage::folds })
+  {
+    RunRecords(exam.GetFolder()).RequireCurrent(stage);
+  }
+}
 } // namespace
 
 PolypColon
 ReadPolypColon(const ExaminationFolder & exam)
 {
   using namespace examination;
+  RequireCurrent(exam);
   PolypColon colon;
   exam.Required(repairedWall);
   exam.Required(lumen);
@@ -133,6 +144,7 @@ ReadPolypColon(const ExaminationFolder & exam)
 ColonPositionFiles
 ReadColonPosition(const ExaminationFolder & exam, const std::string & name)
 {
+  RequireCurrent(exam);
   ColonPositionFiles files;
   ColonPosition &    position = files.position;
   position.name = name;

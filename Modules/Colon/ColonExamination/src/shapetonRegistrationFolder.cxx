@@ -245,4 +245,15 @@ ConfidenceOfRegistration(const std::string & folder)
   }
   return confidence["flagged"] == true ? 0.0 : std::clamp(confidence["whole"].get<double>(), 0.0, 1.0);
 }
+
+std::optional<ValveSearch>
+ValveOfRegistration(const std::string & folder, int position)
+{
+  const Json document = ReadJson(PathIn(folder, examination::registration));
+  if (ConfidenceOfRegistration(folder) < LeastRegistrationConfidence || !document.contains("ileocecalValve"))
+  {
+    return std::nullopt;
+  }
+  return ValveFromJson(document["ileocecalValve"].value(position == 0 ? "supine" : "prone", Json()));
+}
 } // namespace shapeton

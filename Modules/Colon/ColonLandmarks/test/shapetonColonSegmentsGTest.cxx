@@ -115,7 +115,7 @@ TEST(ColonSegments, EndTheCecumAtAKnownValve)
   shapeton::IleocecalValve valve;
   valve.arcLength = shapeton::PointValues(c.colon.centerline, "arcLength", "the line").maxCoeff() - 80.0;
   valve.confidence = 0.8;
-  shapeton::SetIleocecalValve(valve, c.colon.centerline);
+  shapeton::SetIleocecalValve({ valve, "", {} }, c.colon.centerline);
   const ColonSegments segments = FindColonSegments(c.tube, c.colon.centerline, c.flexures);
   EXPECT_TRUE(segments.isCecumAtValve);
   EXPECT_EQ(segments.borders.back().number, 5);

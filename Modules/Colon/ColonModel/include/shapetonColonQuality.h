@@ -10,6 +10,10 @@ namespace shapeton
  * volumes in ml, intensities in HU, points in LPS. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT Json
 ColonQualityToJson(const ColonModel & model);
+
+/** Replaces the valve in such a document, also among the missing parts. \ingroup ShapetonColonModel */
+ShapetonColonModel_EXPORT void
+StateValve(const ValveSearch & search, Json & quality);
 } // namespace shapeton
 
 #endif

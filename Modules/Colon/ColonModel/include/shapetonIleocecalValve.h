@@ -4,13 +4,16 @@
 #include "ShapetonColonModelExport.h"
 
 #include "shapetonCurveSet.h"
+#include "shapetonJson.h"
 #include "shapetonLumenDistance.h"
 
 #include <Eigen/Core>
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace shapeton
 {
@@ -40,6 +43,8 @@ struct ValveSearch
   std::optional<IleocecalValve> valve;
   /** Reason why the valve was not found; empty otherwise. */
   std::string reason;
+  /** Candidates of at least 0.1 %, most likely first; the confidence of each one is its own probability. */
+  std::vector<IleocecalValve> candidates;
 };
 
 /** Finds the ileocecal valve within 160 mm of the end of the centerline of a colon.
@@ -57,16 +62,36 @@ struct ValveSearch
 ShapetonColonModel_EXPORT ValveSearch
 FindIleocecalValve(const LumenMask * labels, const itk::Image<float, 3> * ct, const CurveSet & centerline);
 
-/** \name The valve in a centerline file
- * Stored as the field array ileocecalValve: x, y, z (LPS, mm), arcLength, length, width (mm), confidence. */
+/** Decides the valve in two scans of one colon together. Candidates within 20 mm of each other are the same place,
+ * which has the odds of the scan that shows it better: its shape in the other scan is no independent evidence, and lips
+ * may be flattened there. \param first, second candidates of the scans, see ValveSearch::candidates. \param
+ * firstInSecond the places of the first ones in the second scan. \ingroup ShapetonColonModel */
+ShapetonColonModel_EXPORT std::array<ValveSearch, 2>
+                          FindValveInBoth(std::vector<IleocecalValve>          first,
+                                          std::vector<IleocecalValve>          second,
+                                          const std::vector<Eigen::Vector3d> & firstInSecond);
+
+/** \name The valve in files
+ * A centerline has the field arrays ileocecalValve and ileocecalValveCandidates with one row per place: x, y, z (LPS,
+ * mm), arcLength, length, width (mm), confidence. */
 ///@{
-/** Stores the valve in the curve, or removes a stored valve. \ingroup ShapetonColonModel */
+/** Stores a search in a centerline; replaces a stored one. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT void
-SetIleocecalValve(const std::optional<IleocecalValve> & valve, CurveSet & centerline);
+SetIleocecalValve(const ValveSearch & search, CurveSet & centerline);
 /** The valve stored in a centerline, if any. Throws InputError if the array has the wrong size.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT std::optional<IleocecalValve>
                           IleocecalValveOf(const CurveSet & centerline);
+/** The candidates stored in a centerline; errors as IleocecalValveOf(). \ingroup ShapetonColonModel */
+ShapetonColonModel_EXPORT std::vector<IleocecalValve>
+                          ValveCandidatesOf(const CurveSet & centerline);
+/** A search as JSON: found, and position, arcLength, length, width, attenuation (null: no CT) and confidence, or
+ * reason; candidates. \ingroup ShapetonColonModel */
+ShapetonColonModel_EXPORT Json
+ValveToJson(const ValveSearch & search);
+/** The inverse of ValveToJson(). Throws InputError for another document. \ingroup ShapetonColonModel */
+ShapetonColonModel_EXPORT ValveSearch
+ValveFromJson(const Json & json);
 ///@}
 } // namespace shapeton
 

@@ -30,6 +30,8 @@ struct ScanResolution
   double blur{ 0.0 };
   /** Diameter, mm. */
   double smallestPolyp{ 0.0 };
+  /** Whether it is the grid of a mask: the scan may have been coarser. */
+  bool isOfMask{ false };
 };
 
 /** Computes the resolution of a grid. `sliceThickness` is 0 if unknown; `smoothing` is the standard deviation of the

@@ -68,7 +68,7 @@ void
 FindValve(ColonModel & model)
 {
   model.valve = FindIleocecalValve(model.lumen.labels, model.cleansed, model.centerline.curve);
-  SetIleocecalValve(model.valve.valve, model.centerline.curve);
+  SetIleocecalValve(model.valve, model.centerline.curve);
 }
 
 /** Removes the ileum from the lumen, and finds the line and the valve again. */
@@ -376,6 +376,7 @@ ColonModel
 WithResolution(ColonModel && model, const itk::ImageBase<3> * image, double sliceThickness)
 {
   model.resolution = MeasureScanResolution(image, SliceThicknessOf(image, sliceThickness), model.lumen.smoothing);
+  model.resolution.isOfMask = !model.hasIntensities;
   SetNotAssessableBelow(model.resolution, model.centerline.curve);
   AppendRemarks(model.warnings, WarningsOf(model.resolution));
   return std::move(model);

@@ -124,24 +124,6 @@ LumenToJson(const ColonModel & model)
 }
 
 Json
-ValveToJson(const ValveSearch & search)
-{
-  if (!search.valve)
-  {
-    return { { "found", false }, { "reason", search.reason } };
-  }
-  const IleocecalValve & valve = *search.valve;
-  Json                   json = { { "found", true },
-                                  { "position", { valve.position[0], valve.position[1], valve.position[2] } },
-                                  { "arcLength", valve.arcLength },
-                                  { "length", valve.length },
-                                  { "width", valve.width },
-                                  { "confidence", valve.confidence } };
-  json["attenuation"] = std::isfinite(valve.attenuation) ? Json(valve.attenuation) : Json(nullptr);
-  return json;
-}
-
-Json
 IleumToJson(const std::optional<TerminalIleum> & ileum)
 {
   if (!ileum)
@@ -279,10 +261,6 @@ MissingParts(const ColonModel & model)
                         " along the line, too long for a collapsed stretch");
     }
   }
-  if (!model.valve.valve)
-  {
-    missing.push_back("the ileocecal valve: it is unknown whether the line ends in the cecum");
-  }
   return missing;
 }
 
@@ -323,6 +301,27 @@ SurfacesToJson(const ColonWallReport & report)
 }
 } // namespace
 
+void
+StateValve(const ValveSearch & search, Json & quality)
+{
+  const std::string unknown = "the ileocecal valve: it is unknown whether the line ends in the cecum";
+  Json              missing = Json::array();
+  for (const Json & part : quality.at("missing"))
+  {
+    if (part != unknown)
+    {
+      missing.push_back(part);
+    }
+  }
+  if (!search.valve && !quality.contains("failure"))
+  {
+    missing.push_back(unknown);
+  }
+  quality["ileocecalValve"] = ValveToJson(search);
+  quality["isComplete"] = missing.empty();
+  quality["missing"] = std::move(missing);
+}
+
 Json
 ColonQualityToJson(const ColonModel & model)
 {
@@ -343,7 +342,7 @@ ColonQualityToJson(const ColonModel & model)
     json["centerline"] = CenterlineToJson(model.centerline);
     json["distension"] = DistensionToJson(model.distension);
     json["assessability"] = AssessabilityToJson(model);
-    json["ileocecalValve"] = ValveToJson(model.valve);
+    StateValve(model.valve, json);
     json["terminalIleum"] = IleumToJson(model.terminalIleum);
   }
   if (model.wall.raw.NumberOfFaces() > 0)

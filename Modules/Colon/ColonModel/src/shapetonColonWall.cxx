@@ -6,6 +6,7 @@
 #include "shapetonCutDisc.h"
 #include "shapetonDiffusionTime.h"
 #include "shapetonHandleLoops.h"
+#include "shapetonImageGrid.h"
 #include "shapetonParallelFor.h"
 #include "shapetonRemoveBridges.h"
 #include "shapetonSurfaceConnectivity.h"
@@ -373,6 +374,25 @@ private:
   SurfaceMesh                  m_Unrepaired; ///< see MakeUnrepaired()
   Remarks                      m_RemarksOnRepaired;
 };
+
+/** A line of another frame would be bridged over any distance. */
+void
+RequireLineIn(const OccupancyImage * volume, const CurveSet & centerline)
+{
+  constexpr double leastInside = 0.5; // fraction of the points; chosen, a colon may extend beyond a scan
+  int              inside = 0;
+  for (Eigen::Index i = 0; i < centerline.V.rows(); ++i)
+  {
+    itk::Point<double, 3> point;
+    std::copy_n(centerline.V.row(i).eval().data(), 3, point.Begin());
+    itk::ContinuousIndex<double, 3> index;
+    inside += volume->TransformPhysicalPointToContinuousIndex(point, index) ? 1 : 0;
+  }
+  if (inside < leastInside * static_cast<double>(centerline.V.rows()))
+  {
+    throw InputError("most of the centerline is outside the volume; use a centerline and a volume of the same frame");
+  }
+}
 } // namespace
 
 void
@@ -395,12 +415,19 @@ BuildColonWall(OccupancyImage::ConstPointer occupancy,
     throw InputError("the centerline must be one curve of at least two points; it has " +
                      std::to_string(centerline.curves.size()) + " curves");
   }
+  RequireLineIn(occupancy, centerline);
   return Builder(std::move(occupancy), centerline, options, std::move(repairedOccupancy)).Build();
 }
 
 ColonWall
 BuildColonWallFromMask(const LumenMaskImage * mask, const CurveSet & centerline, const ColonWallSettings & options)
 {
+  RequirePixels(mask, "the lumen mask");
+  const auto * const voxels = mask->GetBufferPointer();
+  if (std::all_of(voxels, voxels + mask->GetBufferedRegion().GetNumberOfPixels(), [](auto v) { return v == 0; }))
+  {
+    throw InputError("the lumen mask is empty: all voxels are 0; give a mask whose lumen is nonzero");
+  }
   const auto   spacing = mask->GetSpacing();
   const double meanSpacing = std::cbrt(spacing[0] * spacing[1] * spacing[2]);
   auto         sharp = OccupancyFromMask(mask);

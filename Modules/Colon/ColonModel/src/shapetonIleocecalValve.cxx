@@ -7,15 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace shapeton
 {
 namespace
 {
-/** Field array of the centerline: position (3 numbers), arc length, length and width in mm; confidence from 0 to 1. */
+/** Field arrays of the centerline: position (3 numbers), arc length, length and width in mm; confidence from 0 to 1. */
 constexpr const char * arrayName = "ileocecalValve";
+constexpr const char * candidatesName = "ileocecalValveCandidates";
 constexpr int          valuesInArray = 7;
-constexpr double       leastConfidence = 0.5; // chosen: more likely the valve than not
 
 /** Rounded down, so that a value below the limit is not printed as the limit. */
 std::string
@@ -27,86 +28,294 @@ PerCent(double share)
 /** Probability that the valve is this candidate or an adjacent one on the same fold; at most one candidate is the
  * valve. */
 double
-ProbabilityNear(const ValveEvidence & best, const std::vector<ValveEvidence> & places, const std::vector<double> & odds)
+ProbabilityNear(const IleocecalValve & best, const std::vector<IleocecalValve> & candidates)
 {
   constexpr double next = 25.0; // mm; chosen: candidates on one fold
-  double           all = 1.0;
-  double           near = 0.0;
-  for (std::size_t i = 0; i < places.size(); ++i)
+  return std::accumulate(
+    candidates.begin(), candidates.end(), 0.0, [&best](double sum, const IleocecalValve & candidate) {
+      return (candidate.position - best.position).norm() <= next ? sum + candidate.confidence : sum;
+    });
+}
+
+double
+LengthOf(const CurveSet & centerline)
+{
+  return PointValues(centerline, "arcLength", "the centerline").maxCoeff();
+}
+
+/** Decides from the probabilities of the candidates. */
+ValveSearch
+Decided(std::vector<IleocecalValve> candidates)
+{
+  constexpr double leastConfidence = 0.5; // chosen: more likely the valve than not
+  constexpr double leastKept = 0.001;     // chosen: the other scan may show the place better
+  ValveSearch      search;
+  if (candidates.empty())
   {
-    all += odds[i];
-    near += (places[i].valve.position - best.valve.position).norm() <= next ? odds[i] : 0.0;
+    search.reason = "no bulge of the wall was found near the end of the centerline";
+    return search;
   }
-  return near / all;
+  std::stable_sort(candidates.begin(), candidates.end(), [](const IleocecalValve & a, const IleocecalValve & b) {
+    return a.confidence > b.confidence;
+  });
+  IleocecalValve best = candidates.front();
+  best.confidence = ProbabilityNear(best, candidates);
+  if (best.confidence >= leastConfidence)
+  {
+    search.valve = best;
+  }
+  else
+  {
+    search.reason = "no candidate is likely enough: the best one is at " + PlaceInWords(best.position) + " with " +
+                    PerCent(best.confidence);
+  }
+  candidates.erase(std::find_if(candidates.begin(),
+                                candidates.end(),
+                                [](const IleocecalValve & one) { return one.confidence < leastKept; }),
+                   candidates.end());
+  search.candidates = std::move(candidates);
+  return search;
+}
+
+/** Odds of each candidate against no candidate being the valve. */
+std::vector<double>
+OddsOf(const std::vector<IleocecalValve> & candidates)
+{
+  constexpr double leastRest = 1e-6; // of rounded numbers
+  double           none = 1.0;
+  for (const IleocecalValve & candidate : candidates)
+  {
+    none -= candidate.confidence;
+  }
+  std::vector<double> odds;
+  for (const IleocecalValve & candidate : candidates)
+  {
+    odds.push_back(candidate.confidence / std::max(none, leastRest));
+  }
+  return odds;
+}
+
+/** For each place of the first scan the nearest one of the second, which has no nearer partner; -1 for none. */
+std::vector<int>
+PartnersOf(const std::vector<Eigen::Vector3d> & first, const std::vector<IleocecalValve> & second)
+{
+  constexpr double reach = 20.0; // mm; chosen: the error of a registration, and of the middle of a valve
+  struct Pair
+  {
+    double      distance;
+    std::size_t first, second;
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < first.size(); ++i)
+  {
+    for (std::size_t j = 0; j < second.size(); ++j)
+    {
+      pairs.push_back({ (first[i] - second[j].position).norm(), i, j });
+    }
+  }
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair & a, const Pair & b) { return a.distance < b.distance; });
+  std::vector<int>  partners(first.size(), -1);
+  std::vector<bool> isTaken(second.size(), false);
+  for (const Pair & pair : pairs)
+  {
+    if (pair.distance <= reach && partners[pair.first] == -1 && !isTaken[pair.second])
+    {
+      partners[pair.first] = static_cast<int>(pair.second);
+      isTaken[pair.second] = true;
+    }
+  }
+  return partners;
+}
+
+SurfaceArray
+ArrayOf(const char * name, const std::vector<IleocecalValve> & valves)
+{
+  SurfaceArray array{ name, SurfaceArray::ValueMatrix(valves.size(), valuesInArray), false };
+  for (std::size_t row = 0; row < valves.size(); ++row)
+  {
+    const IleocecalValve & valve = valves[row];
+    array.values.row(static_cast<Eigen::Index>(row)) << valve.position.transpose(), valve.arcLength, valve.length,
+      valve.width, valve.confidence;
+  }
+  return array;
+}
+
+std::vector<IleocecalValve>
+ValvesOf(const char * name, const CurveSet & centerline)
+{
+  const SurfaceArray * const  array = FindSurfaceArray(centerline.fieldArrays, name);
+  std::vector<IleocecalValve> valves;
+  if (array == nullptr)
+  {
+    return valves;
+  }
+  if (array->values.cols() != valuesInArray)
+  {
+    throw InputError(std::string("the field array ") + name +
+                     " of the centerline must have rows of 7 numbers; run ColonSegmentation again");
+  }
+  for (const auto & values : array->values.rowwise())
+  {
+    IleocecalValve valve;
+    valve.position = values.head<3>().transpose();
+    valve.arcLength = values[3];
+    valve.length = values[4];
+    valve.width = values[5];
+    valve.confidence = values[6];
+    valves.push_back(valve);
+  }
+  return valves;
+}
+
+Json
+PlaceToJson(const IleocecalValve & valve)
+{
+  Json json = { { "position", { valve.position[0], valve.position[1], valve.position[2] } },
+                { "arcLength", valve.arcLength },
+                { "length", valve.length },
+                { "width", valve.width },
+                { "confidence", valve.confidence } };
+  json["attenuation"] = std::isfinite(valve.attenuation) ? Json(valve.attenuation) : Json(nullptr);
+  return json;
+}
+
+IleocecalValve
+PlaceFromJson(const Json & json)
+{
+  IleocecalValve valve;
+  const auto     position = json.at("position").get<std::array<double, 3>>();
+  valve.position = { position[0], position[1], position[2] };
+  valve.arcLength = json.at("arcLength").get<double>();
+  valve.length = json.at("length").get<double>();
+  valve.width = json.at("width").get<double>();
+  valve.confidence = json.at("confidence").get<double>();
+  valve.attenuation = json.at("attenuation").is_null() ? valve.attenuation : json["attenuation"].get<double>();
+  return valve;
 }
 } // namespace
 
 ValveSearch
 FindIleocecalValve(const LumenMask * labels, const itk::Image<float, 3> * ct, const CurveSet & centerline)
 {
-  const CecalRegion                region(labels, ct, centerline);
-  const std::vector<ValveEvidence> places = JoinLips(FindValveBulges(region));
-  ValveSearch                      search;
-  if (places.empty())
+  const CecalRegion           region(labels, ct, centerline);
+  std::vector<IleocecalValve> candidates;
+  double                      sum = 1.0; // odds that none is the valve
+  for (const ValveEvidence & place : JoinLips(FindValveBulges(region)))
   {
-    search.reason = "no bulge of the wall was found near the end of the centerline";
-    return search;
+    candidates.push_back(place.valve);
+    candidates.back().arcLength = LengthOf(centerline) - place.beforeEnd;
+    candidates.back().confidence = std::exp(ValveLogOdds(place));
+    sum += candidates.back().confidence;
   }
-  std::vector<double> odds;
-  for (const ValveEvidence & place : places)
+  for (IleocecalValve & candidate : candidates)
   {
-    odds.push_back(std::exp(ValveLogOdds(place)));
+    candidate.confidence /= sum;
   }
-  const auto            most = std::max_element(odds.begin(), odds.end()) - odds.begin();
-  const ValveEvidence & best = places[most];
-  IleocecalValve        valve = best.valve;
-  valve.arcLength = PointValues(centerline, "arcLength", "the centerline").maxCoeff() - best.beforeEnd;
-  valve.confidence = ProbabilityNear(best, places, odds);
-  if (valve.confidence < leastConfidence)
+  return Decided(std::move(candidates));
+}
+
+std::array<ValveSearch, 2>
+FindValveInBoth(std::vector<IleocecalValve>          first,
+                std::vector<IleocecalValve>          second,
+                const std::vector<Eigen::Vector3d> & firstInSecond)
+{
+  RequireParameter(firstInSecond.size() == first.size(),
+                   "each candidate of the first scan needs a place in the second");
+  const std::vector<int> partners = PartnersOf(firstInSecond, second);
+  std::vector<double>    ofFirst = OddsOf(first);
+  std::vector<double>    ofSecond = OddsOf(second);
+  double                 sum = 1.0 + std::accumulate(ofSecond.begin(), ofSecond.end(), 0.0); // none, one of these,
+  for (std::size_t i = 0; i < first.size(); ++i)
   {
-    search.reason = "no candidate is likely enough: the best one is at " + PlaceInWords(valve.position) + " with " +
-                    PerCent(valve.confidence);
-    return search;
+    if (partners[i] == -1)
+    {
+      sum += ofFirst[i]; // or one of the first scan alone is the valve
+      continue;
+    }
+    double & other = ofSecond[partners[i]];
+    sum += std::max(0.0, ofFirst[i] - other);
+    ofFirst[i] = other = std::max(ofFirst[i], other);
   }
-  search.valve = valve;
-  return search;
+  const auto normalize = [sum](const std::vector<double> & odds, std::vector<IleocecalValve> & candidates) {
+    std::transform(
+      odds.begin(), odds.end(), candidates.begin(), candidates.begin(), [sum](double o, IleocecalValve one) {
+        one.confidence = o / sum;
+        return one;
+      });
+  };
+  normalize(ofFirst, first);
+  normalize(ofSecond, second);
+  return { { Decided(std::move(first)), Decided(std::move(second)) } };
 }
 
 void
-SetIleocecalValve(const std::optional<IleocecalValve> & valve, CurveSet & centerline)
+SetIleocecalValve(const ValveSearch & search, CurveSet & centerline)
 {
   std::vector<SurfaceArray> & arrays = centerline.fieldArrays;
   arrays.erase(
-    std::remove_if(arrays.begin(), arrays.end(), [](const SurfaceArray & array) { return array.name == arrayName; }),
+    std::remove_if(arrays.begin(),
+                   arrays.end(),
+                   [](const SurfaceArray & array) { return array.name == arrayName || array.name == candidatesName; }),
     arrays.end());
-  if (valve)
+  if (search.valve)
   {
-    SurfaceArray array{ arrayName, SurfaceArray::ValueMatrix(1, valuesInArray), false };
-    array.values << valve->position.transpose(), valve->arcLength, valve->length, valve->width, valve->confidence;
-    arrays.push_back(array);
+    arrays.push_back(ArrayOf(arrayName, { *search.valve }));
+  }
+  if (!search.candidates.empty())
+  {
+    arrays.push_back(ArrayOf(candidatesName, search.candidates));
   }
 }
 
 std::optional<IleocecalValve>
 IleocecalValveOf(const CurveSet & centerline)
 {
-  const SurfaceArray * const array = FindSurfaceArray(centerline.fieldArrays, arrayName);
-  if (array == nullptr)
+  const auto valves = ValvesOf(arrayName, centerline);
+  return valves.empty() ? std::nullopt : std::optional(valves.front());
+}
+
+std::vector<IleocecalValve>
+ValveCandidatesOf(const CurveSet & centerline)
+{
+  return ValvesOf(candidatesName, centerline);
+}
+
+Json
+ValveToJson(const ValveSearch & search)
+{
+  Json json = search.valve ? PlaceToJson(*search.valve) : Json{ { "reason", search.reason } };
+  json["found"] = search.valve.has_value();
+  json["candidates"] = Json::array();
+  for (const IleocecalValve & candidate : search.candidates)
   {
-    return std::nullopt;
+    json["candidates"].push_back(PlaceToJson(candidate));
   }
-  if (array->values.rows() != 1 || array->values.cols() != valuesInArray)
+  return json;
+}
+
+ValveSearch
+ValveFromJson(const Json & json)
+{
+  ValveSearch search;
+  try
   {
-    throw InputError("the field array ileocecalValve of the centerline must have 1 x 7 numbers; run "
-                     "ColonSegmentation again");
+    if (json.at("found").get<bool>())
+    {
+      search.valve = PlaceFromJson(json);
+    }
+    else
+    {
+      search.reason = json.at("reason").get<std::string>();
+    }
+    for (const Json & candidate : json.at("candidates"))
+    {
+      search.candidates.push_back(PlaceFromJson(candidate));
+    }
   }
-  const auto     values = array->values.row(0);
-  IleocecalValve valve;
-  valve.position = values.head<3>().transpose();
-  valve.arcLength = values[3];
-  valve.length = values[4];
-  valve.width = values[5];
-  valve.confidence = values[6];
-  return valve;
+  catch (const Json::exception & error)
+  {
+    throw InputError(std::string("the ileocecal valve is not as ColonRegistration writes it: ") + error.what());
+  }
+  return search;
 }
 } // namespace shapeton

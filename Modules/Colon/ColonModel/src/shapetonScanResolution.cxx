@@ -57,9 +57,9 @@ InWords(const ScanResolution & resolution)
   {
     text += ", slices " + InMm(resolution.sliceThickness) + " mm thick";
   }
-  return text + (resolution.smallestPolyp > SmallestReported
-                   ? ": " + NotAssessableInWords(resolution.smallestPolyp)
-                   : ": polyps of " + InMm(SmallestReported) + " mm and more are evaluable");
+  return text + (resolution.smallestPolyp > SmallestReported ? ": " + NotAssessableInWords(resolution.smallestPolyp)
+                 : resolution.isOfMask                       ? ""
+                                       : ": polyps of " + InMm(SmallestReported) + " mm and more are evaluable");
 }
 
 Remarks

@@ -283,11 +283,20 @@ TEST(ColonModel, APieceOfColonIsUsableAndNotComplete)
 {
   const auto [ct, mask] = BagOfGas();
   const auto model = shapeton::BuildColonModelOfLumen(mask.GetPointer(), Options());
-  const auto quality = shapeton::ColonQualityToJson(model);
+  auto       quality = shapeton::ColonQualityToJson(model);
   EXPECT_EQ(model.failure, "");
   EXPECT_FALSE(quality.at("isComplete").get<bool>());
   ASSERT_FALSE(quality.at("missing").empty());
-  EXPECT_NE(quality.at("missing").dump().find("ileocecal valve"), std::string::npos) << quality.at("missing");
+  const auto tellsValve = [&] { return quality.at("missing").dump().find("ileocecal valve") != std::string::npos; };
+  EXPECT_TRUE(tellsValve()) << quality.at("missing");
+  const auto               parts = quality.at("missing").size();
+  shapeton::IleocecalValve valve;
+  shapeton::StateValve({ valve, "", {} }, quality); // found with the other position
+  EXPECT_FALSE(tellsValve());
+  EXPECT_EQ(quality.at("missing").size(), parts - 1);
+  EXPECT_TRUE(quality.at("ileocecalValve").at("found").get<bool>());
+  shapeton::StateValve({ std::nullopt, "why", {} }, quality);
+  EXPECT_TRUE(tellsValve());
 }
 
 TEST(ColonModel, AMaskWithoutGasIsRefused)

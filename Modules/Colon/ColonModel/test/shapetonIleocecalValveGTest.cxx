@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <utility>
+#include <vector>
+
 using cecalscene::Scene;
 using shapeton::ValveSearch;
 
@@ -116,16 +120,95 @@ TEST(IleocecalValve, GoesWithTheCenterline)
   valve.length = 25.0;
   valve.width = 12.0;
   valve.confidence = 0.75;
-  shapeton::SetIleocecalValve(valve, line);
+  ValveSearch search;
+  search.valve = valve;
+  search.candidates = { valve, valve };
+  search.candidates[1].attenuation = -80.0;
+  const ValveSearch read = shapeton::ValveFromJson(shapeton::ValveToJson(search));
+  EXPECT_EQ(shapeton::ValveToJson(read), shapeton::ValveToJson(search));
+  EXPECT_EQ(read.candidates[1].attenuation, -80.0);
+  EXPECT_THROW(shapeton::ValveFromJson({ { "found", true } }), shapeton::InputError);
+  shapeton::SetIleocecalValve(search, line);
+  EXPECT_EQ(shapeton::ValveCandidatesOf(line).size(), 2U);
   const auto back = shapeton::IleocecalValveOf(line);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->position, valve.position);
   EXPECT_EQ(back->arcLength, valve.arcLength);
   EXPECT_EQ(back->confidence, valve.confidence);
-  line.fieldArrays.back().values.resize(1, 3);
+  for (shapeton::SurfaceArray & array : line.fieldArrays)
+  {
+    array.values.resize(1, 3);
+  }
   EXPECT_THROW(shapeton::IleocecalValveOf(line), shapeton::InputError);
-  shapeton::SetIleocecalValve(std::nullopt, line);
+  EXPECT_THROW(shapeton::ValveCandidatesOf(line), shapeton::InputError);
+  shapeton::SetIleocecalValve(ValveSearch(), line);
   EXPECT_FALSE(shapeton::IleocecalValveOf(line));
+  EXPECT_TRUE(shapeton::ValveCandidatesOf(line).empty());
+}
+
+namespace
+{
+/** Candidates on a line: coordinates, mm, and probabilities. */
+std::vector<shapeton::IleocecalValve>
+Candidates(const std::vector<std::pair<double, double>> & places)
+{
+  std::vector<shapeton::IleocecalValve> candidates;
+  for (const auto & [z, confidence] : places)
+  {
+    shapeton::IleocecalValve valve;
+    valve.position = { 0.0, 0.0, z };
+    valve.confidence = confidence;
+    candidates.push_back(valve);
+  }
+  return candidates;
+}
+
+std::array<ValveSearch, 2>
+InBoth(const std::vector<std::pair<double, double>> & first, const std::vector<std::pair<double, double>> & second)
+{
+  std::vector<Eigen::Vector3d> places;
+  for (const auto & [z, confidence] : first)
+  {
+    places.emplace_back(100.0, 0.0, z); // the second scan is elsewhere
+  }
+  auto there = Candidates(second);
+  for (shapeton::IleocecalValve & one : there)
+  {
+    one.position.x() = 100.0;
+  }
+  return shapeton::FindValveInBoth(Candidates(first), there, places);
+}
+} // namespace
+
+TEST(IleocecalValve, TheScanThatShowsItBetterDecides)
+{
+  // In the second scan a polyp is more likely than the valve, which has two lips in the first one.
+  const auto both = InBoth({ { 80.0, 0.8 }, { 40.0, 0.1 } }, { { 45.0, 0.5 }, { 85.0, 0.01 } });
+  ASSERT_TRUE(both[0].valve && both[1].valve);
+  EXPECT_EQ(both[0].valve->position.z(), 80.0);
+  EXPECT_EQ(both[1].valve->position.z(), 85.0);
+  // Odds of 8 for the valve, and of 0.5 / 0.49 for the polyp.
+  EXPECT_NEAR(both[1].valve->confidence, 8.0 / (1.0 + 8.0 + 0.5 / 0.49), 1e-12);
+  ASSERT_EQ(both[1].candidates.size(), 2U);
+  EXPECT_EQ(both[1].candidates[1].position.z(), 45.0); // stays an alternative
+  EXPECT_EQ(both[0].candidates[1].confidence, both[1].candidates[1].confidence);
+}
+
+TEST(IleocecalValve, TwoPlacesThatDoNotAgreeAreDoubted)
+{
+  const auto both = InBoth({ { 20.0, 0.6 } }, { { 50.0, 0.6 } });
+  EXPECT_FALSE(both[0].valve);
+  EXPECT_FALSE(both[1].valve);
+  EXPECT_NE(both[0].reason.find("likely"), std::string::npos);
+}
+
+TEST(IleocecalValve, OneScanWithoutCandidatesLeavesTheOther)
+{
+  const auto both = InBoth({ { 80.0, 0.9 } }, {});
+  ASSERT_TRUE(both[0].valve);
+  EXPECT_NEAR(both[0].valve->confidence, 0.9, 1e-12);
+  EXPECT_FALSE(both[1].valve);
+  EXPECT_THROW(shapeton::FindValveInBoth(Candidates({ { 0.0, 0.5 } }), {}, {}), shapeton::ParameterError);
 }
 
 TEST(IleocecalValve, NeedsArcLengths)

@@ -32,20 +32,31 @@ enum class PolypPreset
 ShapetonPolypCandidates_EXPORT std::string
                                NameOf(PolypPreset preset);
 
-/** Size classes for reports, based on the largest diameter rounded to whole millimeters.
+/** \name Size of a polyp
+ * The size in tables, pages, counts and DICOM objects is the largest diameter, rounded to 0.1 mm, and the class follows
+ * from this number: limits are 6, 10 and 30 mm.
  * \ingroup ShapetonPolypCandidates */
+///@{
 enum class PolypSize
 {
-  AtMost5,  ///< mm
-  From6To9, ///< mm
-  From10,   ///< 10 to 29 mm
-  From30    ///< mm
+  Below6,
+  From6To9, ///< below 10 mm
+  From10,   ///< below 30 mm
+  From30
 };
 
-/** The category of a largest diameter in mm. \ingroup ShapetonPolypCandidates */
+/** A diameter in mm, rounded to 0.1 mm. */
+ShapetonPolypCandidates_EXPORT double
+StatedSize(double diameter);
+/** The class of StatedSize(). */
 ShapetonPolypCandidates_EXPORT PolypSize
 SizeOf(double diameter);
-/** "<= 5 mm", "6-9 mm", ">= 10 mm", ">= 30 mm". \ingroup ShapetonPolypCandidates */
+/** StatedSize() as "9.6 mm"; empty for NaN. */
+ShapetonPolypCandidates_EXPORT std::string
+                               SizeInWords(double diameter);
+///@}
+
+/** "< 6 mm", "6-9 mm", ">= 10 mm", ">= 30 mm". \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
                                NameOf(PolypSize size);
 
@@ -232,10 +243,14 @@ MatchedSmoothingTime(const SurfaceMesh & wall, double time);
 ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
 FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & options = {});
 
-/** Marks the candidate that may be the ileocecal valve if no valve is known: the largest candidate that is at least 15
- * mm wide and 30 to 100 mm before the end of the centerline. \ingroup ShapetonPolypCandidates */
+/** Remark of candidates that may be the valve. \ingroup ShapetonPolypCandidates */
+constexpr const char * MayBeTheValve = "may be the ileocecal valve";
+
+/** Adds the remark MayBeTheValve with its probability to candidates at a place that is the valve with a
+ * probability of at least .05, see ValveSearch::candidates and RankValveLast(), unless they are at the decided valve.
+ * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
-NoteIleocecalValve(double lengthOfCenterline, std::vector<PolypCandidate> & candidates);
+NoteIleocecalValve(const std::vector<IleocecalValve> & alternatives, std::vector<PolypCandidate> & candidates);
 
 /** Adds the remark "the ileocecal valve" to candidates at the valve and ranks them last among those listed at the
  * default sensitivity, with scores of at most 1 - defaultPolypSensitivity. The scores of domes and caps (shape index

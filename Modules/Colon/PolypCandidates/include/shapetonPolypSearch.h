@@ -53,10 +53,10 @@ struct PolypSearchSettings : PolypSearchOptions
 ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
                                SearchPolyps(const PolypColon & colon, const PolypSearchSettings & options = {});
 
-/** Mean distance (mm) from the candidates to a wall; 0 if there are no candidates. The walls of two positions may
- * coincide locally, so only the mean identifies the wall. \ingroup ShapetonPolypCandidates */
+/** Mean distance (mm) from points, or a thousand of them, to a wall; 0 if there are none. The walls of two positions
+ * may coincide locally, so only the mean identifies the wall. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT double
-MeanDistanceToWall(const SurfaceMesh & wall, const std::vector<PolypCandidate> & candidates);
+MeanDistanceToWall(const SurfaceMesh & wall, const VertexMatrix & points);
 
 /** Converts candidates for FindInOtherPosition(), with scores from their own position only.
  * \ingroup ShapetonPolypCandidates */
@@ -105,6 +105,8 @@ struct PolypLesion
   /** Numbers of its candidates in the first and the second position; 0 if there is none. */
   int first{ 0 };
   int second{ 0 };
+  /** The larger of their stated sizes, mm; see StatedSize(). */
+  double size{ 0.0 };
   /** Whether only one of its two candidates is listed as a possible polyp. */
   bool isDisputed{ false };
 };
@@ -123,9 +125,8 @@ ShapetonPolypCandidates_EXPORT std::vector<PolypLesion>
 LesionsOfPositions(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second);
 
 /** "If confirmed: 2 of 10 mm and more, 0 of 6 to 9 mm": counts the lesions of two positions, or the possible polyps of
- * one position, by their larger size in the best plane. If the counts by size in space differ, it also contains those.
- * Disputed lesions are not counted. The C-RADS category (Zalis et al., Radiology 2005) is the reader's decision.
- * \ingroup ShapetonPolypCandidates */
+ * one position, by PolypLesion::size. Disputed lesions are not counted. The C-RADS category (Zalis et al., Radiology
+ * 2005) is the reader's decision. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
 SizesIfConfirmed(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second = {});
 

@@ -88,11 +88,11 @@ CellsOf(const PolypCandidate & one)
   const PolypFeatures & features = one.features;
   for (const std::string & cell : { NameOfSegment(one.segment),
                                     Cell(one.arcLength),
-                                    Cell(one.diameter, measureDigits),
+                                    Cell(StatedSize(one.diameter), measureDigits),
                                     NameOf(SizeOf(one.diameter)),
                                     Cell(one.leastDiameter, measureDigits),
                                     Cell(one.height, measureDigits),
-                                    Cell(one.planeDiameter, measureDigits),
+                                    Cell(StatedSize(one.planeDiameter), measureDigits),
                                     one.plane,
                                     NameOf(one.morphology),
                                     one.isOnFold ? std::string("1") : std::string("0"),
@@ -156,45 +156,6 @@ LetterOfLesion(std::size_t index)
   const std::string     last(1, static_cast<char>('A' + index % letters));
   return index < letters ? last : LetterOfLesion(index / letters - 1) + last;
 }
-
-/** The size in the best plane, if requested and known, otherwise in space, mm. */
-double
-DiameterOf(const PolypCandidate & candidate, bool isInPlane)
-{
-  return isInPlane && std::isfinite(candidate.planeDiameter) ? candidate.planeDiameter : candidate.diameter;
-}
-
-/** Numbers of lesions of 10 mm and more, and of 6 to 9 mm. */
-struct LesionCounts
-{
-  int large{ 0 };
-  int medium{ 0 };
-};
-
-LesionCounts
-CountLesions(const std::vector<PolypLesion> &    lesions,
-             const std::vector<PolypCandidate> & first,
-             const std::vector<PolypCandidate> & second,
-             bool                                isInPlane)
-{
-  const auto diameterOf = [&](const std::vector<PolypCandidate> & candidates, int number) {
-    const auto found = std::find_if(
-      candidates.begin(), candidates.end(), [&](const PolypCandidate & one) { return one.number == number; });
-    return found == candidates.end() ? 0.0 : DiameterOf(*found, isInPlane);
-  };
-  LesionCounts counts;
-  for (const PolypLesion & lesion : lesions)
-  {
-    if (lesion.isDisputed)
-    {
-      continue;
-    }
-    const PolypSize size = SizeOf(std::max(diameterOf(first, lesion.first), diameterOf(second, lesion.second)));
-    counts.medium += size == PolypSize::From6To9 ? 1 : 0;
-    counts.large += size == PolypSize::From10 || size == PolypSize::From30 ? 1 : 0;
-  }
-  return counts;
-}
 } // namespace
 
 std::vector<PolypCandidate>
@@ -202,10 +163,10 @@ CandidatesAsWritten(std::vector<PolypCandidate> candidates)
 {
   for (PolypCandidate & one : candidates)
   {
+    one.diameter = StatedSize(one.diameter);
+    one.planeDiameter = StatedSize(one.planeDiameter);
     for (double * const value : { &one.score,
-                                  &one.diameter,
                                   &one.height,
-                                  &one.planeDiameter,
                                   &one.meanAttenuation,
                                   &one.lowAttenuation,
                                   &one.highAttenuation,
@@ -400,6 +361,7 @@ LesionsOfPositions(const std::vector<PolypCandidate> & first, const std::vector<
     lesion.letter = LetterOfLesion(lesions.size());
     lesion.first = one ? one->number : 0;
     lesion.second = other ? other->number : 0;
+    lesion.size = StatedSize(std::max(one ? one->diameter : 0.0, other ? other->diameter : 0.0));
     lesion.isDisputed = one && other && IsListedAsPolyp(*one) != IsListedAsPolyp(*other);
     lesions.push_back(lesion);
   };
@@ -429,14 +391,13 @@ LesionsOfPositions(const std::vector<PolypCandidate> & first, const std::vector<
 std::string
 SizesIfConfirmed(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second)
 {
-  const std::vector<PolypLesion> lesions = LesionsOfPositions(first, second);
-  const LesionCounts             inPlane = CountLesions(lesions, first, second, true);
-  const LesionCounts             inSpace = CountLesions(lesions, first, second, false);
-  const std::string              text = "If confirmed: " + std::to_string(inPlane.large) + " of 10 mm and more, " +
-                           std::to_string(inPlane.medium) + " of 6 to 9 mm";
-  const bool isSame = inPlane.large == inSpace.large && inPlane.medium == inSpace.medium;
-  return text + (isSame ? ""
-                        : " by the size in the best plane; " + std::to_string(inSpace.large) + " and " +
-                            std::to_string(inSpace.medium) + " by the size in 3-D");
+  int large = 0, medium = 0;
+  for (const PolypLesion & lesion : LesionsOfPositions(first, second))
+  {
+    const PolypSize size = SizeOf(lesion.size);
+    medium += !lesion.isDisputed && size == PolypSize::From6To9 ? 1 : 0;
+    large += !lesion.isDisputed && size >= PolypSize::From10 ? 1 : 0;
+  }
+  return "If confirmed: " + std::to_string(large) + " of 10 mm and more, " + std::to_string(medium) + " of 6 to 9 mm";
 }
 } // namespace shapeton

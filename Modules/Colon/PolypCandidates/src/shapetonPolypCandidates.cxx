@@ -1,6 +1,7 @@
 #include "shapetonPolypCandidates.h"
 
 #include "shapetonCandidateList.h"
+#include "shapetonPlaceInWords.h"
 #include "shapetonScanResolution.h"
 #include "shapetonSurfaceQuality.h"
 
@@ -9,21 +10,45 @@
 
 namespace shapeton
 {
+namespace
+{
+/** Whether a candidate is at a valve, see RankValveLast(). */
+bool
+IsAt(const IleocecalValve & valve, const PolypCandidate & candidate)
+{
+  constexpr double leastReach = 12.0, beyondTheValve = 3.0; // mm
+  return (candidate.position - valve.position).norm() <= std::max(leastReach, 0.5 * valve.length + beyondTheValve);
+}
+} // namespace
+
 std::string
 NameOf(PolypPreset preset)
 {
   return preset == PolypPreset::Published ? "published" : "default";
 }
 
+double
+StatedSize(double diameter)
+{
+  constexpr double tenths = 10.0; // per mm
+  return std::round(tenths * diameter) / tenths;
+}
+
 PolypSize
 SizeOf(double diameter)
 {
-  constexpr double atMost5 = 5.0, from10 = 10.0, from30 = 30.0; // mm; C-RADS
-  const double     whole = std::round(diameter);
-  return whole <= atMost5 ? PolypSize::AtMost5
-         : whole < from10 ? PolypSize::From6To9
-         : whole < from30 ? PolypSize::From10
-                          : PolypSize::From30;
+  constexpr double from6 = 6.0, from10 = 10.0, from30 = 30.0; // mm; C-RADS
+  const double     size = StatedSize(diameter);
+  return size < from6    ? PolypSize::Below6
+         : size < from10 ? PolypSize::From6To9
+         : size < from30 ? PolypSize::From10
+                         : PolypSize::From30;
+}
+
+std::string
+SizeInWords(double diameter)
+{
+  return std::isfinite(diameter) ? InTenths(diameter) + " mm" : "";
 }
 
 std::string
@@ -31,8 +56,8 @@ NameOf(PolypSize size)
 {
   switch (size)
   {
-    case PolypSize::AtMost5:
-      return "<= 5 mm";
+    case PolypSize::Below6:
+      return "< 6 mm";
     case PolypSize::From6To9:
       return "6-9 mm";
     case PolypSize::From10:
@@ -158,23 +183,20 @@ FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & opti
 }
 
 void
-NoteIleocecalValve(double lengthOfCenterline, std::vector<PolypCandidate> & candidates)
+NoteIleocecalValve(const std::vector<IleocecalValve> & alternatives, std::vector<PolypCandidate> & candidates)
 {
-  constexpr double leastDiameter = 15.0;             // mm; chosen
-  constexpr double nearest = 30.0, farthest = 100.0; // mm from the cecal end
-  PolypCandidate * valve = nullptr;
-  for (PolypCandidate & candidate : candidates)
+  constexpr double least = 0.05; // chosen
+  for (PolypCandidate & one : candidates)
   {
-    const double before = lengthOfCenterline - candidate.arcLength;
-    if (candidate.diameter >= leastDiameter && before >= nearest && before <= farthest &&
-        (valve == nullptr || candidate.diameter > valve->diameter))
+    double probability = 0.0;
+    for (const IleocecalValve & alternative : alternatives)
     {
-      valve = &candidate;
+      probability = IsAt(alternative, one) ? std::max(probability, alternative.confidence) : probability;
     }
-  }
-  if (valve != nullptr)
-  {
-    AddRemark("may be the ileocecal valve", *valve);
+    if (one.lookalike != PolypLookalike::Valve && probability >= least)
+    {
+      AddRemark(std::string(MayBeTheValve) + " (" + std::to_string(std::lround(100.0 * probability)) + " %)", one);
+    }
   }
 }
 
@@ -183,10 +205,9 @@ RankValveLast(const IleocecalValve & valve, std::vector<PolypCandidate> & candid
 {
   // Koenderink's limit between ridge and dome; the value of a cap is 1.
   constexpr double leastShapeIndexOfDomes = 13.0 / 16.0;
-  const double     reach = std::max(12.0, 0.5 * valve.length + 3.0); // mm
   for (PolypCandidate & one : candidates)
   {
-    if ((one.position - valve.position).norm() <= reach)
+    if (IsAt(valve, one))
     {
       one.lookalike = PolypLookalike::Valve;
       one.score = std::min(one.score, 1.0 - defaultPolypSensitivity);

@@ -199,7 +199,7 @@ std::string
 MorphologyInWords(const PolypCandidate & candidate)
 {
   const double      largest = std::max(candidate.diameter, candidate.planeDiameter); // the former if the latter is NaN
-  const bool        isDiminutive = SizeOf(largest) == PolypSize::AtMost5;
+  const bool        isDiminutive = SizeOf(largest) == PolypSize::Below6;
   const std::string name =
     candidate.morphology != PolypMorphology::Unknown && isDiminutive ? "diminutive" : NameOf(candidate.morphology);
   return name.empty() || !candidate.isOnFold ? name : name + ", on a fold";

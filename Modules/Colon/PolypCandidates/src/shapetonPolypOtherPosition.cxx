@@ -92,19 +92,23 @@ ProbabilityInPair(const PolypCandidate & candidate)
 } // namespace
 
 double
-MeanDistanceToWall(const SurfaceMesh & wall, const std::vector<PolypCandidate> & candidates)
+MeanDistanceToWall(const SurfaceMesh & wall, const VertexMatrix & points)
 {
-  if (candidates.empty())
+  constexpr Eigen::Index most = 1000; // points; enough for a mean
+  if (points.rows() == 0)
   {
     return 0.0;
   }
   const SurfaceLocator locator(wall.V, wall.F);
+  const Eigen::Index   every = (points.rows() + most - 1) / most;
   double               sum = 0.0;
-  for (const PolypCandidate & candidate : candidates)
+  Eigen::Index         number = 0;
+  for (Eigen::Index i = 0; i < points.rows(); i += every)
   {
-    sum += locator.FindClosest(candidate.position).distance;
+    sum += locator.FindClosest(points.row(i).transpose()).distance;
+    ++number;
   }
-  return sum / static_cast<double>(candidates.size());
+  return sum / static_cast<double>(number);
 }
 
 std::vector<OtherPolypCandidate>
@@ -129,7 +133,12 @@ FindInOtherPosition(const SurfaceMesh &                      map,
   const SurfaceArray & mapped = ArrayOf(map, "mapped", 3, what);
   const SurfaceArray & confidence = ArrayOf(map, "confidence", 1, what);
   const SurfaceArray & excluded = ArrayOf(map, "excluded", 1, what);
-  if (MeanDistanceToWall(map, candidates) > farthestFromMap)
+  VertexMatrix         places(candidates.size(), 3);
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    places.row(static_cast<Eigen::Index>(i)) = candidates[i].position.transpose();
+  }
+  if (MeanDistanceToWall(map, places) > farthestFromMap)
   {
     throw InputError(what + ": candidates are more than 10 mm from the registered wall; give the "
                             "registration of this colon");

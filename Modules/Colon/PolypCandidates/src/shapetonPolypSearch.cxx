@@ -10,20 +10,10 @@
 #include "shapetonScanResolution.h"
 #include "shapetonExceptions.h"
 
-#include <limits>
-
 namespace shapeton
 {
 namespace
 {
-double
-LengthOf(const CurveSet & centerline)
-{
-  const SurfaceArray * const distance = FindSurfaceArray(centerline.pointArrays, "arcLength");
-  return distance && distance->values.size() > 0 ? distance->values.maxCoeff()
-                                                 : std::numeric_limits<double>::quiet_NaN();
-}
-
 void
 PlaceOnFlatMap(const FlatColon & flat, std::vector<PolypCandidate> & candidates)
 {
@@ -120,10 +110,7 @@ SearchPolyps(const PolypColon & colon, const PolypSearchSettings & options)
   {
     RankValveLast(*valve, candidates);
   }
-  else
-  {
-    NoteIleocecalValve(LengthOf(colon.centerline), candidates);
-  }
+  NoteIleocecalValve(ValveCandidatesOf(colon.centerline), candidates);
   NoteRectalCatheter(candidates);
   if (TellsHindrances(colon.centerline))
   {

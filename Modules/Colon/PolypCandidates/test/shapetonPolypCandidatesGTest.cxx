@@ -570,7 +570,7 @@ TEST(PolypCandidates, OtherPositionIsFoundThroughTheMap)
   EXPECT_THROW(shapeton::FindInOtherPosition(map, "map", {}, candidates), shapeton::InputError);
 }
 
-TEST(PolypCandidates, AllOfThemTellOnWhichWallTheyAre)
+TEST(PolypCandidates, AllPointsTellOnWhichWallTheyAre)
 {
   const auto square = [](double slope) { // through the x axis
     shapeton::SurfaceMesh wall;
@@ -580,22 +580,24 @@ TEST(PolypCandidates, AllOfThemTellOnWhichWallTheyAre)
     wall.F << 0, 1, 2, 0, 2, 3;
     return wall;
   };
-  const std::vector<PolypCandidate> candidates{ CandidateAt({ 0.0, 50.0, 1.0 }), // equidistant from both walls
-                                                CandidateAt({ 80.0, 50.0, 2.0 }),
-                                                CandidateAt({ -80.0, 50.0, 3.0 }) };
-  EXPECT_NEAR(shapeton::MeanDistanceToWall(square(0.0), candidates), 2.0, 1e-12);
+  shapeton::VertexMatrix points(3, 3);
+  points << 0.0, 50.0, 1.0, // equidistant from both walls
+    80.0, 50.0, 2.0, -80.0, 50.0, 3.0;
+  EXPECT_NEAR(shapeton::MeanDistanceToWall(square(0.0), points), 2.0, 1e-12);
+  EXPECT_NEAR(shapeton::MeanDistanceToWall(square(0.0), points.replicate(1001, 1)), 2.0, 0.01); // every 4th
   const double cosine = std::sqrt(0.5);
-  EXPECT_NEAR(shapeton::MeanDistanceToWall(square(100.0), candidates), cosine * (1.0 + 78.0 + 83.0) / 3.0, 1e-9);
+  EXPECT_NEAR(shapeton::MeanDistanceToWall(square(100.0), points), cosine * (1.0 + 78.0 + 83.0) / 3.0, 1e-9);
   EXPECT_EQ(shapeton::MeanDistanceToWall(square(0.0), {}), 0.0);
 }
 
 TEST(PolypCandidates, SizesIfConfirmedLeaveOutWhatIsNamed)
 {
-  EXPECT_EQ(shapeton::SizeOf(5.4), shapeton::PolypSize::AtMost5);
-  EXPECT_EQ(shapeton::SizeOf(5.6), shapeton::PolypSize::From6To9);
-  EXPECT_EQ(shapeton::SizeOf(9.4), shapeton::PolypSize::From6To9);
-  EXPECT_EQ(shapeton::SizeOf(9.6), shapeton::PolypSize::From10);
-  EXPECT_EQ(shapeton::SizeOf(29.6), shapeton::PolypSize::From30);
+  EXPECT_EQ(shapeton::SizeOf(5.94), shapeton::PolypSize::Below6);
+  EXPECT_EQ(shapeton::SizeOf(5.96), shapeton::PolypSize::From6To9); // printed as 6.0 mm
+  EXPECT_EQ(shapeton::SizeOf(9.94), shapeton::PolypSize::From6To9);
+  EXPECT_EQ(shapeton::SizeOf(9.96), shapeton::PolypSize::From10);
+  EXPECT_EQ(shapeton::SizeOf(29.96), shapeton::PolypSize::From30);
+  EXPECT_EQ(shapeton::SizeInWords(9.96), "10.0 mm");
   PolypCandidate medium, large;
   medium.diameter = 7.0;
   large.diameter = 12.0;
@@ -695,20 +697,26 @@ TEST(PolypCandidates, FragmentsBelongToTheBestOne)
   EXPECT_FALSE(shapeton::IsListedAsPolyp(candidates[2]));
 }
 
-TEST(PolypCandidates, ValveIsNotedByItsPlace)
+TEST(PolypCandidates, AlternativesToTheValveSaySoAndKeepTheirScores)
 {
-  PolypCandidate valve, polypElsewhere, smallOne;
-  valve.diameter = 21.0;
-  valve.arcLength = 1640.0;
-  polypElsewhere.diameter = 25.0;
-  polypElsewhere.arcLength = 900.0;
-  smallOne.diameter = 8.0;
-  smallOne.arcLength = 1640.0;
-  std::vector<PolypCandidate> candidates{ smallOne, polypElsewhere, valve };
-  shapeton::NoteIleocecalValve(1700.0, candidates);
-  EXPECT_EQ(candidates[0].remark, "");
+  shapeton::IleocecalValve decided, alternative, unlikely;
+  alternative.position = { 60.0, 0.0, 0.0 };
+  alternative.confidence = 0.396;
+  unlikely.position = { 0.0, 60.0, 0.0 };
+  unlikely.confidence = 0.04;
+  decided.confidence = 0.6;
+  std::vector<PolypCandidate> candidates{ CandidateAt({ 71.9, 0.0, 0.0 }, 0.96),
+                                          CandidateAt({ 72.1, 0.0, 0.0 }, 0.9),
+                                          CandidateAt({ 0.0, 60.0, 0.0 }, 0.8),
+                                          CandidateAt({ 0.0, 0.0, 0.0 }, 0.7) };
+  shapeton::RankValveLast(decided, candidates);
+  shapeton::NoteIleocecalValve({ decided, alternative, unlikely }, candidates);
+  ASSERT_EQ(candidates.size(), 4U);
+  EXPECT_EQ(candidates[0].remark, "may be the ileocecal valve (40 %)");
+  EXPECT_EQ(candidates[0].score, 0.96);
   EXPECT_EQ(candidates[1].remark, "");
-  EXPECT_EQ(candidates[2].remark, "may be the ileocecal valve");
+  EXPECT_EQ(candidates[2].remark, "");
+  EXPECT_EQ(candidates[3].remark, "the ileocecal valve");
 }
 
 TEST(PolypCandidates, KnownValveIsNamedAndRanksBehindSoftTissue)

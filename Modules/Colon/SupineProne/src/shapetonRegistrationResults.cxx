@@ -2,11 +2,14 @@
 
 #include "shapetonColonPointMapper.h"
 #include "shapetonFoldTruth.h"
+#include "shapetonIleocecalValve.h"
 #include "shapetonJson.h"
 #include "shapetonParallelFor.h"
 #include "shapetonRegistrationDocument.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 namespace shapeton
 {
@@ -63,6 +66,25 @@ ExcludedShare(const ColonPosition & position)
   return RoundedJson(static_cast<double>(excluded) / position.flat->Grid().Columns());
 }
 
+/** Places a valve that only one position shows in the other one, unless its place is not visible there. */
+void
+TransferValve(const IleocecalValve & valve, const MappedPoint & to, const CurveSet & otherLine, ValveSearch & other)
+{
+  if (to.isExcluded)
+  {
+    return;
+  }
+  IleocecalValve mapped = valve;
+  Eigen::Index   nearest = 0;
+  mapped.position = to.point;
+  mapped.confidence *= to.confidence;
+  mapped.attenuation = std::numeric_limits<double>::quiet_NaN();
+  (otherLine.V.rowwise() - to.point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+  mapped.arcLength = PointValues(otherLine, "arcLength", "the centerline")[nearest];
+  other.valve = mapped;
+  other.reason.clear();
+}
+
 class Telling
 {
 public:
@@ -100,12 +122,39 @@ public:
       frame = MeasureRegistrationErrors(m_Registration, m_Results.points, true);
     }
     m_Results.document = DocumentOf(m_Registration, m_Results, frame);
+    const auto valve = this->FindValve(mapper);
+    m_Results.document["ileocecalValve"] = { { "supine", ValveToJson(valve[0]) }, { "prone", ValveToJson(valve[1]) } };
     m_Results.document["map"]["excludedShareOfSupine"] = ExcludedShare(m_Supine.position);
     m_Results.document["map"]["excludedShareOfProne"] = ExcludedShare(m_Prone.position);
     return std::move(m_Results);
   }
 
 private:
+  /** The valve in the supine and in the prone position. Where only one of them shows it, the other has it at the mapped
+   * place. */
+  std::array<ValveSearch, 2>
+  FindValve(const ColonPointMapper & mapper) const
+  {
+    const CurveSet &             supineLine = m_Supine.position.centerline;
+    const CurveSet &             proneLine = m_Prone.position.centerline;
+    const auto                   supine = ValveCandidatesOf(supineLine);
+    std::vector<Eigen::Vector3d> inProne;
+    for (const IleocecalValve & candidate : supine)
+    {
+      inProne.push_back(mapper.Forward(candidate.position).point);
+    }
+    auto found = FindValveInBoth(supine, ValveCandidatesOf(proneLine), inProne);
+    if (found[0].valve && !found[1].valve)
+    {
+      TransferValve(*found[0].valve, mapper.Forward(found[0].valve->position), proneLine, found[1]);
+    }
+    else if (found[1].valve && !found[0].valve)
+    {
+      TransferValve(*found[1].valve, mapper.Inverse(found[1].valve->position), supineLine, found[0]);
+    }
+    return found;
+  }
+
   double
   SupineArc(const HaustralFold & fold) const
   {

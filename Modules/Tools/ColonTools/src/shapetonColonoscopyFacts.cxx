@@ -23,14 +23,23 @@ NumberOrNaN(const Json & document, const char * pointer)
                                                                  : std::numeric_limits<double>::quiet_NaN();
 }
 
-/** "at 228 cm, confidence .97", or the reason why it is missing. */
+/** "at 228 cm, confidence .97", or the reason why it is missing; and the candidates that may be the valve. */
 std::string
-ValveInWords(const Json & valve)
+ValveInWords(const Json & valve, const std::vector<PolypCandidate> & polyps)
 {
-  return valve.at("found").get<bool>()
-           ? "at " + Centimeters(NumberOrNaN(valve, "/arcLength")) + " from the anal verge, confidence " +
-               ProbabilityInWords(NumberOrNaN(valve, "/confidence"))
-           : "not found: " + valve.at("reason").get<std::string>();
+  std::string alternatives;
+  for (const PolypCandidate & polyp : polyps)
+  {
+    if (polyp.remark.find(MayBeTheValve) != std::string::npos)
+    {
+      alternatives += (alternatives.empty() ? "; may be candidate " : ", ") + std::to_string(polyp.number);
+    }
+  }
+  return (valve.at("found").get<bool>()
+            ? "at " + Centimeters(NumberOrNaN(valve, "/arcLength")) + " from the anal verge, confidence " +
+                ProbabilityInWords(NumberOrNaN(valve, "/confidence"))
+            : "not found: " + valve.at("reason").get<std::string>()) +
+         alternatives;
 }
 
 /** "prone", or "unknown". */
@@ -106,7 +115,11 @@ AddVolumes(const Json & quality, ColonoscopyFacts & facts)
 {
   const double gas = NumberOrNaN(quality, "/lumen/gasVolume");
   const double fluid = NumberOrNaN(quality, "/lumen/fluidVolume");
-  if (std::isfinite(gas))
+  if (IsOfMask(quality))
+  {
+    facts.emplace_back("Lumen", Milliliters(gas));
+  }
+  else if (std::isfinite(gas))
   {
     const std::string range = WholeNumber(leastGas) + " to " + Milliliters(greatestGas) + " (Pickhardt 2014)";
     facts.emplace_back("Gas",
@@ -119,6 +132,11 @@ void
 AddModelFacts(const ColonoscopyResults & results, ColonoscopyFacts & facts)
 {
   const Json & quality = results.quality;
+  if (IsOfMask(quality))
+  {
+    facts.emplace_back("Input",
+                       "a lumen mask without a CT: fluid, residue and tissue are unknown; scores are of the shape");
+  }
   if (quality.contains("missing"))
   {
     facts.emplace_back("Colon", CompletenessInWords(quality));
@@ -149,7 +167,7 @@ AddModelFacts(const ColonoscopyResults & results, ColonoscopyFacts & facts)
   AddVolumes(quality, facts);
   if (quality.contains("ileocecalValve"))
   {
-    facts.emplace_back("Ileocecal valve", ValveInWords(quality["ileocecalValve"]));
+    facts.emplace_back("Ileocecal valve", ValveInWords(quality["ileocecalValve"], results.polyps));
   }
 }
 

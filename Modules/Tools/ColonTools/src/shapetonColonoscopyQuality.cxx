@@ -54,6 +54,13 @@ PlaceInJson(const Json & lps)
   return { lps.at(0).get<double>(), lps.at(1).get<double>(), lps.at(2).get<double>() };
 }
 
+bool
+IsOfMask(const Json & quality)
+{
+  return quality.is_object() &&
+         quality.value("/assessability/tagging"_json_pointer, std::string()) == "unknown: a mask";
+}
+
 ColonoscopyQuality
 MeasureColonoscopyQuality(const ColonoscopyResults & results)
 {
@@ -79,6 +86,7 @@ MeasureColonoscopyQuality(const ColonoscopyResults & results)
     }
   }
   quality.segments = MeasureSegmentQuality(input);
+  quality.isOfMask = IsOfMask(results.quality);
   if (results.pair)
   {
     AddOtherPosition(*results.pair, quality);
@@ -101,7 +109,10 @@ QualityTable(const ColonoscopyQuality & quality)
     { "Under tagged fluid", [](const Segment & one) { return WholePercent(one.submergedShare); } },
     { "Fluid (HU)", [](const Segment & one) { return WholeNumber(one.fluidAttenuation); } },
     { "Tagged residue (cm^2)", [](const Segment & one) { return SquareCentimeters(one.residueArea); } },
-    { "Untagged fluid", [](const Segment & one) { return Centimeters(one.assessability.lengths.at(untagged)); } },
+    { "Untagged fluid",
+      [&quality](const Segment & one) {
+        return quality.isOfMask ? "" : Centimeters(one.assessability.lengths.at(untagged));
+      } },
     { "Not on flat map (cm^2)", [](const Segment & one) { return SquareCentimeters(one.hiddenArea); } }
   };
   if (!quality.either.empty())

@@ -18,7 +18,12 @@ struct ColonoscopyQuality
    */
   std::vector<HinderedStretch>    hiddenInBoth;
   std::vector<ColonAssessability> either;
+  bool                            isOfMask{ false };
 };
+
+/** Whether a quality report is of a lumen mask without a CT. */
+bool
+IsOfMask(const Json & quality);
 
 /** The result has no segments if landmarks are missing. */
 ColonoscopyQuality

@@ -1,10 +1,14 @@
 #include "shapetonColonoscopyResults.h"
 
+#include "shapetonColonQuality.h"
 #include "shapetonExaminationInputs.h"
 #include "shapetonParallelFor.h"
 #include "shapetonRegistrationFolder.h"
 
 #include <algorithm>
+#include <filesystem>
+
+namespace fs = std::filesystem;
 
 namespace shapeton
 {
@@ -104,6 +108,34 @@ LengthOfCenterline(const CurveSet & centerline)
   return distance && distance->values.size() > 0 ? distance->values.maxCoeff() : 0.0;
 }
 
+/** States the valve decided from both positions, if they were registered. */
+void
+StateValveOfBoth(const std::string & examinationFolder, int position, Json & quality)
+{
+  const std::string folder = examinationFolder + '/' + colonoscopystage::registration;
+  if (const auto valve = ValveOfRegistration(folder, position); valve && quality.contains("ileocecalValve"))
+  {
+    StateValve(*valve, quality);
+  }
+}
+
+void
+ReadQuality(const StageFiles & files, ColonoscopyResults & results)
+{
+  files.Read(examination::quality, results.quality);
+  const fs::path folder = fs::path(files.Exam().GetFolder()).lexically_normal();
+  const bool     isSecond =
+    folder.filename() == secondPositionFolder && fs::exists(folder.parent_path() / examination::registration.Path());
+  if (results.IsDone(colonoscopystage::registration))
+  {
+    StateValveOfBoth(folder.string(), 0, results.quality);
+  }
+  else if (isSecond && results.IsDone(colonoscopystage::polyps))
+  {
+    StateValveOfBoth(folder.parent_path().string(), 1, results.quality);
+  }
+}
+
 /** Reads the registration with the second position, and the results of the second position that reports on the first
  * one show. */
 void
@@ -115,6 +147,7 @@ ReadPair(const ExaminationFolder & first, ColonoscopyResults & results)
                      ReadColonPosition(second, "prone"),
                      ReadRegistrationResults(first.GetFolder() + '/' + colonoscopystage::registration) });
   results.qualityOfSecond = second.ReadQuality();
+  StateValveOfBoth(first.GetFolder(), 1, results.qualityOfSecond);
   results.polypsOfOther = second.ReadCandidates();
 }
 
@@ -123,7 +156,7 @@ void
 ReadAllButImages(const StageFiles & files, ColonoscopyResults & results)
 {
   files.Read(examination::series, results.inspection);
-  files.Read(examination::quality, results.quality);
+  ReadQuality(files, results);
   files.Read(examination::centerline, results.centerline);
   files.Read(examination::simplifiedWall, results.wall);
   if (files.Has(examination::flat))

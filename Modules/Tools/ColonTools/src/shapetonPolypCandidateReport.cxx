@@ -66,22 +66,20 @@ AttenuationsOf(const PolypCandidate & candidate)
   return before.empty() || before == cleansed ? cleansed : before + slash + cleansed;
 }
 
-/** "10 mm, sagittal; 9 mm in 3-D". */
+/** "9.1 mm; 9.6 mm in the other position counts; greatest in the sagittal plane". */
 std::string
-SizeInWords(const PolypCandidate & candidate)
+SizeOnCard(const PolypCandidate & candidate, const PolypLesion & lesion)
 {
-  const std::string inSpace = WholeMillimeters(candidate.diameter);
-  return candidate.plane.empty()
-           ? inSpace
-           : WholeMillimeters(candidate.planeDiameter) + ", " + candidate.plane + "; " + inSpace + " in 3-D";
+  return SizeInWords(candidate.diameter) +
+         (lesion.size > candidate.diameter ? "; " + SizeInWords(lesion.size) + " in the other position counts" : "") +
+         (candidate.plane.empty() ? "" : "; greatest in the " + candidate.plane + " plane");
 }
 
-/** "10 / 9". */
+/** Number of mm. */
 std::string
-SizesOf(const PolypCandidate & candidate)
+SizeCell(const PolypCandidate & candidate)
 {
-  const std::string inSpace = WholeNumber(candidate.diameter);
-  return candidate.plane.empty() ? inSpace : WholeNumber(candidate.planeDiameter) + slash + inSpace;
+  return InTenths(candidate.diameter);
 }
 
 /** The candidate of the other position at the same place; null if there is none. */
@@ -134,12 +132,12 @@ private:
   std::vector<PolypLesion> m_Lesions;
 };
 
-/** "13 / 15", and the form if it differs from that of the candidate here, or what it is recognized as. */
+/** "13.4", and the form if it differs from that of the candidate here, or what it is recognized as. */
 std::string
-SizesAndForm(const PolypCandidate & there, const PolypCandidate & here)
+SizeAndForm(const PolypCandidate & there, const PolypCandidate & here)
 {
   const std::string form = IsListedAsPolyp(there) ? MorphologyInWords(there) : RecognizedAs(there);
-  return SizesOf(there) + (form.empty() || form == MorphologyInWords(here) ? "" : ", " + form);
+  return SizeCell(there) + (form.empty() || form == MorphologyInWords(here) ? "" : ", " + form);
 }
 
 /** The possible polyps, or all others. */
@@ -160,7 +158,7 @@ const CandidateColumn scoreColumn{ "Score", [](const PolypCandidate & one) { ret
 const CandidateColumn segmentColumn{ "Segment", [](const PolypCandidate & one) { return NameOfSegment(one.segment); } };
 const CandidateColumn placeColumn{ "At (cm)",
                                    [](const PolypCandidate & one) { return NumberOfCentimeters(one.arcLength); } };
-const CandidateColumn sizeColumn{ "Size (mm)", SizesOf };
+const CandidateColumn sizeColumn{ "Size (mm)", SizeCell };
 const CandidateColumn attenuationColumn{ "Mean attenuation (HU)", AttenuationsOf };
 
 CandidateColumn
@@ -175,7 +173,7 @@ TableOfCandidates(const PolypsOfPage & polyps)
   const LesionsOfPage lesions(polyps);
   const auto          sizesThere = [&](const PolypCandidate & one) {
     const PolypCandidate * const partner = PartnerOf(one, polyps.there);
-    return partner ? SizesAndForm(*partner, one) : "";
+    return partner ? SizeAndForm(*partner, one) : "";
   };
   return TableOf<PolypCandidate>(
     Select(polyps.here, true),
@@ -225,9 +223,14 @@ PlaceInSlices(const Eigen::Vector3d & place, const itk::ImageBase<3> * grid)
 std::string
 ScoreInWords(const PolypCandidate & candidate)
 {
-  const bool isWeighed = candidate.other && std::isfinite(candidate.other->ownScore);
-  return ProbabilityInWords(candidate.score) + ", calibrated on synthetic patients" +
-         (isWeighed ? "; " + ProbabilityInWords(candidate.other->ownScore) + " from this position alone" : "");
+  constexpr double notable = 0.05;
+  const bool       isWeighed = candidate.other && std::isfinite(candidate.other->ownScore);
+  std::string      words = ProbabilityInWords(candidate.score) + ", calibrated on synthetic patients";
+  words += isWeighed ? "; " + ProbabilityInWords(candidate.other->ownScore) + " from this position alone" : "";
+  const bool isLowered = isWeighed && candidate.other->isSeen && candidate.score < candidate.other->ownScore - notable;
+  return words + (isLowered ? ", lowered because the candidate in the other position agrees only by " +
+                                ProbabilityInWords(candidate.other->likeness) + " in place, size and score"
+                            : "");
 }
 
 /** "candidate 7, 3 mm from the mapped place, confidence of the map 0.65". */
@@ -257,12 +260,12 @@ MorphologyOnCard(const PolypCandidate & candidate)
 
 /** The rows of a card that have a value. */
 std::vector<std::pair<std::string, std::string>>
-FactsOfCard(const PolypCandidate & candidate, const itk::ImageBase<3> * grid)
+FactsOfCard(const PolypCandidate & candidate, const PolypLesion & lesion, const itk::ImageBase<3> * grid)
 {
   return KnownFacts(
     { { "Place", PlaceInSlices(candidate.position, grid) },
       { "Score", ScoreInWords(candidate) },
-      { "Largest diameter", SizeInWords(candidate) },
+      { "Largest diameter", SizeOnCard(candidate, lesion) },
       { "Height", WholeMillimeters(candidate.height) },
       { "Morphology", MorphologyOnCard(candidate) },
       { "Mean attenuation inside the head, 5th to 95th percentile (HU)", AttenuationInWords(candidate) },
@@ -283,7 +286,7 @@ AddCard(HtmlReport & report, const PolypCards & cards, const PolypCandidate & ca
   const PolypCandidate * const partner = PartnerOf(candidate, cards.polyps.there);
   report.AddMarkup("<section class=\"card\" id=\"" + AnchorOfCard(candidate.number) + "\">\n");
   report.AddSubheading(TitleOfCard(candidate, lesion.letter));
-  report.AddFacts(FactsOfCard(candidate, cards.grid));
+  report.AddFacts(FactsOfCard(candidate, lesion, cards.grid));
   if (lesion.isDisputed)
   {
     report.AddNote("The positions disagree: in the other one, it is " +
@@ -331,11 +334,11 @@ AddPolypCandidateTable(HtmlReport & report, const CurveSet & centerline, const P
   {
     report.AddTable(
       TableOfCandidates(polyps).WithoutEmptyColumns(),
-      "Candidates, highest score first. At: distance from the anal verge. Size: in the best plane / in 3-D. "
+      "Candidates, highest score first. At: distance from the anal verge. Size: largest diameter of the head. "
       "Attenuation: in the CT / after electronic cleansing");
     const std::string disputed = LesionsOfPage(polyps).Disputed();
     report.AddParagraph(
-      "Scores are probabilities, calibrated on synthetic patients. Diminutive: up to 5 mm; flat: at most 3 mm high, "
+      "Scores are probabilities, calibrated on synthetic patients. Diminutive: below 6 mm; flat: at most 3 mm high, "
       "lower than half the smaller width; pedunculated: on a stalk. " +
       SizesIfConfirmed(polyps.here, polyps.there) +
       (polyps.there.empty() ? "" : "; each lesion of both positions counts once") +

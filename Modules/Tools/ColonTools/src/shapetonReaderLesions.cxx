@@ -48,6 +48,7 @@ void
 Join(ReaderLesion & first, ReaderLesion & second)
 {
   second.sameAs = first.id;
+  first.candidate->diameter = std::max(first.candidate->diameter, second.candidate->diameter); // PolypLesion::size
   if (!first.IsSizeByReader())
   {
     first.statement.size = second.statement.size;
@@ -159,10 +160,10 @@ SizesOfAccepted(const std::vector<ReaderLesion> & lesions)
       continue;
     }
     const PolypSize size = SizeOf(one.Size());
-    ++(size == PolypSize::AtMost5 ? small : size == PolypSize::From6To9 ? medium : large);
+    ++(size == PolypSize::Below6 ? small : size == PolypSize::From6To9 ? medium : large);
   }
   return std::to_string(large) + " of 10 mm and more, " + std::to_string(medium) + " of 6 to 9 mm, " +
-         std::to_string(small) + " of 5 mm and less" +
+         std::to_string(small) + " below 6 mm" +
          (unknown > 0 ? ", " + std::to_string(unknown) + " without a size" : "");
 }
 

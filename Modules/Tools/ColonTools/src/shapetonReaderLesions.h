@@ -51,7 +51,7 @@ LesionsOf(const ReaderVerdicts & verdicts, const std::vector<std::vector<PolypCa
 ShapetonColonTools_EXPORT std::vector<ReaderLesion>
                           LesionsWith(const std::vector<ReaderLesion> & lesions, ReaderVerdict verdict);
 
-/** "2 of 10 mm and more, 1 of 6 to 9 mm, 0 of 5 mm and less": the accepted polyps by SizeOf(); each counts once. */
+/** "2 of 10 mm and more, 1 of 6 to 9 mm, 0 below 6 mm": the accepted polyps by SizeOf(); each counts once. */
 ShapetonColonTools_EXPORT std::string
                           SizesOfAccepted(const std::vector<ReaderLesion> & lesions);
 

@@ -180,7 +180,7 @@ private:
                        NameOf(verdict),
                        NameOfSegment(one.segment),
                        NumberOfCentimeters(one.arcLength),
-                       WholeNumber(candidate.diameter),
+                       InTenths(candidate.diameter),
                        ListedAs(candidate),
                        one.statement.note });
       }
@@ -283,12 +283,11 @@ private:
   FactsOf(const ReaderLesion & one) const
   {
     const double measured = one.candidate ? one.candidate->diameter : std::nan("");
-    return KnownFacts(
-      { { "Size by the reader", one.IsSizeByReader() ? CsvTable::Number(one.statement.size) + " mm" : "" },
-        { "Size by the program", WholeMillimeters(measured) },
-        { "Morphology", MorphologyCell(one) },
-        { "Place", this->PlaceOf(one.position, one.place) },
-        { "Note of the reader", one.statement.note } });
+    return KnownFacts({ { "Size by the reader", one.IsSizeByReader() ? SizeInWords(one.statement.size) : "" },
+                        { "Size by the program", SizeInWords(measured) },
+                        { "Morphology", MorphologyCell(one) },
+                        { "Place", this->PlaceOf(one.position, one.place) },
+                        { "Note of the reader", one.statement.note } });
   }
 
   /** "polyp candidate", or what the program recognized. */

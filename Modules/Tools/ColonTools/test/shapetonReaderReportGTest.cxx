@@ -83,13 +83,12 @@ MatchedCandidate(int number, int other)
 TEST_F(ReaderReportFiles, CountsAcceptedPolypsBySize)
 {
   // Candidate 1 is measured as 12 mm, but the reader entered 9 mm; the finding measures 11 mm.
-  EXPECT_EQ(SizesOfAccepted(this->Lesions()), "1 of 10 mm and more, 1 of 6 to 9 mm, 0 of 5 mm and less");
+  EXPECT_EQ(SizesOfAccepted(this->Lesions()), "1 of 10 mm and more, 1 of 6 to 9 mm, 0 below 6 mm");
   m_Verdicts["candidates"][0]["size"] = nullptr;
-  EXPECT_EQ(SizesOfAccepted(this->Lesions()), "2 of 10 mm and more, 0 of 6 to 9 mm, 0 of 5 mm and less");
+  EXPECT_EQ(SizesOfAccepted(this->Lesions()), "2 of 10 mm and more, 0 of 6 to 9 mm, 0 below 6 mm");
   m_Verdicts["candidates"][2]["verdict"] = "polyp";
   m_Verdicts["findings"][0]["diameter"] = nullptr;
-  EXPECT_EQ(SizesOfAccepted(this->Lesions()),
-            "1 of 10 mm and more, 0 of 6 to 9 mm, 1 of 5 mm and less, 1 without a size");
+  EXPECT_EQ(SizesOfAccepted(this->Lesions()), "1 of 10 mm and more, 0 of 6 to 9 mm, 1 below 6 mm, 1 without a size");
 }
 
 TEST_F(ReaderReportFiles, IsPreliminaryUntilAllIsReadAndCategorized)
@@ -144,7 +143,7 @@ TEST(ReaderLesions, OfBothPositionsCountOnce)
   std::vector<ReaderLesion> lesions = LesionsOf(verdicts, candidates);
   EXPECT_EQ(lesions[3].sameAs, "1"); // second/2, as the first position matched it
   EXPECT_EQ(lesions[0].Size(), 11.0);
-  EXPECT_EQ(SizesOfAccepted(lesions), "1 of 10 mm and more, 1 of 6 to 9 mm, 0 of 5 mm and less");
+  EXPECT_EQ(SizesOfAccepted(lesions), "1 of 10 mm and more, 1 of 6 to 9 mm, 0 below 6 mm");
   // second/1 is also matched with 1, which is already joined, so it counts as another polyp.
   verdicts.candidates.push_back({ "second/1", ReaderVerdict::Polyp, {} });
   lesions = LesionsOf(verdicts, candidates);
@@ -162,7 +161,7 @@ TEST_F(ReaderReportFiles, StatesWhatTheReaderEntered)
   EXPECT_TRUE(Has(page, "Preliminary: 1 candidate is unread."));
   EXPECT_TRUE(Has(page, "C3, as entered by the reader"));
   EXPECT_TRUE(Has(page, "no category entered")); // extracolonic
-  EXPECT_TRUE(Has(page, "1 of 10 mm and more, 1 of 6 to 9 mm, 0 of 5 mm and less"));
+  EXPECT_TRUE(Has(page, "1 of 10 mm and more, 1 of 6 to 9 mm, 0 below 6 mm"));
   EXPECT_TRUE(Has(page, "3: 1 accepted, 1 unsure, 0 rejected, 1 unread; shown as second reader"));
   EXPECT_TRUE(Has(page, "on a &lt;fold&gt;"));
   EXPECT_TRUE(Has(page, "supine, series 1.2.3"));

@@ -150,6 +150,43 @@ TEST(RegistrationResults, TablesAreReadBack)
   EXPECT_NE(FaultOf([&] { shapeton::ReadRegistrationResults(folder); }).find("matches.csv"), std::string::npos);
 }
 
+TEST(RegistrationResults, TheValveOfBothPositionsIsReadUnlessTheRegistrationIsDoubtful)
+{
+  const std::string folder = FreshFolder("valve");
+  shapeton::Json    document = TestPair().results.document;
+  ASSERT_TRUE(document.contains("ileocecalValve"));
+  shapeton::IleocecalValve valve;
+  valve.arcLength = 1500.0;
+  document["ileocecalValve"]["prone"] = shapeton::ValveToJson({ valve, "", { valve } });
+  document["confidence"] = { { "whole", 0.9 }, { "flagged", false } };
+  shapeton::WriteJson(document, folder + "/registration.json");
+  const auto prone = shapeton::ValveOfRegistration(folder, 1);
+  ASSERT_TRUE(prone && prone->valve);
+  EXPECT_EQ(prone->valve->arcLength, 1500.0);
+  EXPECT_FALSE(shapeton::ValveOfRegistration(folder, 0)->valve); // a cylinder without a valve
+  document["confidence"]["flagged"] = true;
+  shapeton::WriteJson(document, folder + "/registration.json");
+  EXPECT_FALSE(shapeton::ValveOfRegistration(folder, 1));
+}
+
+TEST(RegistrationResults, AValveThatOnePositionShowsIsMappedToTheOther)
+{
+  const Pair &                 pair = TestPair();
+  const shapeton::PointPair    known = KnownPoints(movement)[240];
+  shapeton::ColonPositionFiles supine = pair.supine;
+  shapeton::IleocecalValve     valve;
+  valve.position = known.source;
+  valve.confidence = 0.9;
+  shapeton::SetIleocecalValve({ valve, "", { valve } }, supine.position.centerline);
+  const auto results = shapeton::MakeRegistrationResults(supine, pair.prone, pair.registration);
+  const auto there = shapeton::ValveFromJson(results.document["ileocecalValve"]["prone"]);
+  ASSERT_TRUE(there.valve);
+  EXPECT_LT((there.valve->position - known.target).norm(), 3.0);
+  EXPECT_GT(there.valve->confidence, 0.5);
+  EXPECT_NEAR(there.valve->arcLength, known.target.z() - pair.prone.position.centerline.V.col(2).minCoeff(), 30.0);
+  EXPECT_EQ(shapeton::ValveFromJson(results.document["ileocecalValve"]["supine"]).valve->position, known.source);
+}
+
 TEST(RegistrationResults, ErrorsOfTheMapAndOfTheFrame)
 {
   const shapeton::Json & document = TestPair().results.document;
