@@ -4,6 +4,7 @@
 #include "shapetonExaminationFiles.h"
 #include "shapetonExceptions.h"
 #include "shapetonJson.h"
+#include "shapetonPolypSearch.h"
 #include "shapetonSurfaceReader.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "shapetonParticlePreset.h"
 
+#include "shapetonExceptions.h"
 #include "shapetonParticleDiffusion.h"
 #include "shapetonReducedVolume.h"
 
