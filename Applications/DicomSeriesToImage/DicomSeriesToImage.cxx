@@ -18,10 +18,8 @@ main(int argc, char * argv[])
     const Volume   volume = ReadVolume(commandLine, "inputVolume", allowSingleSlice);
     commandLine.Progress("Writing", 0.7);
     VolumeMetadata metadata = ProvenanceMetadata(commandLine.GetProvenance());
-    for (const auto & field : DicomMetadata(volume))
-    {
-      metadata.push_back(field);
-    }
+    const auto     ofSeries = DicomMetadata(volume);
+    metadata.insert(metadata.end(), ofSeries.begin(), ofSeries.end());
     const auto whole = ToShort(volume.image);
     if (whole)
     {

@@ -155,6 +155,17 @@ PathIn(const std::string & folder, const ExaminationFile & file)
 {
   return folder + '/' + file.name;
 }
+
+double
+ConfidenceIn(const Json & document, const std::string & path)
+{
+  const Json confidence = document.value("confidence", Json::object());
+  if (!confidence.contains("whole") || !confidence["whole"].is_number() || !confidence.contains("flagged"))
+  {
+    throw InputError('"' + path + "\" contains no confidence; use a file written by ColonRegistration");
+  }
+  return confidence["flagged"] == true ? 0.0 : std::clamp(confidence["whole"].get<double>(), 0.0, 1.0);
+}
 } // namespace
 
 CsvTable
@@ -238,20 +249,15 @@ double
 ConfidenceOfRegistration(const std::string & folder)
 {
   const std::string path = PathIn(folder, examination::registration);
-  const Json        document = ReadJson(path);
-  const Json        confidence = document.value("confidence", Json::object());
-  if (!confidence.contains("whole") || !confidence["whole"].is_number() || !confidence.contains("flagged"))
-  {
-    throw InputError('"' + path + "\" contains no confidence; use a file written by ColonRegistration");
-  }
-  return confidence["flagged"] == true ? 0.0 : std::clamp(confidence["whole"].get<double>(), 0.0, 1.0);
+  return ConfidenceIn(ReadJson(path), path);
 }
 
 std::optional<ValveSearch>
 ValveOfRegistration(const std::string & folder, int position)
 {
-  const Json document = ReadJson(PathIn(folder, examination::registration));
-  if (ConfidenceOfRegistration(folder) < LeastRegistrationConfidence || !document.contains("ileocecalValve"))
+  const std::string path = PathIn(folder, examination::registration);
+  const Json        document = ReadJson(path);
+  if (ConfidenceIn(document, path) < LeastRegistrationConfidence || !document.contains("ileocecalValve"))
   {
     return std::nullopt;
   }

@@ -224,12 +224,13 @@ FindValveInBoth(std::vector<IleocecalValve>          first,
   const std::vector<int> partners = PartnersOf(firstInSecond, second);
   std::vector<double>    ofFirst = OddsOf(first);
   std::vector<double>    ofSecond = OddsOf(second);
-  double                 sum = 1.0 + std::accumulate(ofSecond.begin(), ofSecond.end(), 0.0); // none, one of these,
+  // The odds of all places, each counted once, and of no place.
+  double sum = 1.0 + std::accumulate(ofSecond.begin(), ofSecond.end(), 0.0);
   for (std::size_t i = 0; i < first.size(); ++i)
   {
     if (partners[i] == -1)
     {
-      sum += ofFirst[i]; // or one of the first scan alone is the valve
+      sum += ofFirst[i];
       continue;
     }
     double & other = ofSecond[partners[i]];

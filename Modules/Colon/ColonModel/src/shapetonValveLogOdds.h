@@ -23,7 +23,7 @@ struct ValveEvidence
   bool hasTwoLips{ false };
 };
 
-/** Groups bulges with a larger one that is at most 18 mm away; tagged matter and gas are no lips of a valve. */
+/** Groups bulges with a larger one that is at most 18 mm away; tagged matter and gas cannot be lips of a valve. */
 std::vector<ValveEvidence>
 JoinLips(std::vector<ValveBulge> bulges);
 

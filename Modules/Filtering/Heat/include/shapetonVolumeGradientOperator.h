@@ -24,8 +24,8 @@ RequireWindow(const std::optional<std::array<double, 2>> & window);
 ShapetonHeat_EXPORT std::array<double, 2>
                     WindowOf(const VolumeGradientOptions & options, const VolumeView & volume);
 
-/** A remark if the intensities in the domain differ by less than 1 % of a window, so that there are no edges; otherwise
- * none. \ingroup ShapetonHeat */
+/** Warns if the intensities in the domain span less than 1 % of the window, which leaves no edges to find. The list is
+ * empty otherwise. \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT Remarks
 RemarksOnWindow(const VolumeView & volume, const std::array<double, 2> & window);
 

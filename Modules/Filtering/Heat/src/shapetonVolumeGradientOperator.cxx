@@ -169,11 +169,11 @@ RemarksOnWindow(const VolumeView & volume, const std::array<double, 2> & window)
   const double     highest = std::clamp(ofVolume[1], window[0], window[1]);
   if (highest == lowest)
   {
-    return { "all voxels have the same intensity in the window: there are no edges; choose another window" };
+    return { "all voxels have the same intensity in the window, which leaves no edges; choose another window" };
   }
   if (highest - lowest < leastShare * (window[1] - window[0]))
   {
-    return { "the intensities fill less than 1 % of the window, so that there are hardly any edges; choose a window "
+    return { "the intensities fill less than 1 % of the window, which leaves hardly any edges; choose a window "
              "in the unit of the volume, which is from " +
              NumberText(ofVolume[0], 4) + " to " + NumberText(ofVolume[1], 4) };
   }

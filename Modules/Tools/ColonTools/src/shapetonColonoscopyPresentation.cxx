@@ -95,7 +95,7 @@ private:
 };
 } // namespace
 
-const ColonoscopyResults &
+void
 ColonoscopyPresenter::Read(const ColonoscopyPresentation & presentation)
 {
   if (!m_Results)
@@ -111,9 +111,9 @@ ColonoscopyPresenter::Read(const ColonoscopyPresentation & presentation)
       m_Results->device = ChooseFlatVolumeDevice(m_Results->ct, ReadDevice(m_CommandLine));
       m_CommandLine.AddRunFact("device", m_Results->device.Describe());
     }
+    m_Quality = MeasureColonoscopyQuality(*m_Results);
   }
   m_Results->stages = presentation.stages;
-  return *m_Results;
 }
 
 void
@@ -124,8 +124,8 @@ ColonoscopyPresenter::WriteLimitations(const ColonoscopyPresentation & presentat
   {
     return;
   }
-  const ColonoscopyResults & results = this->Read(presentation);
-  WriteJson(LimitationsToJson(results, MeasureColonoscopyQuality(results)),
+  this->Read(presentation);
+  WriteJson(LimitationsToJson(*m_Results, m_Quality),
             m_CommandLine.Output(presentation.folder + '/' + examination::limitations.name));
   files.Publish(examination::limitations.name);
   files.WriteRecord();
@@ -140,10 +140,10 @@ ColonoscopyPresenter::WriteReport(const ColonoscopyPresentation & presentation)
     return;
   }
   m_CommandLine.Progress("report", 0.94);
-  const std::string &        folder = presentation.folder;
-  const ColonoscopyResults & results = this->Read(presentation);
-  ColonoscopyReportContent   content{
-    &results, MeasureColonoscopyQuality(results), presentation.failure, presentation.warnings, presentation.provenance
+  this->Read(presentation);
+  const std::string &            folder = presentation.folder;
+  const ColonoscopyReportContent content{
+    m_Results.get(), m_Quality, presentation.failure, presentation.warnings, presentation.provenance
   };
   const std::string page = folder + '/' + examination::report.name;
   WriteColonoscopyReport(content, m_CommandLine.Output(page), folder + "/.report.part");
@@ -161,7 +161,7 @@ ColonoscopyPresenter::WriteReport(const ColonoscopyPresentation & presentation)
     files.Publish(examination::segmentQuality.name);
   }
   m_CommandLine.MakeFolder(folder + "/slicer");
-  for (const std::string & name : WriteColonoscopySlicerFiles(results, folder + "/slicer", outputPath))
+  for (const std::string & name : WriteColonoscopySlicerFiles(*m_Results, folder + "/slicer", outputPath))
   {
     files.Publish("slicer/" + name);
   }

@@ -2,6 +2,7 @@
 #define shapetonColonoscopyPresentation_h
 
 #include "shapetonRemarks.h"
+#include "shapetonColonoscopyQuality.h"
 #include "shapetonColonoscopyResults.h"
 #include "shapetonCommandLine.h"
 #include "shapetonStagedRun.h"
@@ -40,11 +41,13 @@ public:
   WriteReport(const ColonoscopyPresentation & presentation);
 
 private:
-  const ColonoscopyResults &
+  /** Reads and measures the results unless that was done. */
+  void
   Read(const ColonoscopyPresentation & presentation);
 
   CommandLine &                       m_CommandLine;
   std::shared_ptr<ColonoscopyResults> m_Results; ///< null: not read
+  ColonoscopyQuality                  m_Quality;
 };
 } // namespace shapeton
 

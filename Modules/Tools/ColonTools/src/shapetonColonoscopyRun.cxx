@@ -82,7 +82,9 @@ public:
       return;
     }
     const std::string input = m_Run.Identify(m_CommandLine.GetString(ParameterOfSeries("inputVolume", m_Series)));
-    const bool wasLumen = Json::parse(record->signature).dump().find(R"(["inputIsLumen","true"])") != std::string::npos;
+    const Json        arguments = Json::parse(record->signature).at("arguments");
+    const bool        wasLumen =
+      std::find(arguments.begin(), arguments.end(), Json::array({ "inputIsLumen", "true" })) != arguments.end();
     const bool isSame = record->IdentityOfInput() == input && wasLumen == m_CommandLine.GetFlag("inputIsLumen");
     RequireParameter(isSame,
                      "the folder \"" + m_Folder +

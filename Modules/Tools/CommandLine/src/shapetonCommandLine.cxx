@@ -53,6 +53,13 @@ Resolved(const std::string & path)
   return error ? std::filesystem::path(path) : resolved; // reported when it is opened
 }
 
+bool
+IsInside(const std::string & path, const std::string & folder)
+{
+  const std::filesystem::path relative = Resolved(path).lexically_relative(Resolved(folder));
+  return !relative.empty() && *relative.begin() != "..";
+}
+
 struct Failure
 {
   int         status;
@@ -586,8 +593,7 @@ CommandLine::RequireNoOthers(const std::string &           folder,
 void
 CommandLine::RequireOutside(const std::string & option, const std::string & folder) const
 {
-  const std::filesystem::path relative = Resolved(this->GetString(option)).lexically_relative(Resolved(folder));
-  RequireParameter(!this->IsGiven(option) || relative.empty() || *relative.begin() == "..",
+  RequireParameter(!this->IsGiven(option) || !IsInside(this->GetString(option), folder),
                    "--" + option + " is inside the folder of the series; choose a place outside");
 }
 
@@ -599,8 +605,7 @@ CommandLine::RequireApart(const std::string & input, const std::string & outputF
   {
     throw InputError("\"" + input + "\" does not exist; " + advice);
   }
-  const fs::path relative = Resolved(outputFolder).lexically_relative(Resolved(input));
-  RequireParameter(!fs::is_directory(input) || relative.empty() || *relative.begin() == "..",
+  RequireParameter(!fs::is_directory(input) || !IsInside(outputFolder, input),
                    "an output is inside the input folder; choose a place outside");
 }
 
