@@ -142,6 +142,29 @@ TEST(ColonLumenSegmentation, APoolOfCoarseVoxelsIsFoundThoughABrightBowelHangsOn
   }
 }
 
+/** Beside bright fluid, a fainter layer of 5 mm fades into tissue or is the rim of a brighter bowel. */
+double
+TakenOfLayer(double behind)
+{
+  const auto colon = Tube(At(0, 0, 0), 2, 25, 18);
+  const auto beside = Tube(At(22, 8, 0), 2, 25, 12);
+  const auto part = [=](double from, double to) {
+    return [=](const Vec & x) { return std::min({ beside(x), x[0] - from, to - x[0] }); };
+  };
+  const ColonTestScene scene({ { [=](const Vec & x) { return std::min(colon(x), 14.0 - x[0]); }, 4.0, 1000.0 },
+                               { part(14.0, 19.0), -1e9, 300.0 },
+                               { part(19.0, 40.0), -1e9, behind } });
+  const auto           lumen = Segment(shapeton::SampledImage(scene, { 140, 140, 80 }, { 1.0, 1.0, 1.0 }), "HFS");
+  EXPECT_EQ(lumen.failure, "");
+  return Compare(scene, lumen).leakMl;
+}
+
+TEST(ColonLumenSegmentation, AFaintLayerIsFluidUnlessItIsTheRimOfABrighterBowel)
+{
+  EXPECT_GT(TakenOfLayer(50.0), 2.0);
+  EXPECT_LT(TakenOfLayer(450.0), 0.1);
+}
+
 TEST(ColonLumenSegmentation, GravityIsReadFromTheLevels)
 {
   for (const Vec & gravity : { At(0, 1, 0), At(0, -1, 0), At(1, 0, 0), At(-1, 0, 0) })
