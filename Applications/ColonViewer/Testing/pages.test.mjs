@@ -200,6 +200,16 @@ test('a link of the report opens the page at its place', async () => {
   assert.ok(Math.hypot(...xyz.map((x, k) => x - lps[k])) < 2, `${xyz} instead of ${lps}`);
 });
 
+test('a link of the report to a candidate selects its card', async () => {
+  await page.evaluate(() => { viewer.verdicts.choose(null); location.hash = '#candidate=1'; });
+  await page.until(() => viewer.verdicts.chosen !== null);
+  const [id, isMarked, off] = await page.evaluate(() => {
+    const { chosen } = viewer.verdicts, { xyz } = viewer.panels[0].place;
+    return [chosen.id, Boolean(document.querySelector('#entries li.chosen')), xyz.map((x, k) => x - chosen.candidate.xyz[k])];
+  });
+  assert.deepEqual([id, isMarked, off], ['1', true, [0, 0, 0]]);
+});
+
 test('a full page holds no means', async () => {
   await open(made('full', '--full'));
   await page.until(() => Boolean(window.viewer?.exams[0].volume));

@@ -239,6 +239,8 @@ test('slices have number, position, window, scale and the sides of the patient',
     assert.equal(where, `slice ${number} of ${of} · ${'xyz'[plane]} ${xyz[plane].toFixed(1)} mm`);
     assert.ok(number >= 1 && number <= of);
   }
+  const gravity = await page.evaluate(() => viewer.exams.map((e) => [e.info.name, e.info.gravity]));
+  for (const [name, g] of gravity) if (g && name) assert.equal(Math.sign(g[1]), name === 'prone' ? -1 : 1, name);
   const [axial, coronal, sagittal] = slices.map((s) => s.letters);
   assert.deepEqual(axial, { right: 'L', left: 'R', bottom: 'P', top: 'A' });
   assert.deepEqual(coronal, { right: 'L', left: 'R', bottom: 'F', top: 'H' });
@@ -353,6 +355,71 @@ test('keys fly along the centerline, both ways', async () => {
   await press('ArrowLeft');
   assert.ok(far(await page.evaluate(() => viewer.panel.inside.camera().at), before) > 0.1);
   await shot('5-flight');
+});
+
+test('turning the eye and its way keeps the lesion', async () => {
+  await page.evaluate(() => viewer.verdicts.choose(null));
+  await press('n');
+  const { xyz } = await state(await page.evaluate(() => viewer.current));
+  const at = () => page.evaluate(() => {
+    const { place, inside } = viewer.panel;
+    return { xyz: place.xyz, camera: inside.camera(), way: inside.way };
+  });
+  const before = await at();
+  for (const key of ['r', 'r']) await press(key);
+  assert.deepEqual(await at(), before);
+  await press('ArrowLeft');
+  const turned = await at();
+  assert.deepEqual(turned.xyz, xyz);
+  assert.ok(far(turned.camera.at, before.camera.at) > 0.1);
+  await press('ArrowUp');
+  assert.ok(far((await at()).xyz, xyz) > 0.1, 'flying moves on');
+});
+
+test('cine plays the slices to the last one, or until it is stopped', async (t) => {
+  if (await page.evaluate(() => !viewer.exams[0].volume)) { t.skip('no volume'); return; }
+  const slice = () => page.evaluate(() => {
+    const { panel } = viewer, [{ axis }] = panel.slices, v = panel.exam.volume;
+    return [panel.exam.toImage(panel.place.xyz)[axis] / v.spacing[axis], v.size[axis] - 1];
+  });
+  await page.evaluate(() => { viewer.current = 0; viewer.panel.active = viewer.panel.slices[0]; });
+  const [from] = await slice();
+  await press('g');
+  await page.until(() => Boolean(viewer.cine));
+  await new Promise((done) => { setTimeout(done, 600); });
+  await press('Escape');
+  const [now] = await slice();
+  assert.ok(now > from, `${from} to ${now}`);
+  await page.evaluate(() => { while (viewer.panel.slices[0].step(40)); viewer.panel.slices[0].step(-2); });
+  await press('g');
+  await page.until(() => !viewer.cine);
+  const [last, end] = await slice();
+  assert.ok(Math.abs(last - end) < 1e-6, 'it stops at the last slice');
+});
+
+test('Q hides all layers over the wall and shows them again', async () => {
+  const shown = () => page.evaluate(() => [...document.querySelectorAll('#layers input')].filter((e) => e.checked).map((e) => e.name));
+  const before = await shown();
+  await press('q');
+  assert.deepEqual(await shown(), before.filter((name) => name === 'through'));
+  await press('q');
+  assert.deepEqual(await shown(), before);
+});
+
+test('a finding at a candidate says so', async () => {
+  await page.evaluate(() => viewer.verdicts.choose(null));
+  await press('n');
+  const id = await page.evaluate(() => viewer.verdicts.chosen.id);
+  await press('f');
+  const [head, finding] = await page.evaluate(() => {
+    const item = document.querySelector('#entries li.chosen');
+    return [item.querySelector('.head').innerText, item.dataset.id];
+  });
+  assert.ok(head.includes(`at candidate ${id}`), head);
+  await press('z');
+  assert.equal(await page.evaluate(() => document.activeElement.getAttribute('aria-label')), `size of ${finding} in mm`);
+  await press('Escape');
+  await page.evaluate(() => { const v = viewer.verdicts; v.removeFinding(v.findings.at(-1)); v.isSaved = true; v.actions.changed(); });
 });
 
 test('Space flies to the end, and unseen areas are counted', async () => {
@@ -590,6 +657,32 @@ test('the other position follows the map, and back', async (t) => {
   assert.ok(errors.length > 20 && figures.linkedBack[2] <= 5, JSON.stringify(figures.linkedBack));
   await idle();
   await shot('8-linked');
+});
+
+test('scrolling slices and dragging the unfolded view move both positions', async (t) => {
+  if (await page.evaluate(() => !viewer.maps)) { t.skip('one position'); return; }
+  const places = () => page.evaluate(() => viewer.panels.map((p) => p.place.xyz));
+  const [x, y, w, h] = await box('axial'), before = await places();
+  await page.wheel(x + w / 2, y + h / 2, 100);
+  await idle();
+  const after = await places(), shifts = after.map((p, k) => p.map((v, i) => v - before[k][i]));
+  assert.ok(Math.hypot(...shifts[0]) > 0.1 && far(...shifts) < 1e-6, JSON.stringify(shifts));
+  const middles = () => page.evaluate(() => {
+    const [a, b] = viewer.panels.map((p) => p.flat.center());
+    return { scales: [a.scale, b.scale], off: viewer.link.from(0, a.place).uv.map((v, i) => v - b.place.uv[i]), u: a.place.uv[0] };
+  });
+  const [u, v, width, height] = await box('flat'), old = await middles();
+  await page.evaluate(() => {
+    const [{ flat, exam }] = viewer.panels, { xyz } = exam.center[exam.center.length >> 1];
+    flat.show({ place: exam.fromXyz(xyz, false), scale: 4 });
+  });
+  for (const [type, dx] of [['mousePressed', 0], ['mouseMoved', -30], ['mouseMoved', -60], ['mouseReleased', -60]]) {
+    await page.mouse(type, u + width / 2 + dx, v + height * 0.6, { button: 'left', buttons: 1, clickCount: 1 });
+  }
+  await idle();
+  const moved = await middles();
+  assert.ok(moved.u !== old.u && Math.abs(moved.scales[0] - moved.scales[1]) < 1e-9, JSON.stringify(moved));
+  assert.ok(Math.abs(moved.off[0]) < 1, `the same part: ${moved.off}`);
 });
 
 test('a candidate is shown at one scale in both positions, also after zooming', async (t) => {

@@ -296,7 +296,7 @@ AddCard(HtmlReport & report, const PolypCards & cards, const PolypCandidate & ca
   }
   if (!cards.viewer.empty())
   {
-    report.AddLink(cards.viewer + AnchorOfPlace(candidate.position), "Show in the viewer");
+    report.AddLink(cards.viewer + "#candidate=" + std::to_string(candidate.number), "Show in the viewer");
   }
   if (partner && !cards.otherPage.empty())
   {

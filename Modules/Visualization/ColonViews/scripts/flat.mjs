@@ -212,6 +212,19 @@ export class FlatView extends View {
     this.along -= dx / s;
     this.v -= dy / sy;
     this.changed();
+    this.panel.shifted(this.panel);
+  }
+
+  // The place at the center of the view, and its scale.
+  center() {
+    const f = this.frame();
+    return { place: this.panel.exam.nearestUv(...f.back(this.w / 2, this.middle)), scale: f.s };
+  }
+
+  // Shows a place at the center.
+  show({ place, scale }) {
+    Object.assign(this, { scale, along: this.short.of(place.uv[0]), v: place.uv[1] });
+    this.changed();
   }
 
   wheel(d, at) { this.scaleAt(1.25 ** -d, at.x, at.y); }
@@ -224,6 +237,7 @@ export class FlatView extends View {
     this.along = this.short.of(u) - (x - this.w / 2) / s;
     this.v = v - (y - this.middle) / (s * this.relief.vSign);
     this.changed();
+    this.panel.shifted(this.panel);
   }
 
   // Moves the crosshair on the map by millimeters to the right and down.

@@ -26,6 +26,8 @@ const keyList = [
     ['a', 'A', 'next axial slice; Shift: previous', 'stepSlice', [0, 1]],
     ['c', 'C', 'next coronal slice', 'stepSlice', [1, 1]],
     ['s', 'S', 'next sagittal slice', 'stepSlice', [2, 1]],
+    ['g', 'G', 'cine: play the slices of the selected view, or the axial ones; Shift: backwards', 'toggleCine', 1],
+    ['Shift+g', '', '', 'toggleCine', -1],
     ['Shift+a', '', '', 'stepSlice', [0, -1]],
     ['Shift+c', '', '', 'stepSlice', [1, -1]],
     ['Shift+s', '', '', 'stepSlice', [2, -1]],
@@ -40,6 +42,7 @@ const keyList = [
     ['Ctrl+ArrowLeft', '', '', 'changeWindow', [-50, 0]],
     ['Ctrl+ArrowUp', 'Ctrl ↑', 'level up; Ctrl ↓: down', 'changeWindow', [0, 25]],
     ['Ctrl+ArrowDown', '', '', 'changeWindow', [0, -25]],
+    ['q', 'Q', 'hide all layers over the wall, or show them again', 'toggleLayers'],
     ['l', 'L', 'next layout of the views', 'nextLayout'],
     ['v', 'V', 'select the next view for + and -', 'nextView'],
     ['+', '+', 'enlarge the selected view', 'zoom', 1.25],
@@ -53,6 +56,7 @@ const keyList = [
     ['p', 'P', 'previous candidate or finding', 'stepEntry', -1],
     ['e', 'E', 'next verdict', 'nextVerdict'],
     ['t', 'T', 'edit the note', 'writeNote'],
+    ['z', 'Z', 'edit the size', 'writeSize'],
     ['f', 'F', 'add a finding at the crosshair', 'addFinding'],
     ['b', 'B', 'bookmark this place, with a snapshot', 'addBookmark'],
     ['m', 'M', 'measure between two clicks, or stop measuring', 'toggleMeasure'],
@@ -60,16 +64,16 @@ const keyList = [
     ['Ctrl+s', 'Ctrl S', 'save verdicts.json', 'save'],
     ['Ctrl+o', 'Ctrl O', 'open verdicts.json', 'openFile'],
     ['?', '?', 'this help', 'toggleHelp'],
-    ['Escape', 'Esc', 'leave help, note or measurement', 'leave'],
+    ['Escape', 'Esc', 'leave help, note, measurement or cine', 'leave'],
   ]],
 ];
 
 const MOUSE = [
   ['click', 'sets the crosshair in all views'],
   ['Shift and move', 'moves the crosshair'],
-  ['drag', 'shifts the unfolded view, turns the wall in 3D and the eye; on slices, right: wider window, down: higher level'],
+  ['drag', 'shifts the unfolded views, turns the wall in 3D and the eye; on slices, right: wider window, down: higher level'],
   ['drag with the right button', 'shifts the wall in 3D'],
-  ['wheel', 'enlarges the unfolded view and the wall in 3D, scrolls through slices, flies'],
+  ['wheel', 'enlarges the unfolded view and the wall in 3D, scrolls through slices of both positions, flies'],
   ['Ctrl and wheel', 'enlarges a slice'],
 ];
 

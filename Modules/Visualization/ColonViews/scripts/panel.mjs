@@ -14,10 +14,11 @@ const HEAD_SPAN = 80, HEAD_SCALE = 1.5; // size of slices in mm, and least pixel
 
 // All views of one position, around one crosshair.
 export class Panel {
-  // notify: callback with this panel after its crosshair has moved; zoomed: with a slice after its scale has changed; marksOf:
-  // candidates and findings to show; calipersOf: their measurements.
-  constructor(root, exam, layers, { notify, zoomed, marksOf, calipersOf }) {
-    Object.assign(this, { root, exam, layers, notify, zoomed, marksOf, calipersOf });
+  // notify: callback with this panel after its crosshair has moved; zoomed: with a slice after its scale has changed; scrolled: with
+  // this panel and the shift (mm) of its crosshair by a slice; shifted: with this panel after its unfolded view was dragged or zoomed;
+  // marksOf: candidates and findings to show; calipersOf: their measurements.
+  constructor(root, exam, layers, { notify, zoomed, scrolled, shifted, marksOf, calipersOf }) {
+    Object.assign(this, { root, exam, layers, notify, zoomed, scrolled, shifted, marksOf, calipersOf });
     Object.assign(this, { window: [1500, -200], paintings: 0, measure: null });
     Object.assign(this, { translucent: null, tissuePaintings: 0 }); // translucent: the place around which it is shown
     this.volumeText = 'Loading the volume …';
@@ -107,6 +108,13 @@ export class Panel {
     this.changed();
   }
 
+  // Sets the crosshair to a place on another slice.
+  scroll(place, slice) {
+    const shift = sub(place.xyz, this.place.xyz);
+    this.follow(place, slice);
+    this.scrolled(this, shift);
+  }
+
   // Sets the crosshair to a place with all views centered on it.
   centerOn(place) {
     this.set(place);
@@ -140,7 +148,12 @@ export class Panel {
     this.place = isNear ? place : this.exam.fromXyz(camera.eye, false);
     this.followTranslucency();
     this.flat.reveal(this.place);
-    if (this.exam.seen) this.exam.seen.look(camera, this.inside.w / (this.inside.h || 1));
+    this.turned();
+  }
+
+  // Takes into account what the eye sees.
+  turned() {
+    if (this.exam.seen) this.exam.seen.look(this.inside.camera(), this.inside.w / (this.inside.h || 1));
     this.changed();
     this.notify(this);
   }

@@ -6,6 +6,7 @@ const LETTERS = [['R', 'L'], ['A', 'P'], ['F', 'H']]; // for the ends of the pat
 const SCALES = [1, 2, 5, 10, 20, 50, 100];             // mm, lengths of the scale bar
 const WIDEST_SCALE = 0.3;                               // of the width of the view
 const RIGHT_OF_LABEL = 170;                             // pixels
+const LEAST_IN_PLANE = 0.7;                             // of gravity
 const AROUND_HEAD = 4;                                  // pixels between a head and its ring
 export const LEAST_WIDTH = 20;                                 // HU, of the window
 
@@ -95,6 +96,7 @@ export class SliceView extends View {
     this.panel.drawMeasure(this, g, at);
     this.drawLetters(g, w, h);
     this.drawFacts(g, index, place.xyz);
+    this.drawGravity(g, w);
     this.drawScale(g, f.s, w, h);
     this.cross(g, ...f.at(q), false, gapOf(place, f.s));
   }
@@ -108,6 +110,19 @@ export class SliceView extends View {
 
   drawFacts(g, index, xyz) {
     this.facts(index, xyz).forEach((text, i) => this.write(g, text, 6, 33 + 15 * i));
+  }
+
+  // An arrow along gravity in the upper right corner, if it is known and lies in the plane of the slice.
+  drawGravity(g, w) {
+    const { exam: { info: { gravity }, volume: { axes } } } = this.panel;
+    if (!gravity) return;
+    const along = [[this.across, this.flipX], [this.down, this.flipY]].map(([k, flip]) => dot(gravity, axes[k]) * (flip ? -1 : 1));
+    if (Math.hypot(...along) < LEAST_IN_PLANE) return;
+    const [x, y] = along, tip = [w - 22 + 12 * x, 34 + 12 * y], at = (a, b) => [tip[0] - a * x - b * y, tip[1] - a * y + b * x];
+    for (const [color, width] of [['#000c', 4], ['#ffd', 1.6]]) {
+      this.line(g, [at(24, 0), tip, null, at(6, 4), tip, at(6, -4)], color, width);
+    }
+    this.write(g, 'gravity', w - 84, 38);
   }
 
   drawScale(g, scale, w, h) {
@@ -212,13 +227,15 @@ export class SliceView extends View {
     this.changed();
   }
 
-  // Moves the crosshair by this number of slices.
+  // Moves the crosshair by this number of slices; false at the last one.
   step(n) {
-    const { panel } = this, { exam } = panel;
-    if (!exam.volume) return;
-    const q = exam.toImage(panel.place.xyz);
-    q[this.axis] += n * exam.volume.spacing[this.axis];
-    panel.set(exam.fromXyz(exam.fromImage(q)), this);
+    const { panel, axis } = this, { exam } = panel, v = exam.volume;
+    if (!v) return false;
+    if (!this.letters) this.layout();
+    const q = exam.toImage(panel.place.xyz), old = q[axis];
+    q[axis] = clamp(old + n * v.spacing[axis], 0, (v.size[axis] - 1) * v.spacing[axis]);
+    panel.scroll(exam.fromXyz(exam.fromImage(q)), this);
+    return q[axis] !== old;
   }
 
   drag(dx, dy) {

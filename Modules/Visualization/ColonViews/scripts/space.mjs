@@ -117,6 +117,7 @@ export class EndoView extends SpaceView {
     super(root, 'inside', 'Endoluminal view', panel);
     Object.assign(this, { index: 0, eye: null, yaw: 0, pitch: 0, way: 1, look: null, fov: (2 * Math.PI) / 3, isWide: false });
     this.headFov = null; // field of view of the head of a candidate
+    this.isFlown = false; // otherwise the eye was placed at a target, which keeps the crosshair when the eye turns
   }
 
   get point() { return this.panel.exam.center[this.index]; }
@@ -125,7 +126,7 @@ export class EndoView extends SpaceView {
   lookAt(place) {
     const { exam } = this.panel, { candidate } = place, view = candidate && (candidate.view ??= viewOfHead(exam, candidate));
     const { index, eye, fov = null } = view || exam.viewpoint(place);
-    Object.assign(this, { index, eye, headFov: fov, look: place.xyz, yaw: 0, pitch: 0 });
+    Object.assign(this, { index, eye, headFov: fov, look: place.xyz, yaw: 0, pitch: 0, isFlown: false });
   }
 
   draw(g, w, h, ratio) {
@@ -169,12 +170,14 @@ export class EndoView extends SpaceView {
   // Flies to a point of the centerline.
   go(index) {
     this.index = clamp(index, 0, this.panel.exam.center.length - 1);
-    Object.assign(this, { look: null, eye: null, headFov: null });
+    Object.assign(this, { look: null, eye: null, headFov: null, isFlown: true });
     this.panel.flown();
   }
 
   reverse() {
-    Object.assign(this, { way: -this.way, yaw: 0, pitch: 0 });
+    this.way = -this.way;
+    if (!this.isFlown) return;
+    Object.assign(this, { yaw: 0, pitch: 0 });
     this.go(this.index);
   }
 
@@ -183,7 +186,7 @@ export class EndoView extends SpaceView {
     if (this.look) this.straighten();
     this.yaw += yaw;
     this.pitch = clamp(this.pitch + pitch, -1.4, 1.4);
-    this.panel.flown();
+    if (this.isFlown) this.panel.flown(); else this.panel.turned();
   }
 
   // Yaw and pitch of the direction to the target.

@@ -5,6 +5,7 @@ const VERDICTS = ['unread', 'polyp', 'not a polyp', 'unsure'], ACCEPTED = 'polyp
 const MORPHOLOGIES = ['', 'flat', 'sessile', 'pedunculated'];
 const VERSIONS = [1, 2];
 const AT_LESION = 40; // mm; the ends of a caliper are not farther from the center of a lesion
+const SAME = 6;       // mm from the surface of a candidate; a finding nearer than this may be the same lesion
 
 const wordOf = (words, word) => (words.includes(word) ? word : words[0]);
 const numberOf = (x) => (Number.isFinite(x) && x > 0 ? Math.round(10 * x) / 10 : null);
@@ -103,7 +104,14 @@ export class Verdicts {
     this.list();
   }
 
-  writeNote() { if (this.chosen) this.itemOf(this.chosen).querySelector('.note').focus(); }
+  // Moves the cursor to the note or the size of what is chosen.
+  write(field) { if (this.chosen) this.itemOf(this.chosen).querySelector(`.${field}`)?.focus(); }
+
+  // Opens a link of the report to a candidate of the first position; a second reader sees its place only.
+  goTo(id) {
+    const entry = this.entries.find((e) => e.id === id);
+    if (entry && this.isRevealed) this.choose(entry); else if (entry) this.actions.jump(entry);
+  }
 
   addFinding(position, place) {
     const number = 1 + Math.max(0, ...this.findings.map((f) => Number(f.id.slice(1))));
@@ -204,7 +212,12 @@ export class Verdicts {
   }
 
   factsOfFinding(f) {
-    return [`${f.id}${this.whereOf(f)}`, f.segment || 'segment unknown', cmOf(f.arcLength), ...(f.diameter ? [`${f.diameter} mm`] : [])];
+    const facts = [`${f.id}${this.whereOf(f)}`, f.segment || 'segment unknown', cmOf(f.arcLength)];
+    if (f.diameter) facts.push(`${f.diameter.toFixed(1)} mm`);
+    const isAt = (e) => e.position === f.position && distance(e.candidate.xyz, f.lps) < e.candidate.place.depth + SAME;
+    const same = this.isRevealed && this.entries.find(isAt);
+    if (same) facts.push(`at candidate ${same.id}: if it is the same lesion, give the verdict there and remove this finding`);
+    return facts;
   }
 
   select(entry, name, words, empty = '') {

@@ -13,12 +13,15 @@ import { Painter } from './painter.mjs';
 import { Panel } from './panel.mjs';
 import { LEAST_WIDTH } from './slice.mjs';
 import { Verdicts } from './verdicts.mjs';
+import { add } from '../../../Core/Pages/scripts/math.mjs';
 import { toggle } from '../../../Core/Pages/scripts/keys.mjs';
 import { byId, letGo, notice, openPage } from '../../../Core/Pages/scripts/page.mjs';
 import { scaleViews, View } from '../../../Core/Pages/scripts/view.mjs';
 
 const DOUBTFUL = 0.3; // below this confidence of the map the other position is dimmed
 const EXCLUDED = 255;   // in `trust`: not visible in one of the positions
+const CINE = 100;       // ms per slice
+const OVERLAYS = layerList.map(([name]) => name).filter((name) => name !== 'through');
 
 const PAGE = `
 <header>
@@ -31,7 +34,7 @@ const PAGE = `
   </select>
   <select id="layout" aria-label="layout of the views"></select>
   <button id="fly">Fly-through</button><button id="way">→ cecum</button><button id="wide">Fisheye</button>
-  <button id="translucency">Translucency</button><button id="measure">Measure</button>
+  <button id="cine">Cine</button><button id="translucency">Translucency</button><button id="measure">Measure</button>
   <button id="finding">Add finding</button><button id="bookmark">Bookmark</button>
   <button id="reveal">Show candidates</button><label id="linkBox"><input type="checkbox" id="link" checked> link</label>
   <button id="help">Help ?</button>
@@ -78,6 +81,8 @@ class Viewer {
     return new Panel(root, exam, this.layers, {
       notify: (panel) => this.moved(panel),
       zoomed: (slice) => this.zoomOthers(slice),
+      scrolled: (panel, shift) => this.scrollOther(panel, shift),
+      shifted: (panel) => this.shiftOther(panel),
       marksOf: (panel) => this.verdicts.marks(this.panels.indexOf(panel)),
       calipersOf: (panel) => this.verdicts.calipers(this.panels.indexOf(panel)),
     });
@@ -113,6 +118,7 @@ class Viewer {
   listen() {
     const on = (id, act) => { $(id).onclick = (e) => { act(); letGo(e); }; };
     on('fly', () => this.toggleFlight());
+    on('cine', () => this.toggleCine(1));
     on('way', () => this.reverse());
     on('measure', () => this.toggleMeasure());
     on('finding', () => this.addFinding());
@@ -146,7 +152,8 @@ class Viewer {
   turnOutside(yaw) { this.panel.outside.turn(yaw, 0); }
   stepEntry(by) { this.verdicts.step(by); }
   nextVerdict() { this.verdicts.nextVerdict(); }
-  writeNote() { this.verdicts.writeNote(); }
+  writeNote() { this.verdicts.write('note'); }
+  writeSize() { this.verdicts.write('size'); }
   addFinding() { this.verdicts.addFinding(this.current, this.panel.place); }
   addBookmark() {
     const { inside, slices } = this.panel, label = this.panel.exam.nameOfSegment(this.panel.place.face);
@@ -159,6 +166,16 @@ class Viewer {
   toggleHelp() { toggle($('keys')); }
   setWindow(window) { this.panels.forEach((p) => p.setWindow(window)); }
   changeWindow([width, level]) { const [w, l] = this.panel.window; this.setWindow([Math.max(LEAST_WIDTH, w + width), l + level]); }
+
+  // Hides the layers over the wall, or shows those again that were shown.
+  toggleLayers() {
+    const hide = () => Object.fromEntries(OVERLAYS.map((name) => [name, false]));
+    const shown = this.kept ?? hide();
+    this.kept = this.kept ? null : { ...this.layers };
+    Object.assign(this.layers, shown);
+    for (const box of $('layers').querySelectorAll('input')) box.checked = this.layers[box.name];
+    this.repaint();
+  }
 
   // Shows the other CT in all positions.
   toggleCleansed() {
@@ -199,6 +216,7 @@ class Viewer {
   leave() {
     if ($('keys').open) $('keys').close();
     document.activeElement?.blur();
+    this.stopCine();
     this.panels.forEach((p) => p.endMeasure());
     this.notify();
   }
@@ -233,6 +251,20 @@ class Viewer {
     this.notify();
   }
 
+  // Plays slices to the last one, or stops.
+  toggleCine(direction) {
+    if (this.cine) { this.stopCine(); return; }
+    const { slices, active } = this.panel, slice = slices.includes(active) ? active : slices[0];
+    this.cine = setInterval(() => { if (!slice.step(direction)) this.stopCine(); }, CINE);
+    this.notify();
+  }
+
+  stopCine() {
+    clearInterval(this.cine);
+    this.cine = null;
+    this.notify();
+  }
+
   // Moves to a candidate, finding or bookmark.
   jump({ candidate, position, lps }) {
     const panel = this.panels[position];
@@ -251,8 +283,10 @@ class Viewer {
     $('file').value = '';
   }
 
-  // Moves to the place of a link in the report: "#lps=x,y,z" in mm, in the first position.
+  // Follows a link in the report: "#candidate=id", or "#lps=x,y,z" in mm, in the first position.
   follow(hash) {
+    const [, id] = /^#candidate=(.+)$/.exec(hash) || [];
+    if (id) this.verdicts.goTo(id);
     const numbers = /^#lps=(-?[\d.]+),(-?[\d.]+),(-?[\d.]+)$/.exec(hash);
     if (numbers) this.jump({ position: 0, lps: numbers.slice(1).map(Number) });
   }
@@ -263,6 +297,21 @@ class Viewer {
   zoomOthers(slice) {
     if (!this.isLinked) return;
     for (const { slices } of this.panels) slices[slice.panel.slices.indexOf(slice)].zoomTo(slice.zoom);
+  }
+
+  // Slices of both positions scroll by the same distance.
+  scrollOther(panel, shift) {
+    this.current = this.panels.indexOf(panel);
+    const other = this.isLinked && this.panels[1 - this.current];
+    if (other) other.follow(other.exam.fromXyz(add(other.place.xyz, shift)));
+    this.notify();
+  }
+
+  // Unfolded views of both positions show the same part of the colon at one scale.
+  shiftOther({ flat }) {
+    if (!this.isLinked) return;
+    const k = this.panels.findIndex((p) => p.flat === flat), { place, scale } = flat.center();
+    this.panels[1 - k].flat.show({ place: this.link.from(k, place), scale });
   }
 
   shareScale() {
@@ -315,9 +364,8 @@ class Viewer {
     $('unsaved').textContent = verdicts?.isSaved === false ? 'not saved yet' : '';
     $('way').textContent = panel.inside.way > 0 ? '→ cecum' : '← anal verge';
     $('fly').textContent = this.isFlying ? 'Stop' : 'Fly-through';
-    for (const [id, isOn] of [['measure', panel.measure], ['wide', panel.inside.isWide], ['translucency', panel.translucent]]) {
-      $(id).classList.toggle('on', Boolean(isOn));
-    }
+    const actions = { measure: panel.measure, cine: this.cine, wide: panel.inside.isWide, translucency: panel.translucent };
+    for (const [id, isOn] of Object.entries(actions)) $(id).classList.toggle('on', Boolean(isOn));
     $('reveal').hidden = verdicts?.isRevealed !== false;
     $('ct').textContent = panel.exam.volume?.name || 'CT';
     $('ct').classList.toggle('on', Boolean(panel.exam.volume?.changes && panel.exam.volume.isCleansed));

@@ -344,6 +344,7 @@ PutViewerPosition(PageBlocks &               blocks,
   const Json quality = exam.ReadQuality();
   info["name"] = PositionOfQuality(quality);
   info["seriesUID"] = SeriesOfQuality(quality);
+  info["gravity"] = IsPositionKnown(quality) ? quality.value("/lumen/gravity"_json_pointer, Json()) : Json();
   PutCenterline(blocks, prefix, exam);
   const auto         lumen = exam.ReadLumen();
   const ViewerVolume volume = ReadViewerVolume(exam, *lumen, missing);
