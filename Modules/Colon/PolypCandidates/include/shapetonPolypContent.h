@@ -37,8 +37,9 @@ MeasureContent(const SurfaceMesh &           wall,
                std::vector<PolypCandidate> & candidates);
 
 /** Recognizes residue of electronic cleansing: heads that are tagged (more than 300 HU) in the CT before cleansing, but
- * not after it. Adds a remark; scores are unchanged. \param original HU, before cleansing.
- * \ingroup ShapetonPolypCandidates */
+ * not after it, and heads at a fluid level that cleansing darkened by at least 120 HU, since these are mixtures of gas
+ * and fluid. Adds a remark; scores are unchanged. MeasureContent() must come first. \param original HU, before
+ * cleansing. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
 NoteResidue(const SurfaceMesh &           wall,
             const itk::Image<float, 3> *  original,

@@ -248,12 +248,30 @@ FilmShare(const SurfaceMesh &                                                   
   return static_cast<double>(coated) / static_cast<double>(candidate.vertices.size());
 }
 
+constexpr double LeastUnder = 0.9;    // fraction of the surface: all but its blurred border
+constexpr double LeastAtLevel = 0.15; // more than the rim of a head beside fluid
+
+bool
+IsAtLevel(const PolypCandidate & candidate)
+{
+  return candidate.submergedShare > LeastAtLevel && candidate.submergedShare <= LeastUnder;
+}
+
+/** Whether a head at a level is a mixture of gas and fluid that cleansing turned into a wafer like tissue: it changed
+ * most of the head. */
+bool
+IsWafer(const PolypCandidate & candidate)
+{
+  // HU. Seams change by 180 (a real scan) and 370 to 380 (a real scan and a phantom), polyps at levels by 4 to 16, and
+  // small polyps all under fluid by up to 130, half of which is left at a level.
+  constexpr double leastChange = 120.0;
+  return IsAtLevel(candidate) && candidate.uncleansedAttenuation - candidate.meanAttenuation >= leastChange;
+}
+
 std::string
 RemarkOn(const PolypCandidate & candidate)
 {
-  constexpr double leastCoated = 0.01;  // fraction of the surface; a drop at a tip in a real scan has 0.016
-  constexpr double leastUnder = 0.9;    // fraction of the surface: all but its blurred border
-  constexpr double leastAtLevel = 0.15; // more than the rim of a head beside fluid
+  constexpr double leastCoated = 0.01; // fraction of the surface; a drop at a tip in a real scan has 0.016
 
   if (candidate.tissue == PolypTissue::Gas)
   {
@@ -263,11 +281,11 @@ RemarkOn(const PolypCandidate & candidate)
   {
     return "tagged: stool or residue";
   }
-  if (candidate.submergedShare > leastUnder)
+  if (candidate.submergedShare > LeastUnder)
   {
     return "under tagged fluid";
   }
-  if (candidate.submergedShare > leastAtLevel)
+  if (IsAtLevel(candidate))
   {
     return "at a fluid level";
   }
@@ -329,7 +347,8 @@ NoteResidue(const SurfaceMesh &           wall,
   {
     const std::vector<double> before = ValuesInside(InnerPointsOf(wall, candidate, *interpolator, lumenAt));
     candidate.uncleansedAttenuation = MeanOf(before);
-    if (candidate.lookalike == PolypLookalike::None && Quantile(before, 0.5) >= leastOfFluid)
+    const bool isResidue = Quantile(before, 0.5) >= leastOfFluid || IsWafer(candidate);
+    if (candidate.lookalike == PolypLookalike::None && isResidue)
     {
       candidate.lookalike = PolypLookalike::Residue;
       AddRemark(NameOf(candidate.lookalike), candidate);

@@ -491,6 +491,28 @@ TEST(PolypCandidates, FluidThatCleansingLeftIsResidue)
   EXPECT_EQ(candidates.front().remark, "residue of electronic cleansing");
 }
 
+/** At a level, a mixture of gas and fluid looks like tissue after cleansing; a polyp hardly changes. */
+TEST(PolypCandidates, AWaferAtAFluidLevelIsResidueAndAPolypIsNot)
+{
+  const std::vector<Body>     bodies{ Ball(Base(0.0) + 3.0 * Vector3d::UnitZ(), 3.5) };
+  const shapeton::SurfaceMesh wall = MakeWall(bodies);
+  const auto                  lumen = MakeLumen(bodies, 2.0);
+  for (const double share : { 0.05, 0.4, 0.95 })
+  {
+    for (const double before : { 60.0, 230.0 })
+    {
+      std::vector<PolypCandidate> candidates{ FindOne(wall) };
+      candidates.front().submergedShare = share;
+      candidates.front().meanAttenuation = 45.0;
+      const auto original = MakeImage<itk::Image<float, 3>>(
+        0.8, [=](double) { return before; }, bodies);
+      shapeton::NoteResidue(wall, original, lumen, candidates);
+      const bool isWafer = share == 0.4 && before > 200.0;
+      EXPECT_EQ(candidates.front().lookalike == shapeton::PolypLookalike::Residue, isWafer) << share << ' ' << before;
+    }
+  }
+}
+
 TEST(PolypCandidates, HeadsAreVoxelsOfTheirTissue)
 {
   const Vector3d          middle = Base(0.0) + 4.0 * Vector3d::UnitZ();
