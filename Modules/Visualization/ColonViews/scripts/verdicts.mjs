@@ -206,7 +206,8 @@ export class Verdicts {
     if (c.plane) facts.push(`greatest in the ${c.plane} plane`);
     if (c.morphology) facts.push(c.morphology);
     if (c.meanAttenuation !== null) facts.push(`mean attenuation ${this.attenuationOf(c)}`);
-    facts.push(...[c.recognizedAs, c.remark].filter((text, i, all) => text && all.indexOf(text) === i));
+    if (c.recognizedAs && !c.remark?.includes(c.recognizedAs)) facts.push(c.recognizedAs);
+    if (c.remark) facts.push(c.remark);
     if (c.otherCandidate) facts.push(`also candidate ${c.otherCandidate} in the other position`);
     return facts;
   }
