@@ -239,13 +239,13 @@ test('slices have number, position, window, scale and the sides of the patient',
     assert.equal(where, `slice ${number} of ${of} · ${'xyz'[plane]} ${xyz[plane].toFixed(1)} mm`);
     assert.ok(number >= 1 && number <= of);
   }
-  const gravity = await page.evaluate(() => viewer.exams.map((e) => [e.info.name, e.info.gravity]));
-  for (const [name, g] of gravity) if (g && name) assert.equal(Math.sign(g[1]), name === 'prone' ? -1 : 1, name);
   const [axial, coronal, sagittal] = slices.map((s) => s.letters);
   assert.deepEqual(axial, { right: 'L', left: 'R', bottom: 'P', top: 'A' });
   assert.deepEqual(coronal, { right: 'L', left: 'R', bottom: 'F', top: 'H' });
   assert.deepEqual(sagittal, { right: 'P', left: 'A', bottom: 'F', top: 'H' });
   if (await page.evaluate(() => !viewer.exams[0].volume.isCt)) return; // a mask has no window
+  const gravity = await page.evaluate(() => viewer.exams.map((e) => [e.info.name, e.info.gravity]));
+  for (const [name, g] of gravity) assert.equal(Math.sign(g[1]), name === 'prone' ? -1 : 1, name);
   const windowText = () => page.evaluate(() => viewer.panels[0].slices[0].facts(0, [0, 0, 0])[1]);
   await press('2');
   assert.equal(await windowText(), 'W 400  L 40');
@@ -372,6 +372,9 @@ test('turning the eye and its way keeps the lesion', async () => {
   const turned = await at();
   assert.deepEqual(turned.xyz, xyz);
   assert.ok(far(turned.camera.at, before.camera.at) > 0.1);
+  await press('r');
+  assert.ok(far((await at()).camera.at, turned.camera.at) < 1e-9, 'the view stays');
+  await press('r');
   await press('ArrowUp');
   assert.ok(far((await at()).xyz, xyz) > 0.1, 'flying moves on');
 });

@@ -351,8 +351,9 @@ private:
     const double mean = sum / static_cast<double>(piece.size());
     const auto   open = static_cast<std::size_t>(std::count_if(
       dips.begin(), dips.end(), [&](double dip) { return dip - m_Tissue > Plateau * (mean - m_Tissue); }));
-    return 3 * open > 2 * dips.size() && !this->IsRimOfBrighter(piece) &&
-           open * m_Voxel * m_Voxel * GreatestDepth >= piece.size() * m_Grid.VoxelVolume();
+    return 3 * open > 2 * dips.size() &&
+           open * m_Voxel * m_Voxel * GreatestDepth >= piece.size() * m_Grid.VoxelVolume() &&
+           !this->IsRimOfBrighter(piece);
   }
 
   /** Whether a core is the blurred rim of brighter matter that no fading path reaches. */
@@ -363,7 +364,7 @@ private:
     std::size_t rising = 0;
     for (const auto p : piece)
     {
-      const float brightest = this->Mean(p) + static_cast<float>(m_Tolerance);
+      const float brightest = m_Reached.at(p) + static_cast<float>(m_Tolerance);
       bool        isSurface = false;
       bool        isRising = false;
       ForEachNeighbor(m_Grid, p, [&](std::size_t q) {

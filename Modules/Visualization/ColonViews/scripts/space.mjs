@@ -176,7 +176,7 @@ export class EndoView extends SpaceView {
 
   reverse() {
     this.way = -this.way;
-    if (!this.isFlown) return;
+    if (!this.isFlown) { this.yaw += Math.PI; return; } // keeps the view
     Object.assign(this, { yaw: 0, pitch: 0 });
     this.go(this.index);
   }

@@ -21,7 +21,7 @@ import { scaleViews, View } from '../../../Core/Pages/scripts/view.mjs';
 const DOUBTFUL = 0.3; // below this confidence of the map the other position is dimmed
 const EXCLUDED = 255;   // in `trust`: not visible in one of the positions
 const CINE = 100;       // ms per slice
-const OVERLAYS = layerList.map(([name]) => name).filter((name) => name !== 'through');
+const HIDDEN_LAYERS = Object.fromEntries(layerList.map(([name]) => [name, false]).filter(([name]) => name !== 'through'));
 
 const PAGE = `
 <header>
@@ -169,8 +169,7 @@ class Viewer {
 
   // Hides the layers over the wall, or shows those again that were shown.
   toggleLayers() {
-    const hide = () => Object.fromEntries(OVERLAYS.map((name) => [name, false]));
-    const shown = this.kept ?? hide();
+    const shown = this.kept ?? HIDDEN_LAYERS;
     this.kept = this.kept ? null : { ...this.layers };
     Object.assign(this.layers, shown);
     for (const box of $('layers').querySelectorAll('input')) box.checked = this.layers[box.name];
@@ -216,9 +215,8 @@ class Viewer {
   leave() {
     if ($('keys').open) $('keys').close();
     document.activeElement?.blur();
-    this.stopCine();
     this.panels.forEach((p) => p.endMeasure());
-    this.notify();
+    this.stopCine();
   }
 
   toggleMeasure() {
@@ -308,9 +306,9 @@ class Viewer {
   }
 
   // Unfolded views of both positions show the same part of the colon at one scale.
-  shiftOther({ flat }) {
+  shiftOther(panel) {
     if (!this.isLinked) return;
-    const k = this.panels.findIndex((p) => p.flat === flat), { place, scale } = flat.center();
+    const k = this.panels.indexOf(panel), { place, scale } = panel.flat.center();
     this.panels[1 - k].flat.show({ place: this.link.from(k, place), scale });
   }
 
