@@ -20,14 +20,17 @@ TEXTS = ("PatientName", "PatientID", "PatientAddress", "PatientTelephoneNumbers"
          "PerformingPhysicianName", "InstitutionName", "InstitutionAddress", "StationName", "DeviceSerialNumber")
 MARKS = {name: f"QZXW7MARK{number:02}" for number, name in enumerate(TEXTS)}
 MARKS["PatientBirthDate"] = "19340507"
+MARKS["StudyDate"] = "19340608"
 MARKS["StudyInstanceUID"] = "1.2.999.73519.1"
 MARKS["SeriesInstanceUID"] = "1.2.999.73519.2"
 MARKS["FrameOfReferenceUID"] = "1.2.999.73519.3"
 INSTANCE = "1.2.999.73519.4"
 
 IN_ANY_FILE = {"SeriesInstanceUID"}
-IN_LISTINGS = {"SeriesInstanceUID", "SeriesDescription"}  # of DicomSeriesInspector, and the report of a run
-IN_DICOM_RESULTS = {"PatientName", "PatientID", "PatientBirthDate", "AccessionNumber", "StudyID", "StudyDescription",
+IN_REPORT = {"SeriesInstanceUID", "SeriesDescription"}
+IN_LISTINGS = IN_REPORT | {"PatientID", "StudyDate"}  # of DicomSeriesInspector
+IN_VIEWER = {"SeriesInstanceUID", "PatientID", "StudyDate"}
+IN_DICOM_RESULTS = {"PatientName", "PatientID", "PatientBirthDate", "AccessionNumber", "StudyID", "StudyDate", "StudyDescription",
                     "ReferringPhysicianName", "StudyInstanceUID", "SeriesInstanceUID", "FrameOfReferenceUID", "SOPInstanceUID"}
 IN_FHIR = {"PatientID", "StudyInstanceUID", "SeriesInstanceUID", "SOPInstanceUID"}
 
@@ -73,7 +76,11 @@ def allowed_in(path):
         return IN_DICOM_RESULTS
     if path.name == "fhir.json":
         return IN_FHIR
-    return IN_LISTINGS if path.stem == "series" or path.name == "report.html" else IN_ANY_FILE
+    if path.stem == "series":
+        return IN_LISTINGS
+    if path.parent.name == "viewer" or path.parent.parent.name == "viewer":
+        return IN_VIEWER
+    return IN_REPORT if path.name == "report.html" else IN_ANY_FILE
 
 
 def run(tools, name, *arguments):

@@ -16,6 +16,12 @@ constexpr double LeastDistendedCaliber = 10.0;
  * ed.: 4 cm). \ingroup ShapetonColonCenterline */
 constexpr double AnalCanalLength = 40.0;
 
+/** End of the anal canal on a line with these arc lengths and radii, mm: the arc length of the last point before the
+ * caliber first reaches LeastDistendedCaliber, at most AnalCanalLength from the start; minus infinity if the line
+ * starts distended. \ingroup ShapetonColonCenterline */
+ShapetonColonCenterline_EXPORT double
+EndOfAnalCanal(const Eigen::VectorXd & arcLength, const Eigen::VectorXd & radius);
+
 /** Distension of a part of the colon: calibers and collapsed length. See MeasureDistension().
  * \ingroup ShapetonColonCenterline */
 struct ColonDistension

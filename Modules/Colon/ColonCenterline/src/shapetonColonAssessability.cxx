@@ -55,13 +55,11 @@ BorderBefore(const Eigen::VectorXd & arc, const std::vector<ColonHindrance> & hi
 std::vector<char>
 NarrowPoints(const Eigen::VectorXd & arc, const Eigen::VectorXd & radius)
 {
+  const double      canal = EndOfAnalCanal(arc, radius);
   std::vector<char> isNarrow;
-  bool              isAnalCanal = true;
   for (Eigen::Index i = 0; i < radius.size(); ++i)
   {
-    const bool isThin = 2.0 * radius[i] < LeastDistendedCaliber;
-    isAnalCanal = isAnalCanal && isThin && arc[i] - arc[0] <= AnalCanalLength;
-    isNarrow.push_back(isThin && !isAnalCanal);
+    isNarrow.push_back(2.0 * radius[i] < LeastDistendedCaliber && arc[i] > canal);
   }
   for (std::size_t begin = 0, end = 0; begin < isNarrow.size(); begin = end)
   {

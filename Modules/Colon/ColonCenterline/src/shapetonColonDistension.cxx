@@ -25,6 +25,19 @@ AddStep(double from, double to, double caliber, bool isGap, ColonDistension & st
 }
 } // namespace
 
+double
+EndOfAnalCanal(const Eigen::VectorXd & arcLength, const Eigen::VectorXd & radius)
+{
+  double end = -std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0;
+       i < radius.size() && 2.0 * radius[i] < LeastDistendedCaliber && arcLength[i] - arcLength[0] <= AnalCanalLength;
+       ++i)
+  {
+    end = arcLength[i];
+  }
+  return end;
+}
+
 ColonDistension
 MeasureDistension(const CurveSet & curve, double begin, double end)
 {

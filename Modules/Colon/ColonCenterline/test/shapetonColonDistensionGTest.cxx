@@ -45,6 +45,20 @@ TEST(ColonDistension, CutsStepsAtBorders)
   EXPECT_DOUBLE_EQ(rest.meanCaliber, 40.0 * 8.0 / 50.0);
 }
 
+TEST(ColonDistension, TheAnalCanalEndsWhereTheLumenOpensOrAfterFourCentimeters)
+{
+  Eigen::VectorXd arc(5), radius(5);
+  arc << 7, 17, 27, 45, 60;
+  radius << 2, 4, 5, 3, 20;
+  EXPECT_EQ(shapeton::EndOfAnalCanal(arc, radius), 17.0);
+  radius[2] = 4.9;
+  EXPECT_EQ(shapeton::EndOfAnalCanal(arc, radius), 45.0);
+  arc[3] = 47.5; // 40.5 mm from the start
+  EXPECT_EQ(shapeton::EndOfAnalCanal(arc, radius), 27.0);
+  radius[0] = 8.0;
+  EXPECT_LT(shapeton::EndOfAnalCanal(arc, radius), arc[0]);
+}
+
 TEST(ColonDistension, RefusesWhatHasNoLengthOrOrder)
 {
   EXPECT_THROW(shapeton::MeasureDistension(Line(), 50.0, 20.0), shapeton::ParameterError);

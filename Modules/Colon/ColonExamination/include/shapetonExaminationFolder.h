@@ -95,6 +95,11 @@ ShapetonColonExamination_EXPORT std::string
 ShapetonColonExamination_EXPORT std::string
                                 SeriesOfQuality(const Json & quality);
 
+/** The DICOM series read by the run, as inspection/series.json describes it; an empty object if unknown.
+ * \param inspection that file; null for a volume. \ingroup ShapetonColonExamination */
+ShapetonColonExamination_EXPORT Json
+SeriesRead(const Json & inspection, const Json & quality);
+
 /** Whether the position of the patient was read or estimated rather than assumed. \ingroup ShapetonColonExamination */
 ShapetonColonExamination_EXPORT bool
 IsPositionKnown(const Json & quality);

@@ -50,7 +50,7 @@ struct CandidateVerdict
   ReaderStatement statement;
 };
 
-/** A polyp that the reader found. \ingroup ShapetonColonExamination */
+/** A polyp, or something outside the colon, that the reader found. \ingroup ShapetonColonExamination */
 struct ReaderFinding
 {
   std::string id;
@@ -82,7 +82,8 @@ struct ReaderVerdicts
   std::optional<bool>           isSecondReader;
   ReaderAssessment              assessment;
   std::vector<CandidateVerdict> candidates;
-  std::vector<ReaderFinding>    findings;
+  std::vector<ReaderFinding>    findings;     ///< in the colon
+  std::vector<ReaderFinding>    extracolonic; ///< findings outside the colon
   std::vector<ReaderBookmark>   bookmarks;
 };
 
@@ -99,7 +100,8 @@ ReadReaderVerdicts(const std::string & path, const ColonExamination & exam);
 ShapetonColonExamination_EXPORT void
 WriteReaderVerdicts(const ReaderVerdicts & verdicts, const ColonExamination & exam, const std::string & path);
 
-/** One point for each candidate in the verdicts and each finding. \ingroup ShapetonColonExamination */
+/** One point for each candidate in the verdicts, then for each finding, then for each extracolonic one.
+ * \ingroup ShapetonColonExamination */
 ShapetonColonExamination_EXPORT Markup
 MarkupOfVerdicts(const ReaderVerdicts & verdicts, const std::vector<std::vector<PolypCandidate>> & candidates);
 } // namespace shapeton

@@ -203,6 +203,20 @@ SeriesOfQuality(const Json & quality)
   return SeriesOfIdentity(TextAt(quality, "/provenance/input.inputVolume"));
 }
 
+Json
+SeriesRead(const Json & inspection, const Json & quality)
+{
+  const std::string selector = SeriesOfQuality(quality); // empty if segmentation has failed
+  for (const Json & series : inspection.is_null() ? Json::array() : inspection.value("series", Json::array()))
+  {
+    if (selector.empty() ? series.value("usable", false) : series.value("selector", "") == selector)
+    {
+      return series;
+    }
+  }
+  return Json::object();
+}
+
 void
 WriteExaminationVersion(const std::string & path)
 {

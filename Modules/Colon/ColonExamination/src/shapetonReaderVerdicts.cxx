@@ -198,7 +198,8 @@ public:
       verdicts.candidates.push_back(this->CandidateOf(members, id));
     });
     this->ForEach("findings", "the finding ", true, [&](const VerdictMembers & members, const std::string & id) {
-      verdicts.findings.push_back(this->FindingOf(members, id));
+      const bool isOutside = members.Flag("extracolonic").value_or(false);
+      (isOutside ? verdicts.extracolonic : verdicts.findings).push_back(this->FindingOf(members, id));
     });
     this->ForEach("bookmarks", "the bookmark ", false, [&](const VerdictMembers & members, const std::string & id) {
       verdicts.bookmarks.push_back(this->BookmarkOf(members, id));
@@ -393,6 +394,11 @@ WriteReaderVerdicts(const ReaderVerdicts & verdicts, const ColonExamination & ex
   {
     document["findings"].push_back(JsonOf(finding));
   }
+  for (const ReaderFinding & finding : verdicts.extracolonic)
+  {
+    document["findings"].push_back(JsonOf(finding));
+    document["findings"].back()["extracolonic"] = true;
+  }
   for (const ReaderBookmark & bookmark : verdicts.bookmarks)
   {
     document["bookmarks"].push_back(JsonOf(bookmark));
@@ -415,6 +421,10 @@ MarkupOfVerdicts(const ReaderVerdicts & verdicts, const std::vector<std::vector<
   for (const ReaderFinding & finding : verdicts.findings)
   {
     AddPoint(markup, finding.place, "finding " + finding.id, finding.statement.note);
+  }
+  for (const ReaderFinding & finding : verdicts.extracolonic)
+  {
+    AddPoint(markup, finding.place, "extracolonic finding " + finding.id, finding.statement.note);
   }
   return markup;
 }

@@ -42,6 +42,14 @@ ShapetonColonLandmarks_EXPORT std::string
 ShapetonColonLandmarks_EXPORT DistensionGrade
 GradeOf(const ColonDistension & distension);
 
+/** What covers or changes visible wall. */
+enum class WallCover : unsigned char
+{
+  None,
+  Residue, ///< coated by tagged matter: more than 300 HU within 2 mm behind the wall, not next to fluid
+  Seam     ///< within 2.5 mm of a fluid level, where electronic cleansing determines the wall
+};
+
 /** A part of the wall that a flat map does not show, such as a blind pouch. */
 struct HiddenWall
 {
@@ -63,8 +71,8 @@ struct SegmentQuality
   double submergedShare{ std::numeric_limits<double>::quiet_NaN() };
   /** Mean attenuation, before cleansing, of tagged fluid next to the wall, HU; NaN if there is no fluid. */
   double fluidAttenuation{ std::numeric_limits<double>::quiet_NaN() };
-  /** Area (mm^2) of the wall under gas that is coated by tagged matter: more than 300 HU within 2 mm behind the wall,
-   * not next to fluid. */
+  /** Areas (mm^2) of the wall by WallCover. */
+  double seamArea{ std::numeric_limits<double>::quiet_NaN() };
   double residueArea{ std::numeric_limits<double>::quiet_NaN() };
   /** Area (mm^2) and number of the parts of the wall that the flat map does not show. */
   double hiddenArea{ 0.0 };
@@ -76,8 +84,8 @@ struct SegmentQuality
   double otherShare{ std::numeric_limits<double>::quiet_NaN() };
   double eitherShare{ std::numeric_limits<double>::quiet_NaN() };
 
-  /** The visible fraction of the length, or the fraction of the wall that the flat map shows, whichever is smaller; 0
-   * to 1. */
+  /** The visible fraction of the length, or the fraction of the wall that the flat map shows without seams, whichever
+   * is smaller; 0 to 1. */
   ShapetonColonLandmarks_EXPORT double
   EvaluableShare() const;
 };
@@ -89,10 +97,10 @@ using AttenuationAt = std::function<double(const Eigen::Vector3d &)>;
 ShapetonColonLandmarks_EXPORT AttenuationAt
 AttenuationOf(const itk::Image<float, 3> * ct);
 
-/** For each face of a wall, whether it is coated by tagged matter; see SegmentQuality::residueArea.
+/** For each face of a wall.
  * \param lumen 1 gas, 2 tagged fluid. \param original HU before cleansing. */
-ShapetonColonLandmarks_EXPORT std::vector<bool>
-FindCoatedFaces(const SurfaceMesh & wall, const LumenMask * lumen, const AttenuationAt & original);
+ShapetonColonLandmarks_EXPORT std::vector<WallCover>
+FindWallCovers(const SurfaceMesh & wall, const LumenMask * lumen, const AttenuationAt & original);
 
 /** Input of MeasureSegmentQuality(). */
 struct SegmentQualityInput

@@ -1,6 +1,7 @@
 #include "shapetonSegmentQuality.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonParallelFor.h"
 #include "shapetonSurfaceLocator.h"
 
 #include "itkLinearInterpolateImageFunction.h"
@@ -43,6 +44,7 @@ struct WallSums
   double fluidArea{ 0.0 };
   double fluidSum{ 0.0 }; ///< HU mm^2
   double residueArea{ 0.0 };
+  double seamArea{ 0.0 };
 };
 
 using SumsOfSegments = std::array<WallSums, NumberOfColonSegments + 1>;
@@ -111,15 +113,44 @@ IsCoated(const LumenMask * lumen, const AttenuationAt & original, const FaceFron
   return false;
 }
 
+/** Whether gas and tagged fluid meet near a face, without tissue in between. */
+bool
+IsAtSeam(const LumenMask * lumen, const FaceFront & front)
+{
+  constexpr double      inLumen = 2.0; // mm from the wall, beyond the blur of a scan
+  constexpr double      step = 0.5;    // mm
+  constexpr int         steps = 5;     // 2.5 mm: beyond it, the wall of a phantom is as exact as elsewhere
+  const Eigen::Vector3d start = front.middle + inLumen * front.inwards;
+  const unsigned char   here = LabelAt(lumen, start);
+  for (int way = 0; way < 6 && here != 0; ++way)
+  {
+    const Eigen::Vector3d stride = (way % 2 == 0 ? step : -step) * Eigen::Vector3d::Unit(way / 2);
+    for (int i = 1; i <= steps; ++i)
+    {
+      const unsigned char there = LabelAt(lumen, start + i * stride);
+      if (there == 0)
+      {
+        break;
+      }
+      if (there != here)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 /** Adds a face to the sums, depending on the lumen in front of it. */
 void
-AddFace(const SegmentQualityInput & input, const FaceFront & front, WallSums & sums)
+AddFace(const SegmentQualityInput & input, const FaceFront & front, WallCover cover, WallSums & sums)
 {
   constexpr double inFluid = 3.0, beyond = 4.5; // mm from the wall, beyond the blur of a scan
   sums.area += front.area;
+  sums.residueArea += cover == WallCover::Residue ? front.area : 0.0;
+  sums.seamArea += cover == WallCover::Seam ? front.area : 0.0;
   if (!IsSubmerged(input.lumen, front))
   {
-    sums.residueArea += input.attenuation && IsCoated(input.lumen, input.attenuation, front) ? front.area : 0.0;
     return;
   }
   sums.submerged += front.area;
@@ -163,18 +194,25 @@ private:
 void
 AddWall(const SegmentQualityInput & input, const std::vector<int> & segmentOfFace, std::vector<SegmentQuality> & rows)
 {
-  SumsOfSegments sums;
-  for (int f = 0; f < input.wall->NumberOfFaces(); ++f)
+  SumsOfSegments               sums;
+  const std::vector<WallCover> covers = input.attenuation
+                                          ? FindWallCovers(*input.wall, input.lumen, input.attenuation)
+                                          : std::vector<WallCover>(segmentOfFace.size(), WallCover::None);
+  for (std::size_t f = 0; f < segmentOfFace.size(); ++f)
   {
     AddFace(
-      input, FrontOf(*input.wall, f), sums.at(static_cast<std::size_t>(segmentOfFace[static_cast<std::size_t>(f)])));
+      input, FrontOf(*input.wall, static_cast<int>(f)), covers[f], sums.at(static_cast<std::size_t>(segmentOfFace[f])));
   }
   for (SegmentQuality & row : rows)
   {
     const WallSums & sum = sums.at(static_cast<std::size_t>(row.extent.label));
     row.submergedShare = sum.area > 0.0 ? sum.submerged / sum.area : std::numeric_limits<double>::quiet_NaN();
     row.fluidAttenuation = sum.fluidSum / sum.fluidArea; // NaN without fluid
-    row.residueArea = input.attenuation ? sum.residueArea : row.residueArea;
+    if (input.attenuation)
+    {
+      row.residueArea = sum.residueArea;
+      row.seamArea = sum.seamArea;
+    }
   }
 }
 
@@ -216,15 +254,17 @@ AttenuationOf(const itk::Image<float, 3> * ct)
   };
 }
 
-std::vector<bool>
-FindCoatedFaces(const SurfaceMesh & wall, const LumenMask * lumen, const AttenuationAt & original)
+std::vector<WallCover>
+FindWallCovers(const SurfaceMesh & wall, const LumenMask * lumen, const AttenuationAt & original)
 {
-  std::vector<bool> coated;
-  for (int face = 0; face < wall.NumberOfFaces(); ++face)
-  {
-    coated.push_back(IsCoated(lumen, original, FrontOf(wall, face)));
-  }
-  return coated;
+  std::vector<WallCover> covers(static_cast<std::size_t>(wall.NumberOfFaces()), WallCover::None);
+  ParallelForBlocks(covers.size(), [&](std::size_t face) {
+    const FaceFront front = FrontOf(wall, static_cast<int>(face));
+    covers[face] = IsAtSeam(lumen, front)             ? WallCover::Seam
+                   : IsCoated(lumen, original, front) ? WallCover::Residue
+                                                      : WallCover::None;
+  });
+  return covers;
 }
 
 std::string
@@ -249,7 +289,8 @@ GradeOf(const ColonDistension & distension)
 double
 SegmentQuality::EvaluableShare() const
 {
-  const double shown = extent.area > 0.0 ? 1.0 - hiddenArea / extent.area : 1.0;
+  const double seams = std::isfinite(seamArea) ? seamArea : 0.0;
+  const double shown = extent.area > 0.0 ? 1.0 - (hiddenArea + seams) / extent.area : 1.0;
   return std::min(assessability.share, std::max(shown, 0.0));
 }
 
@@ -292,6 +333,7 @@ TableOfSegmentQuality(const std::vector<SegmentQuality> & segments)
                    "submergedShare",
                    "fluidHU",
                    "residueArea",
+                   "seamArea",
                    "untaggedFluid",
                    "hiddenArea",
                    "hiddenParts",
@@ -314,6 +356,7 @@ TableOfSegmentQuality(const std::vector<SegmentQuality> & segments)
                    Number(one.submergedShare),
                    Number(one.fluidAttenuation),
                    Number(one.residueArea),
+                   Number(one.seamArea),
                    Number(one.assessability.lengths.at(untagged)),
                    Number(one.hiddenArea),
                    std::to_string(one.hiddenParts),

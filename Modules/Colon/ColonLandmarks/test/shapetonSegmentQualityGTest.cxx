@@ -93,12 +93,12 @@ TEST(SegmentQuality, StatesWhatIsKnownOfATube)
   EXPECT_TRUE(std::isnan(rows[0].fluidAttenuation));
   EXPECT_NEAR(rows[0].residueArea, 20.0 * radius * 2.0 * std::atan(0.5), 15.0); // a third of a ring of triangles
   EXPECT_EQ(rows[0].hiddenParts, 0);
-  double                  coatedArea = 0.0;
-  const std::vector<bool> coated = FindCoatedFaces(tube, lumen, input.attenuation);
+  double                       coatedArea = 0.0;
+  const std::vector<WallCover> covers = FindWallCovers(tube, lumen, input.attenuation);
   for (int f = 0; f < tube.NumberOfFaces(); ++f)
   {
     const Eigen::Vector3d a = tube.V.row(tube.F(f, 0)), b = tube.V.row(tube.F(f, 1)), c = tube.V.row(tube.F(f, 2));
-    coatedArea += coated[static_cast<std::size_t>(f)] ? 0.5 * (b - a).cross(c - a).norm() : 0.0;
+    coatedArea += covers[static_cast<std::size_t>(f)] == WallCover::Residue ? 0.5 * (b - a).cross(c - a).norm() : 0.0;
   }
   EXPECT_NEAR(coatedArea, rows[0].residueArea, 1e-9);
 
@@ -106,11 +106,21 @@ TEST(SegmentQuality, StatesWhatIsKnownOfATube)
   const double wetLength = (length - poolBegin) / (length - border);
   EXPECT_NEAR(rows[1].submergedShare, wetLength * std::acos(5.0 / 18.0) / Pi, 0.02); // of a circle 2 mm inside
   EXPECT_NEAR(rows[1].fluidAttenuation, 700.0, 1e-9);
+  EXPECT_EQ(rows[0].seamArea, 0.0);
   EXPECT_EQ(rows[1].residueArea, 0.0);
+  // Two strips above and below the level on a circle 2 mm inside, and a ring where the pool begins. The reach of 2.5 mm
+  // is blurred by voxels of 1 to 2 mm.
+  const auto seam = [](double reach) {
+    const double around = std::asin((level + reach) / 18.0) - std::asin((level - reach) / 18.0);
+    const double wet = 2.0 * std::acos(-level / 18.0);
+    return 2.0 * around * radius * (length - poolBegin) + wet * radius * 2.0 * reach;
+  };
+  EXPECT_GT(rows[1].seamArea, seam(2.0));
+  EXPECT_LT(rows[1].seamArea, seam(3.0));
   EXPECT_DOUBLE_EQ(rows[1].hiddenArea, 320.0);
   EXPECT_EQ(rows[1].hiddenParts, 2);
   EXPECT_EQ(rows[1].largestHidden.place.z(), 250.0);
-  EXPECT_DOUBLE_EQ(rows[1].EvaluableShare(), 1.0 - 320.0 / 25000.0);
+  EXPECT_DOUBLE_EQ(rows[1].EvaluableShare(), 1.0 - (320.0 + rows[1].seamArea) / 25000.0);
 }
 
 TEST(SegmentQuality, LeavesOutWhatNeedsImages)

@@ -96,6 +96,7 @@ enum class PolypLookalike
 {
   None,
   Valve,
+  AnalCanal,
   Catheter,
   Balloon,
   Gas,
@@ -103,8 +104,8 @@ enum class PolypLookalike
   Tagged
 };
 
-/** "ileocecal valve", "rectal catheter", "balloon of the rectal catheter", "gas", "residue of electronic cleansing",
- * "tagged stool or residue"; empty for None. \ingroup ShapetonPolypCandidates */
+/** "ileocecal valve", "anal canal", "rectal catheter", "balloon of the rectal catheter", "gas", "residue of electronic
+ * cleansing", "tagged stool or residue"; empty for None. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
                                NameOf(PolypLookalike lookalike);
 
@@ -262,10 +263,11 @@ NoteIleocecalValve(const std::vector<IleocecalValve> & alternatives, std::vector
 ShapetonPolypCandidates_EXPORT void
 RankValveLast(const IleocecalValve & valve, std::vector<PolypCandidate> & candidates);
 
-/** Adds a remark to candidates within 60 mm of the anal verge along the centerline, since these may be a catheter tip,
- * a balloon or hemorrhoids. \ingroup ShapetonPolypCandidates */
+/** Recognizes candidates in the anal canal, see EndOfAnalCanal(); other candidates within 60 mm of the anal verge along
+ * the centerline get a remark, since these may be a catheter tip, a balloon or hemorrhoids. Scores are unchanged.
+ * \param centerline with arcLength and radius. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
-NoteRectalCatheter(std::vector<PolypCandidate> & candidates);
+NoteAnalCanal(const CurveSet & centerline, std::vector<PolypCandidate> & candidates);
 
 /** Adds a remark to candidates whose diameter is smaller than the resolution supports, see NotAssessableBelow().
  * \ingroup ShapetonPolypCandidates */

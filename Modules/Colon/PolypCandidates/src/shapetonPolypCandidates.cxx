@@ -1,6 +1,7 @@
 #include "shapetonPolypCandidates.h"
 
 #include "shapetonCandidateList.h"
+#include "shapetonColonDistension.h"
 #include "shapetonPlaceInWords.h"
 #include "shapetonScanResolution.h"
 #include "shapetonSurfaceQuality.h"
@@ -119,6 +120,8 @@ NameOf(PolypLookalike lookalike)
   {
     case PolypLookalike::Valve:
       return "ileocecal valve";
+    case PolypLookalike::AnalCanal:
+      return "anal canal";
     case PolypLookalike::Catheter:
       return "rectal catheter";
     case PolypLookalike::Balloon:
@@ -226,12 +229,20 @@ RankValveLast(const IleocecalValve & valve, std::vector<PolypCandidate> & candid
 }
 
 void
-NoteRectalCatheter(std::vector<PolypCandidate> & candidates)
+NoteAnalCanal(const CurveSet & centerline, std::vector<PolypCandidate> & candidates)
 {
   constexpr double reach = 60.0; // mm
+  const char *     what = "the centerline";
+  const double     end =
+    EndOfAnalCanal(PointValues(centerline, "arcLength", what), PointValues(centerline, "radius", what));
   for (PolypCandidate & candidate : candidates)
   {
-    if (candidate.arcLength <= reach)
+    if (candidate.lookalike == PolypLookalike::None && candidate.arcLength <= end)
+    {
+      candidate.lookalike = PolypLookalike::AnalCanal;
+      AddRemark(NameOf(candidate.lookalike), candidate);
+    }
+    else if (candidate.arcLength <= reach)
     {
       AddRemark("may be a rectal catheter, its balloon or hemorrhoids", candidate);
     }

@@ -287,7 +287,7 @@ RemarkOn(const PolypCandidate & candidate)
   }
   if (IsAtLevel(candidate))
   {
-    return "at a fluid level";
+    return "at a fluid level: cleansing made part of its surface";
   }
   return candidate.filmShare >= leastCoated ? "contrast on its surface" : "";
 }

@@ -111,7 +111,7 @@ SearchPolyps(const PolypColon & colon, const PolypSearchSettings & options)
     RankValveLast(*valve, candidates);
   }
   NoteIleocecalValve(ValveCandidatesOf(colon.centerline), candidates);
-  NoteRectalCatheter(candidates);
+  NoteAnalCanal(colon.centerline, candidates);
   if (TellsHindrances(colon.centerline))
   {
     NoteHindrances(colon.centerline, candidates);

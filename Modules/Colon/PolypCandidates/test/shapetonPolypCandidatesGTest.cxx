@@ -789,15 +789,24 @@ TEST(PolypCandidates, WhatIsLeftOfACatheterRanksLast)
   EXPECT_EQ(withBalloon[1].score, 0.0);
 }
 
-TEST(PolypCandidates, CatheterIsNotedByItsPlace)
+TEST(PolypCandidates, TheAnalCanalAndWhatMayBeACatheterAreKnownByPlace)
 {
-  std::vector<PolypCandidate> candidates(3); // the place of the last one is unknown
+  shapeton::CurveSet line; // the lumen opens at 30 mm
+  line.V = shapeton::VertexMatrix::Zero(4, 3);
+  line.V.col(2) << 0.0, 20.0, 30.0, 200.0;
+  line.curves = { { 0, 1, 2, 3 } };
+  line.pointArrays = { { "arcLength", line.V.col(2) }, { "radius", Eigen::Vector4d(3.0, 4.0, 15.0, 20.0) } };
+  std::vector<PolypCandidate> candidates(4); // the place of the last one is unknown
   candidates[0].arcLength = 33.0;
   candidates[1].arcLength = 128.0;
-  shapeton::NoteRectalCatheter(candidates);
+  candidates[2].arcLength = 12.0;
+  shapeton::NoteAnalCanal(line, candidates);
   EXPECT_NE(candidates[0].remark.find("catheter"), std::string::npos);
+  EXPECT_EQ(candidates[0].lookalike, shapeton::PolypLookalike::None);
   EXPECT_EQ(candidates[1].remark, "");
-  EXPECT_EQ(candidates[2].remark, "");
+  EXPECT_EQ(candidates[2].remark, "anal canal");
+  EXPECT_EQ(candidates[2].lookalike, shapeton::PolypLookalike::AnalCanal);
+  EXPECT_EQ(candidates[3].remark, "");
 }
 
 TEST(PolypCandidates, TooSmallForTheResolutionIsNoted)

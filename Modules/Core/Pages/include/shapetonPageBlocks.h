@@ -20,7 +20,8 @@ ShapetonPages_EXPORT std::string
  * \brief Arrays as scripts that a file:// page can load: block(name, {header}, "base64 of gzip").
  *
  * A file:// page may load scripts from its folder, but may not fetch files. Values are stored as differences from the
- * value `delta` positions before, modulo 2^n, which compresses better. A single page embeds the scripts.
+ * value `delta` positions before, modulo 2^n, which compresses better. A long block is split into parts, "name.1" and
+ * so on; its header states their number. A single page embeds the scripts.
  *
  * \ingroup ShapetonPages */
 class ShapetonPages_EXPORT PageBlocks
@@ -60,7 +61,7 @@ public:
 
 private:
   void
-  PutBytes(const std::string & name, const Json & header, const std::string & bytes);
+  PutBytes(const std::string & name, Json header, const std::string & bytes);
   void
   PutScript(const std::string & name, const std::string & script);
 

@@ -1,5 +1,6 @@
 // Data blocks: scripts of the form block("name", {header}, "base64 of gzip"), because a page opened from file:// may
-// load scripts from its folder but may not fetch() files. The text of a block is released after decoding.
+// load scripts from its folder but may not fetch() files. The text of a block is released after decoding. A worker decodes
+// blocks in the order of their arrival, while the page paints.
 
 const blocks = new Map();
 globalThis.block = (name, header, body) => blocks.set(name, { header, body });
@@ -22,21 +23,17 @@ function bytesOf(base64) {
   return out;
 }
 
-async function gunzip(bytes, size) {
-  const out = new Uint8Array(size);
-  const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip')).getReader();
-  let at = 0;
-  for (;;) {
+// Writes the unpacked bytes to `out` from `at` on; returns where they end.
+async function gunzip(bytes, out, at) {
+  const stream = new DecompressionStream('gzip'), writer = stream.writable.getWriter();
+  writer.write(bytes).then(() => writer.close()).catch(() => {}); // the reader throws
+  for (const reader = stream.readable.getReader(); ;) {
     const { done, value } = await reader.read();
-    if (done) break;
+    if (done) return at;
     out.set(value, at); // throws if the data are longer than stated in the header
     at += value.length;
   }
-  if (at !== size) throw new Error(`ends after ${at} of ${size} bytes`);
-  return out;
 }
-
-const TYPES = { u8: Uint8Array, u16: Uint16Array, u32: Uint32Array };
 
 // Reals are stored as integers between the minimum and the maximum of their column.
 function realsOf(values, { offset, step }) {
@@ -48,27 +45,67 @@ function realsOf(values, { offset, step }) {
   return out;
 }
 
-async function decode({ header, body }) {
-  const type = TYPES[header.type];
-  const values = new type((await gunzip(bytesOf(body), header.count * type.BYTES_PER_ELEMENT)).buffer);
+async function decode({ header, parts }) {
+  const type = { u8: Uint8Array, u16: Uint16Array, u32: Uint32Array }[header.type];
+  const values = new type(header.count), bytes = new Uint8Array(values.buffer);
+  let at = 0;
+  for (const part of parts) at = await gunzip(part, bytes, at);
+  if (at !== bytes.length) throw new Error(`ends after ${at} of ${bytes.length} bytes`);
   const d = header.delta;
   if (d) for (let i = d; i < values.length; i++) values[i] += values[i - d]; // modulo 2^n, as when written
-  return Object.assign(header.step ? realsOf(values, header) : values, { header });
+  return header.step ? realsOf(values, header) : values;
+}
+
+// Runs in the worker: answers each {id, header, parts} with {id, values} or {id, why}.
+function serve() {
+  let last = Promise.resolve();
+  const answer = async ({ id, ...found }) => {
+    try {
+      const values = await decode(found);
+      postMessage({ id, values }, [values.buffer]);
+    } catch (error) { postMessage({ id, why: error.message }); }
+  };
+  addEventListener('message', ({ data }) => { last = last.then(() => answer(data)); });
+}
+
+const waiting = new Map(); // blocks that the worker decodes: id to {done, fail}
+let worker = null, next = 0;
+
+function decodeBeside(header, parts) {
+  if (!worker) {
+    const program = `${[gunzip, realsOf, decode, serve].join('\n')}\nserve();`;
+    worker = new Worker(URL.createObjectURL(new Blob([program], { type: 'text/javascript' })));
+    worker.onmessage = ({ data: { id, values, why } }) => {
+      const { done, fail } = waiting.get(id);
+      waiting.delete(id);
+      if (values) done(values); else fail(new Error(why));
+    };
+  }
+  return new Promise((done, fail) => {
+    waiting.set(next, { done, fail });
+    worker.postMessage({ id: next++, header, parts }, parts.map((part) => part.buffer));
+  });
 }
 
 // The array of a block, with its header, or the value of a JSON block. folder: null if all blocks are in the page. version:
 // distinguishes a replaced file from the previous one.
 export async function readBlock(folder, name, version = '') {
-  const file = folder === null ? 'this page' : `${folder}/${name.replaceAll('/', '-')}.js`;
-  if (!blocks.has(name) && folder !== null) await loadScript(file + version);
-  const found = blocks.get(name);
-  blocks.delete(name);
-  const damaged = (why) => new Error(`The data "${name}" in ${file} is damaged (${why}): create the page again.`);
-  if (!found) throw damaged('truncated');
-  if (!found.header) return found.body;
+  const damaged = (file, why) => new Error(`The data "${name}" in ${file} is damaged (${why}): create the page again.`);
+  const fileOf = (part) => (folder === null ? 'this page' : `${folder}/${part.replaceAll('/', '-')}.js`);
+  const take = async (part) => {
+    if (!blocks.has(part) && folder !== null) await loadScript(fileOf(part) + version);
+    const found = blocks.get(part);
+    blocks.delete(part);
+    if (!found) throw damaged(fileOf(part), 'truncated');
+    return found;
+  };
+  const { header, body } = await take(name);
+  if (!header) return body;
+  const parts = await Promise.all(Array.from({ length: header.parts }, (_, i) => take(`${name}.${i + 1}`)));
   try {
-    return await decode(found);
+    const packed = header.parts ? parts.map((part) => bytesOf(part.body)) : [bytesOf(body)];
+    return Object.assign(await decodeBeside(header, packed), { header });
   } catch (error) {
-    throw damaged(error.message);
+    throw damaged(fileOf(name), error.message);
   }
 }

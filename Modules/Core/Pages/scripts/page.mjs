@@ -41,3 +41,6 @@ export function saveFile(name, text, type) {
   element('a', { href: url, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(url), 10000);
 }
+
+// Lets the page load and paint between two long computations.
+export const pause = () => new Promise((done) => { setTimeout(done); });

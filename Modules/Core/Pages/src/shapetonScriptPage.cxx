@@ -11,7 +11,7 @@ TextOf(const ScriptPage & page, const PageBlocks & blocks)
   // Prevents scripts from sending data.
   text +=
     "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline' 'self' "
-    "file:; style-src 'unsafe-inline'; img-src data: blob:" +
+    "file:; worker-src blob:; style-src 'unsafe-inline'; img-src data: blob:" +
     (page.connections.empty() ? "" : "; connect-src " + page.connections) + "\">\n";
   text += "<title>" + page.title + "</title>\n<style>\n" + PageStyle() + page.style + "</style>\n<body>\n";
   text += "<script>\n" + page.script + "</script>\n" + blocks.Inline();

@@ -142,6 +142,9 @@ struct DicomSeries
   /** Distinguishing attribute of this part, for example "ConvolutionKernel B70f"; empty if parts differ in geometry. */
   std::string distinction;
   std::string modality;
+  /** Patient ID and Study Date of the first slice, which identify a person. */
+  std::string patientID;
+  std::string studyDate; ///< as YYYYMMDD
   std::string patientPosition;
   /** Names of the transfer syntaxes, joined by ", ". */
   std::string transferSyntax;

@@ -488,6 +488,7 @@ ReadIdentity(DcmFileFormat & format, DcmDataset & dataset, DicomFile & file)
   file.seriesUID = GetText(dataset, DCM_SeriesInstanceUID);
   file.frameOfReferenceUID = GetText(dataset, DCM_FrameOfReferenceUID);
   file.patientID = GetText(dataset, DCM_PatientID);
+  file.studyDate = GetText(dataset, DCM_StudyDate);
   const DicomText description = DicomTextOf(dataset, DCM_SeriesDescription);
   file.description = description.text;
   file.isUndecodable = !description.isDecoded;

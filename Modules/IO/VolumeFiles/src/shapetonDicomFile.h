@@ -54,8 +54,8 @@ struct DicomFile
   std::string sopInstanceUID;
   std::string seriesUID;
   std::string frameOfReferenceUID;
-  /** Used only for comparisons because it identifies a person. */
   std::string patientID;
+  std::string studyDate;
   std::string description;
   /** The bytes of the description are invalid in its character set. */
   bool        isUndecodable{ false };
@@ -97,10 +97,10 @@ void
 Transmit(TStream & stream, TFile & file)
 {
   stream & file.kind & file.what & file.studyUID & file.sopClassUID & file.sopInstanceUID & file.seriesUID & file
-    .frameOfReferenceUID & file.patientID & file.description & file.isUndecodable & file.modality & file
-    .patientPosition & file.transferSyntax & file.seriesNumber & file.instanceNumber & file.rows & file.columns & file
-    .isLossy & file.isDerived & file.isInverted & file.isMultiFrame & file.isUnsupportedTransferSyntax & file
-    .truncation & file.malformedValue & file.refusal & file.isOtherObject;
+    .frameOfReferenceUID & file.patientID & file.studyDate & file.description & file.isUndecodable & file
+    .modality & file.patientPosition & file.transferSyntax & file.seriesNumber & file.instanceNumber & file.rows & file
+    .columns & file.isLossy & file.isDerived & file.isInverted & file.isMultiFrame & file
+    .isUnsupportedTransferSyntax & file.truncation & file.malformedValue & file.refusal & file.isOtherObject;
   stream.SizeOf(file.frames);
   for (auto & frame : file.frames)
   {

@@ -266,6 +266,8 @@ DescribeSeries(const DicomScan & scan, const DicomSeries & series, const AdviceI
            { "seriesNumber", series.number },
            { "description", series.description },
            { "modality", series.modality },
+           { "patientID", series.patientID },
+           { "studyDate", series.studyDate },
            { "patientPosition", series.patientPosition },
            { "transferSyntax", series.transferSyntax },
            { "lossy", series.isLossy },

@@ -523,6 +523,8 @@ DescribeSeries(DicomSeries & series, const Items & items)
   series.number = file.seriesNumber;
   series.description = file.description;
   series.modality = file.modality;
+  series.patientID = file.patientID;
+  series.studyDate = file.studyDate;
   series.patientPosition = file.patientPosition;
   series.transferSyntax = JoinTransferSyntaxes(items);
   series.size[0] = file.columns;

@@ -2,6 +2,7 @@
 
 #include "shapetonColonTerms.h"
 #include "shapetonNumberText.h"
+#include "shapetonPlaceInWords.h"
 #include "shapetonPrintable.h"
 
 #include <cmath>
@@ -108,6 +109,15 @@ CommentsOn(const ColonReading & reading, std::size_t position, const std::string
   for (const ReaderLesion & lesion : LesionsWith(reading.lesions, ReaderVerdict::Unsure))
   {
     comments.push_back("the reader is unsure about " + NameOfLesion(lesion));
+  }
+  for (const ReaderFinding & finding : reading.verdicts.extracolonic)
+  {
+    if (finding.position == position)
+    {
+      const std::string note = Printable(finding.statement.note);
+      comments.push_back("extracolonic finding " + finding.id + " at " + PlaceInWords(finding.place) + " (LPS)" +
+                         (note.empty() ? "" : ": " + note));
+    }
   }
   if (!whyPreliminary.empty())
   {

@@ -63,9 +63,9 @@ PositionInWords(const ColonoscopyResults & results)
 
 /** Number and description of the series. */
 std::string
-SeriesInWords(const Json & inspection)
+SeriesInWords(const ColonoscopyResults & results)
 {
-  const Json series = UsedSeries(inspection);
+  const Json series = SeriesRead(results.inspection, results.quality);
   const Json number = series.value("seriesNumber", Json());
   return (number.is_number() ? std::to_string(number.get<int>()) + ": " : "") +
          series.value("description", std::string());
@@ -128,6 +128,12 @@ AddVolumes(const Json & quality, ColonoscopyFacts & facts)
   }
 }
 
+bool
+IsOfDerived(const ColonoscopyResults & results)
+{
+  return SeriesRead(results.inspection, results.quality).value("derived", false);
+}
+
 void
 AddModelFacts(const ColonoscopyResults & results, ColonoscopyFacts & facts)
 {
@@ -151,7 +157,8 @@ AddModelFacts(const ColonoscopyResults & results, ColonoscopyFacts & facts)
     const bool isThicknessKnown = std::isfinite(NumberOrNaN(quality, "/resolution/sliceThickness"));
     facts.emplace_back("Voxels",
                        quality["resolution"].at("text").get<std::string>() +
-                         (isThicknessKnown ? "" : ", if the slices are not thicker (thickness unknown)"));
+                         (isThicknessKnown ? "" : ", if the slices are not thicker (thickness unknown)") +
+                         (IsOfDerived(results) ? ", if the spacing of these derived images is right" : ""));
   }
   const double length = NumberOrNaN(quality, "/centerline/length");
   if (std::isfinite(length))
@@ -277,17 +284,15 @@ FoldsInWords(const ColonoscopyResults & results)
 
 } // namespace
 
-Json
-UsedSeries(const Json & inspection)
+std::string
+OutsideReferences(const Json & quality)
 {
-  for (const Json & series : inspection.is_null() ? Json::array() : inspection.value("series", Json::array()))
-  {
-    if (series.value("usable", false))
-    {
-      return series;
-    }
-  }
-  return Json::object();
+  const double gas = IsOfMask(quality) ? NAN : NumberOrNaN(quality, "/lumen/gasVolume");
+  const double length = NumberOrNaN(quality, "/centerline/length");
+  const bool   isGasOutside = gas < leastGas || gas > greatestGas;
+  const bool   isLengthOutside = length < leastLength || length > greatestLength;
+  return (isGasOutside ? Milliliters(gas) + " of gas" : "") + (isGasOutside && isLengthOutside ? " and " : "") +
+         (isLengthOutside ? Centimeters(length) + " of colon" : "");
 }
 
 std::string
@@ -325,7 +330,7 @@ SummaryOf(const ColonoscopyReportContent & content)
     return facts;
   }
   facts.emplace_back("Position", PositionInWords(results));
-  if (const std::string series = SeriesInWords(results.inspection); !series.empty())
+  if (const std::string series = SeriesInWords(results); !series.empty())
   {
     facts.emplace_back("Series", series);
   }

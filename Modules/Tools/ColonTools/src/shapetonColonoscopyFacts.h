@@ -15,9 +15,9 @@ SummaryOf(const ColonoscopyReportContent & content);
 ColonoscopyFacts
 MethodFactsOf(const ColonoscopyReportContent & content);
 
-/** The series that was used, as in series.json; empty if unknown. */
-Json
-UsedSeries(const Json & inspection);
+/** "4992 ml of gas and 260.1 cm of colon", as far as these are outside the reference ranges; "" if none is. */
+std::string
+OutsideReferences(const Json & quality);
 
 /** Whether segment `number` (1 rectum to 6 cecum) of a landmarks.json is evaluable: "yes, along 97 % of the length", or
  * the fraction and the reasons; empty if unknown. */

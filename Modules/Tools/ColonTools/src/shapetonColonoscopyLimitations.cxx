@@ -321,13 +321,18 @@ AddCatheter(const ColonoscopyResults & results, const StretchPlaces & places, st
 
 /** Statements of the series about its own values. */
 void
-AddSeries(const Json & series, std::vector<Limitation> & list)
+AddSeries(const Json & series, const Json & quality, std::vector<Limitation> & list)
 {
   if (series.value("derived", false))
   {
+    const std::string outside = OutsideReferences(quality);
     list.push_back(
       { "The images are derived, not original (Image Type): HU, sizes, lengths and volumes on all pages may be "
-        "approximate.",
+        "approximate." +
+          (outside.empty() ? ""
+                           : " In fact, " + outside +
+                               " contradict the reference ranges: if the spacing is wrong, so are all "
+                               "sizes, and which polyps are evaluable. Check a length that you know."),
         {} });
   }
   if (series.value("lossy", false))
@@ -469,7 +474,7 @@ LimitationsOf(const ColonoscopyResults & results, const ColonoscopyQuality & qua
 {
   std::vector<Limitation> list;
   AddCompleteness(results, list);
-  AddSeries(UsedSeries(results.inspection), list);
+  AddSeries(SeriesRead(results.inspection, results.quality), results.quality, list);
   if (results.centerline.curves.empty())
   {
     return list;

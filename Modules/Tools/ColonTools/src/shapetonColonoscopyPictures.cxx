@@ -3,7 +3,6 @@
 #include "shapetonColonFlexures.h"
 #include "shapetonColonLandmarkPictures.h"
 #include "shapetonJson.h"
-#include "shapetonSegmentQuality.h"
 #include "shapetonSurfaceRendering.h"
 #include "shapetonFlatPictureSize.h"
 
@@ -17,6 +16,7 @@ const RGBColor flexureColor = MakeColor(250, 214, 80);
 const RGBColor endColor = MakeColor(240, 240, 240);
 const RGBColor foldColor = MakeColor(20, 130, 60);
 const RGBColor residueColor = MakeColor(240, 200, 0);
+const RGBColor seamColor = MakeColor(60, 120, 220);
 
 constexpr double opacityOfGlass = 0.3; // chosen by eye
 /** Radii of tubes and balls, mm. */
@@ -209,30 +209,30 @@ DrawInside(const ColonoscopyResults & results, PatientSide side)
   return RenderSurfaces(scene, options);
 }
 
-std::vector<unsigned short>
-CoatedPixels(const ColonoscopyResults & results)
+std::vector<WallCover>
+CoverPixels(const ColonoscopyResults & results)
 {
   if (!results.original)
   {
     return {};
   }
-  const std::vector<bool> coated =
-    FindCoatedFaces(results.flat->Surface(), results.lumen, AttenuationOf(results.original));
-  const FlatColonGrid &       grid = results.flat->Grid();
-  std::vector<unsigned short> labels;
+  const std::vector<WallCover> covers =
+    FindWallCovers(results.flat->Surface(), results.lumen, AttenuationOf(results.original));
+  const FlatColonGrid &  grid = results.flat->Grid();
+  std::vector<WallCover> ofPixels;
   for (int row = 0; row < grid.Rows(); ++row)
   {
     for (int column = 0; column < grid.Columns(); ++column)
     {
       const int face = grid.FaceOfPixel(column, row);
-      labels.push_back(face >= 0 && coated[static_cast<std::size_t>(face)] ? 1 : 0);
+      ofPixels.push_back(face >= 0 ? covers[static_cast<std::size_t>(face)] : WallCover::None);
     }
   }
-  return labels;
+  return ofPixels;
 }
 
 Picture::Pointer
-DrawFlat(const ColonoscopyResults & results, const std::vector<unsigned short> & coated, FlatColoring coloring)
+DrawFlat(const ColonoscopyResults & results, const std::vector<WallCover> & covers, FlatColoring coloring)
 {
   FlatColonParts parts;
   parts.flat = results.flat.get();
@@ -246,10 +246,20 @@ DrawFlat(const ColonoscopyResults & results, const std::vector<unsigned short> &
     parts.outlines.push_back(OutlinesOf(
       results.foldLabels->GetBufferPointer(), static_cast<int>(size[0]), static_cast<int>(size[1]), foldColor));
   }
-  if (!coated.empty())
+  for (const WallCover cover : { WallCover::Seam, WallCover::Residue })
   {
-    parts.outlines.push_back(
-      OutlinesOf(coated.data(), results.flat->Grid().Columns(), results.flat->Grid().Rows(), residueColor));
+    std::vector<unsigned short> isCover;
+    for (const WallCover one : covers)
+    {
+      isCover.push_back(one == cover ? 1 : 0);
+    }
+    if (!isCover.empty())
+    {
+      parts.outlines.push_back(OutlinesOf(isCover.data(),
+                                          results.flat->Grid().Columns(),
+                                          results.flat->Grid().Rows(),
+                                          cover == WallCover::Seam ? seamColor : residueColor));
+    }
   }
   parts.lines = FlatTaeniae(results.taeniae);
   const double circumference = results.flatStatistics.at("circumference").get<double>();

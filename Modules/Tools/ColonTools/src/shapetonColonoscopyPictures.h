@@ -4,6 +4,7 @@
 #include "shapetonColonoscopyResults.h"
 #include "shapetonColonPictures.h"
 #include "shapetonFlatColonPictures.h"
+#include "shapetonSegmentQuality.h"
 
 namespace shapeton
 {
@@ -20,14 +21,13 @@ DrawSegments(const ColonoscopyResults & results, PatientSide side);
 Picture::Pointer
 DrawInside(const ColonoscopyResults & results, PatientSide side);
 
-/** 1 for each pixel of the flat map's grid where tagged residue coats the wall; empty if there is no CT from before
- * cleansing. */
-std::vector<unsigned short>
-CoatedPixels(const ColonoscopyResults & results);
+/** The WallCover of each pixel of the flat map's grid; empty if there is no CT from before cleansing. */
+std::vector<WallCover>
+CoverPixels(const ColonoscopyResults & results);
 
 /** The flat colon in rows, with segments, taeniae and folds. */
 Picture::Pointer
-DrawFlat(const ColonoscopyResults & results, const std::vector<unsigned short> & coated, FlatColoring coloring);
+DrawFlat(const ColonoscopyResults & results, const std::vector<WallCover> & covers, FlatColoring coloring);
 } // namespace shapeton
 
 #endif

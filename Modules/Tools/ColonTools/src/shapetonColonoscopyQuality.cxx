@@ -109,6 +109,7 @@ QualityTable(const ColonoscopyQuality & quality)
     { "Under tagged fluid", [](const Segment & one) { return WholePercent(one.submergedShare); } },
     { "Fluid (HU)", [](const Segment & one) { return WholeNumber(one.fluidAttenuation); } },
     { "Tagged residue (cm^2)", [](const Segment & one) { return SquareCentimeters(one.residueArea); } },
+    { "Seams of cleansing (cm^2)", [](const Segment & one) { return SquareCentimeters(one.seamArea); } },
     { "Untagged fluid",
       [&quality](const Segment & one) {
         return quality.isOfMask ? "" : Centimeters(one.assessability.lengths.at(untagged));

@@ -116,19 +116,19 @@ AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & r
   std::string marks;
   marks += results.taeniae.curves.empty() ? "" : " Taeniae: 1 yellow, 2 blue, 3 pink.";
   marks += results.foldLabels ? " Green outlines: haustral folds." : "";
-  marks += results.original ? " Yellow outlines: wall coated by tagged residue. Thin serrated lines: seams of "
-                              "electronic cleansing at fluid levels."
+  marks += results.original ? " Yellow outlines: wall coated by tagged residue. Blue outlines: seams of electronic "
+                              "cleansing at fluid levels, not evaluable."
                             : "";
-  const std::vector<unsigned short> coated = CoatedPixels(results);
-  std::vector<PictureFile>          drawings;
+  const std::vector<WallCover> covers = CoverPixels(results);
+  std::vector<PictureFile>     drawings;
   if (results.ct)
   {
     drawings.push_back({ "",
-                         [&] { return DrawFlat(results, coated, FlatColoring::Volume); },
+                         [&] { return DrawFlat(results, covers, FlatColoring::Volume); },
                          "The wall, rendered from the CT along its normals." + marks });
   }
   drawings.push_back({ "",
-                       [&] { return DrawFlat(results, coated, FlatColoring::Curvature); },
+                       [&] { return DrawFlat(results, covers, FlatColoring::Curvature); },
                        "Mean curvature: red bulges into the lumen (folds, polyps), blue outwards." + marks });
   pictures.Add(drawings);
 }
@@ -181,7 +181,8 @@ AddFirstPage(HtmlReport & html, const ColonoscopyReportContent & content)
     html.AddTable(
       QualityTable(quality).WithoutEmptyColumns(),
       "Distances from the anal verge. Caliber of the maximum inscribed sphere, without the anal canal. Evaluable "
-      "wall: visible part of the length, or part shown on the flat map if that is smaller");
+      "wall: visible part of the length, or part shown on the flat map if that is smaller" +
+        std::string(quality.isOfMask ? "" : ", without seams of cleansing (within 2.5 mm of fluid levels)"));
   }
   if (results.IsDone(colonoscopystage::polyps))
   {

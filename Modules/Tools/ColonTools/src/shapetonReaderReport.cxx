@@ -58,27 +58,46 @@ LesionTable(const ReaderReportContent & content)
   using Lesion = ReaderLesion;
   const auto cell = [](double value) { return std::isfinite(value) ? CsvTable::Number(value) : ""; };
   const auto by = [](bool isByReader) { return isByReader ? "reader" : "program"; };
-  return TableOf<Lesion>(
+  CsvTable   table = TableOf<Lesion>(
     content.lesions,
     { { "id", [](const Lesion & one) { return one.id; } },
-      { "kind", [](const Lesion & one) { return one.candidate ? "candidate" : "finding"; } },
-      { "verdict", [](const Lesion & one) { return NameOf(one.verdict); } },
-      { "position", [&](const Lesion & one) { return content.positions[one.position].name; } },
-      { "x", [&](const Lesion & one) { return cell(one.place.x()); } },
-      { "y", [&](const Lesion & one) { return cell(one.place.y()); } },
-      { "z", [&](const Lesion & one) { return cell(one.place.z()); } },
-      { "segment", [](const Lesion & one) { return NameOfSegment(one.segment); } },
-      { "arcLength", [&](const Lesion & one) { return cell(one.arcLength); } },
-      { "size", [&](const Lesion & one) { return cell(one.Size()); } },
-      { "sizeBy", [&](const Lesion & one) { return std::isfinite(one.Size()) ? by(one.IsSizeByReader()) : ""; } },
-      { "morphology", [](const Lesion & one) { return NameOf(one.Morphology()); } },
-      { "morphologyBy",
-        [&](const Lesion & one) { return NameOf(one.Morphology()).empty() ? "" : by(one.IsMorphologyByReader()); } },
-      { "sameAs", [](const Lesion & one) { return one.sameAs; } },
-      { "score", [&](const Lesion & one) { return one.candidate ? cell(one.candidate->score) : ""; } },
-      { "note", [](const Lesion & one) { return one.statement.note; } } });
+        { "kind", [](const Lesion & one) { return one.candidate ? "candidate" : "finding"; } },
+        { "verdict", [](const Lesion & one) { return NameOf(one.verdict); } },
+        { "position", [&](const Lesion & one) { return content.positions[one.position].name; } },
+        { "x", [&](const Lesion & one) { return cell(one.place.x()); } },
+        { "y", [&](const Lesion & one) { return cell(one.place.y()); } },
+        { "z", [&](const Lesion & one) { return cell(one.place.z()); } },
+        { "segment", [](const Lesion & one) { return NameOfSegment(one.segment); } },
+        { "arcLength", [&](const Lesion & one) { return cell(one.arcLength); } },
+        { "size", [&](const Lesion & one) { return cell(one.Size()); } },
+        { "sizeBy", [&](const Lesion & one) { return std::isfinite(one.Size()) ? by(one.IsSizeByReader()) : ""; } },
+        { "morphology", [](const Lesion & one) { return NameOf(one.Morphology()); } },
+        { "morphologyBy",
+          [&](const Lesion & one) { return NameOf(one.Morphology()).empty() ? "" : by(one.IsMorphologyByReader()); } },
+        { "sameAs", [](const Lesion & one) { return one.sameAs; } },
+        { "score", [&](const Lesion & one) { return one.candidate ? cell(one.candidate->score) : ""; } },
+        { "note", [](const Lesion & one) { return one.statement.note; } } });
+  for (const ReaderFinding & one : content.verdicts.extracolonic)
+  {
+    table.AddRow({ one.id,
+                   "extracolonic finding",
+                   "",
+                   content.positions[one.position].name,
+                   cell(one.place.x()),
+                   cell(one.place.y()),
+                   cell(one.place.z()),
+                   "",
+                   "",
+                   cell(one.statement.size),
+                   std::isfinite(one.statement.size) ? "reader" : "",
+                   "",
+                   "",
+                   "",
+                   "",
+                   one.statement.note });
+  }
+  return table;
 }
-
 } // namespace
 
 Remarks

@@ -17,13 +17,10 @@ namespace
 {
 using ReaderFacts = std::vector<std::pair<std::string, std::string>>;
 
-/** The reader's size as entered, or the program's size in whole millimeters. */
 std::string
-SizeCell(const ReaderLesion & lesion)
+SizeCell(double size)
 {
-  return !std::isfinite(lesion.Size()) ? ""
-         : lesion.IsSizeByReader()     ? CsvTable::Number(lesion.Size())
-                                       : WholeNumber(lesion.Size());
+  return std::isfinite(size) ? InTenths(size) : "";
 }
 
 std::string
@@ -66,6 +63,7 @@ public:
     {
       this->AddLesions(html, "Unsure", "Not counted as polyps.", ReaderVerdict::Unsure);
     }
+    this->AddExtracolonic(html);
     this->AddOthers(html);
     this->AddNotAssessable(html);
     html.EndPage();
@@ -93,7 +91,9 @@ private:
     }
     facts.emplace_back("Accepted polyps", SizesOfAccepted(m_Lesions));
     facts.emplace_back("Candidates of the program", this->CandidatesRead());
-    facts.emplace_back("Findings of the reader", std::to_string(m_Verdicts.findings.size()));
+    facts.emplace_back("Findings of the reader",
+                       std::to_string(m_Verdicts.findings.size()) + " in the colon, " +
+                         std::to_string(m_Verdicts.extracolonic.size()) + " extracolonic");
     return facts;
   }
 
@@ -141,7 +141,7 @@ private:
     CsvTable table(columns);
     for (const ReaderLesion & one : lesions)
     {
-      const std::string        size = SizeCell(one);
+      const std::string        size = SizeCell(one.Size());
       std::vector<std::string> row{ this->NumberCell(one),
                                     NameOfSegment(one.segment),
                                     NumberOfCentimeters(one.arcLength),
@@ -158,6 +158,23 @@ private:
       table.AddRow(row);
     }
     html.AddTable(table, caption);
+  }
+
+  /** The findings outside the colon. */
+  void
+  AddExtracolonic(HtmlReport & html) const
+  {
+    CsvTable table({ "Number", "Place", "Size (mm)", "Note of the reader" });
+    for (const ReaderFinding & one : m_Verdicts.extracolonic)
+    {
+      table.AddRow(
+        { one.id, this->PlaceOf(one.position, one.place), SizeCell(one.statement.size), one.statement.note });
+    }
+    if (!table.GetRows().empty())
+    {
+      html.AddHeading("Extracolonic findings");
+      html.AddTable(table, "The program does not search for them.");
+    }
   }
 
   /** The candidates that were rejected or not read, in brief. */

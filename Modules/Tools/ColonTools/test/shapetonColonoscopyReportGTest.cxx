@@ -185,6 +185,11 @@ TEST(ColonoscopyReport, RanksLimitationsByConsequence)
   }
   ASSERT_TRUE(list[4].place);
   EXPECT_EQ(list[4].place->z(), 220.0);
+
+  EXPECT_EQ(list[2].text.find("contradict"), std::string::npos);
+  results.quality["lumen"]["gasVolume"] = 4992.0; // ml, more than any reference
+  EXPECT_NE(shapeton::LimitationsOf(results, quality)[2].text.find("4992 ml of gas contradict the reference"),
+            std::string::npos);
 }
 
 TEST(ColonoscopyReport, NamesReasonsForAnInadequateExamination)

@@ -171,6 +171,35 @@ TEST_F(ReaderReportFiles, StatesWhatTheReaderEntered)
   EXPECT_FALSE(Has(this->Write(true), "1.2.3"));
 }
 
+TEST_F(ReaderReportFiles, ListsExtracolonicFindingsApart)
+{
+  const std::string counted = "1 of 10 mm and more, 1 of 6 to 9 mm, 0 below 6 mm";
+  Json              outside = m_Verdicts["findings"][0];
+  outside["id"] = "F2";
+  outside["extracolonic"] = true;
+  outside["note"] = "aneurysm of the aorta";
+  outside["diameter"] = 41.0;
+  m_Verdicts["findings"].push_back(outside);
+  const std::string page = this->Write();
+  EXPECT_TRUE(Has(page, counted));
+  EXPECT_TRUE(Has(page, "1 in the colon, 1 extracolonic"));
+  EXPECT_TRUE(Has(page, "aneurysm of the aorta"));
+  const CsvFile table(m_Out + "/reader-report.csv", { "id", "kind", "verdict", "size", "sizeBy", "note" });
+  ASSERT_EQ(table.Rows(), 5u);
+  EXPECT_EQ(table.Text(4, "kind"), "extracolonic finding");
+  EXPECT_EQ(table.Text(4, "verdict"), "");
+  EXPECT_EQ(table.Number(4, "size"), 41.0);
+
+  const ColonExamination exam(m_Exam);
+  const ReaderVerdicts   verdicts = ReadReaderVerdicts(m_Path, exam);
+  EXPECT_EQ(verdicts.findings.size(), 1u);
+  ASSERT_EQ(verdicts.extracolonic.size(), 1u);
+  const std::string again = m_Folder / "again.json";
+  WriteReaderVerdicts(verdicts, exam, again);
+  EXPECT_EQ(ReadReaderVerdicts(again, exam).extracolonic.at(0).statement.note, "aneurysm of the aorta");
+  EXPECT_EQ(MarkupOfVerdicts(verdicts, exam.ReadCandidates()).labels.back(), "extracolonic finding F2");
+}
+
 TEST_F(ReaderReportFiles, HasNoWarningIfComplete)
 {
   m_Verdicts["candidates"][2]["verdict"] = "not a polyp";

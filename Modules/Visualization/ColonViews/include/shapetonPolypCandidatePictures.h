@@ -45,9 +45,9 @@ public:
   Picture::Pointer
   DrawFromWithin(const PolypCandidate & candidate) const;
 
-  /** Crops of the CT and of the cleansed CT (rows) in the axial, coronal, sagittal and an oblique plane (columns), each
-   * in a soft-tissue window (-160 to 240 HU) and a colon window (-950 to 550 HU); marks at the borders point to the
-   * center of the head. Null without a CT. */
+  /** Crops of 60 mm or more of the CT and, where it differs, of the cleansed CT (rows) in the axial, coronal, sagittal
+   * and an oblique plane (columns), each in a soft-tissue window (-160 to 240 HU) and a colon window (-950 to 550 HU);
+   * marks at the borders point to the center of the head. Null without a CT. */
   Picture::Pointer
   DrawCrops(const PolypCandidate & candidate) const;
 

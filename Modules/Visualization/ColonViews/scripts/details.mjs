@@ -1,4 +1,3 @@
-import { readBlock } from '../../../Core/Pages/scripts/bytes.mjs';
 import { cross, sub, third, unit } from '../../../Core/Pages/scripts/math.mjs';
 import { Tree } from './tree.mjs';
 
@@ -19,11 +18,7 @@ export function vertexNormals(points, faces, source) {
 // The wall at full resolution around candidates and in pouches that were cut off, where it replaces the flat wall in 3D and on
 // slices. replaced: 1 for vertices of the flat wall.
 export class Details {
-  static async load(folder, prefix, painter) {
-    const names = ['detailPoints', 'detailFaces', 'replaced'];
-    const [points, faces, replaced] = await Promise.all(names.map((name) => readBlock(folder, prefix + name)));
-    return new Details(points, faces, replaced, painter);
-  }
+  static blocks = ['detailPoints', 'detailFaces', 'replaced'];
 
   constructor(points, faces, replaced, painter) {
     Object.assign(this, { points, faces, replaced, tree: new Tree(points, faces), orientation: () => -1 }); // normals point outward

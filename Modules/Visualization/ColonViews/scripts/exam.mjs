@@ -1,6 +1,7 @@
 import { readBlock } from '../../../Core/Pages/scripts/bytes.mjs';
 import { clamp, cross, distance, dot, norm, sub, third, unit } from '../../../Core/Pages/scripts/math.mjs';
 import { Details, vertexNormals } from './details.mjs';
+import { pause } from '../../../Core/Pages/scripts/page.mjs';
 import { hitOf, normalOf, Tree } from './tree.mjs';
 import { Volume } from './volume.mjs';
 
@@ -8,20 +9,29 @@ const segmentNames = ['', 'rectum', 'sigmoid', 'descending', 'transverse', 'asce
 const hindranceNames = ['', 'no lumen', 'cut by the scan', 'untagged fluid', 'caliber below 10 mm'];
 const BRIDGED = 64, CAP = 128; // CAP: over a pouch that was cut off
 const NO_LUMEN = 1;       // of hindranceNames
-const COATED = 5;         // in place of a hindrance: visible wall with tagged residue
+const COATED = 5, AT_SEAM = 6; // in place of a hindrance: visible wall with tagged residue, or at a seam of cleansing
 const COLLAPSED = 2.5;    // mm, radius below which a flight hurries
 const TOUCH = 1.5;        // mm before a point where the wall does not hide it
+
+const BLOCKS = ['points', 'uv', 'arc', 'source', 'faces', 'kinds', 'folds', 'relief', 'centerline'];
 
 // v modulo c, in [0, c).
 const turn = (v, c) => v - c * Math.floor(v / c);
 
 // One position of a patient: the wall with its flat map, the centerline, the volume, and the mappings between them.
 export class Exam {
-  async load(folder, prefix, info, painter) {
-    const names = ['points', 'uv', 'arc', 'source', 'faces', 'kinds', 'folds', 'relief', 'centerline'];
-    const blocks = await Promise.all(names.map((name) => readBlock(folder, prefix + name)));
-    names.forEach((name, i) => { this[name] = blocks[i]; });
-    Object.assign(this, { info, painter, circumference: info.circumference, volume: null });
+  constructor(folder, prefix, info) {
+    Object.assign(this, { folder, prefix, info, circumference: info.circumference, volume: null });
+    this.blocks = [...BLOCKS, ...Details.blocks].map((name) => this.read(name));
+    for (const block of this.blocks) block.catch(() => {}); // reported by load()
+  }
+
+  read(name) { return readBlock(this.folder, this.prefix + name); }
+
+  async load(painter) {
+    const { info } = this, blocks = await Promise.all(this.blocks);
+    BLOCKS.forEach((name, i) => { this[name] = blocks[i]; });
+    Object.assign(this, { painter, blocks: null });
     this.center = [];
     for (let i = 0; i < this.centerline.length; i += 6) {
       const [x, y, z, arc, radius, hindrance] = this.centerline.subarray(i, i + 6);
@@ -29,9 +39,11 @@ export class Exam {
     }
     this.orient();
     this.wall = new Tree(this.points, this.faces);
-    this.details = await Details.load(folder, prefix, painter);
+    await pause();
+    this.details = new Details(...blocks.slice(BLOCKS.length), painter);
     this.wall.skip = this.replacedFaces();
     this.makeMap();
+    await pause();
     this.normals = vertexNormals(this.points, this.faces, (i) => this.source[i]);
     for (const c of info.candidates) this.placeCandidate(c);
     this.colors = new Uint8Array((4 * this.points.length) / 3);
@@ -49,10 +61,11 @@ export class Exam {
     c.uv = wall.uv;
   }
 
-  async loadVolume(folder, prefix) {
-    const read = (name) => readBlock(folder, `${prefix}volume${name}`), coarse = await read('Coarse');
-    this.volume = new Volume(await read(''), coarse);
-    if (this.volume.hasCleansed) this.volume.setChanges(await read('CleansedAt'), await read('Cleansed'));
+  async readVolume() {
+    const [data, coarse] = await Promise.all(['volume', 'volumeCoarse'].map((name) => this.read(name)));
+    const volume = new Volume(data, coarse);
+    if (volume.hasCleansed) volume.setChanges(...await Promise.all(['volumeCleansedAt', 'volumeCleansed'].map((name) => this.read(name))));
+    return volume;
   }
 
   makeMap() {
@@ -95,7 +108,9 @@ export class Exam {
   // Faces of the flat wall that the details replace.
   replacedFaces() {
     const { faces: F, details: { replaced } } = this;
-    return Uint8Array.from({ length: F.length / 3 }, (_, f) => replaced[F[3 * f]] & replaced[F[3 * f + 1]] & replaced[F[3 * f + 2]]);
+    const out = new Uint8Array(F.length / 3);
+    for (let f = 0; f < out.length; f++) out[f] = replaced[F[3 * f]] & replaced[F[3 * f + 1]] & replaced[F[3 * f + 2]];
+    return out;
   }
 
   // Direction and up vector at each point of the centerline; the up vector is parallel transported, so the view does not spin.
@@ -141,8 +156,9 @@ export class Exam {
 
   segmentOf(face) { return this.kinds[face] & 7; }
   stateOf(face) { return (this.kinds[face] >> 3) & 7; }
-  hindranceOf(face) { return this.isCoated(face) ? 0 : this.stateOf(face); }
+  hindranceOf(face) { return this.stateOf(face) < COATED ? this.stateOf(face) : 0; }
   isCoated(face) { return this.stateOf(face) === COATED; }
+  isSeam(face) { return this.stateOf(face) === AT_SEAM; }
   isSynthetic(face) { return this.kinds[face] >= BRIDGED; } // bridged, or the cap of a pouch
   nameOfSegment(face) { return segmentNames[this.segmentOf(face)] || ''; }
 
@@ -252,6 +268,7 @@ export class Exam {
     const hindrance = hindranceNames[clamp(this.hindranceOf(place.face), 0, 4)];
     if (hindrance) out.push(`stretch not fully evaluable: ${hindrance}`);
     if (this.isCoated(place.face)) out.push('tagged residue on the wall');
+    if (this.isSeam(place.face)) out.push('seam of cleansing at a fluid level: not evaluable');
     if (this.kinds[place.face] >= CAP) out.push('wall that the unfolded view does not show');
     else if (this.isSynthetic(place.face)) out.push('interpolated wall (no CT data)');
     return out.join(' · ');

@@ -10,6 +10,7 @@ export const layerList = [
   ['centerline', 'centerline', true],
   ['hindered', 'not evaluable', true],
   ['coated', 'tagged residue', true],
+  ['seams', 'seams of cleansing', true],
   ['trust', 'confidence of the map', false],
   ['unseen', 'areas not seen', false],
   ['wall', 'wall on slices', true],
@@ -23,7 +24,7 @@ export const segmentColors = [ // unknown, rectum, sigmoid, ...
 export const flexureColor = [20, 20, 60];
 export const centerlineColor = [213, 94, 0];
 const FOLD = [0, 158, 115], HINDERED = [130, 130, 140], MADE_UP = [190, 190, 190], UNSEEN = [90, 60, 170], DOUBT = [40, 40, 110];
-const RESIDUE = [240, 228, 66];
+const RESIDUE = [240, 228, 66], SEAM = [0, 114, 178];
 
 // Color and opacity of a face from the layers, or null; later layers are on top.
 function faceColor(exam, layers, face) {
@@ -32,6 +33,7 @@ function faceColor(exam, layers, face) {
   if (layers.unseen && seen && !seen.marks[face]) return [UNSEEN, 0.75];
   if (layers.hindered && exam.hindranceOf(face)) return [HINDERED, 0.75];
   if (layers.coated && exam.isCoated(face)) return [RESIDUE, 0.7];
+  if (layers.seams && exam.isSeam(face)) return [SEAM, 0.35];
   if (layers.trust && trust) {
     const t = trust[exam.faces[3 * face]];
     return t > 200 ? [HINDERED, 0.85] : [DOUBT, 0.8 * (1 - t / 200)];

@@ -9,7 +9,7 @@ export class Tree {
     this.points = points;
     this.faces = faces;
     this.order = Uint32Array.from({ length: n }, (_, i) => i);
-    this.middles = this.middlesOf(n);
+    this.middles = this.middlesOf(n); // in the order of `order`
     const most = Math.max(1, 2 * n);
     this.box = new points.constructor(6 * most); // minimum and maximum corner; same precision as the points
     this.first = new Int32Array(most);     // leaf: its first triangle; else ~(left child), followed by the right child
@@ -32,8 +32,7 @@ export class Tree {
     const stack = [[0, 0, n]];
     while (stack.length) {
       const [node, from, to] = stack.pop();
-      const cut = this.fit(node, from, to);
-      const middle = to - from > LEAF && cut.width > 0 ? this.part(from, to, cut) : from;
+      const middle = to - from > LEAF ? this.part(from, to) : from;
       if (middle === from || middle === to) {
         this.first[node] = from;
         this.count[node] = to - from;
@@ -43,37 +42,50 @@ export class Tree {
         nodes += 2;
       }
     }
+    for (let node = nodes - 1; node >= 0; node--) this.fit(node); // children come after their parent
   }
 
-  // Sets the box of a node; returns the split: the axis of the largest spread of triangle centers.
-  fit(node, from, to) {
-    const { points: P, faces: F, middles, order, box } = this;
-    const cut = { axis: 0, at: 0, width: -1 };
+  // Sets the box of a node from its triangles or its children.
+  fit(node) {
+    const { points: P, faces: F, order, box, first, count } = this, begin = first[node], end = begin + count[node];
     for (let k = 0; k < 3; k++) {
-      let lo = Infinity, hi = -Infinity, least = Infinity, most = -Infinity;
-      for (let i = from; i < to; i++) {
-        const f = 3 * order[i], m = middles[f + k];
-        if (m < least) least = m;
-        if (m > most) most = m;
-        for (let j = 0; j < 3; j++) {
-          const x = P[3 * F[f + j] + k];
+      let lo = Infinity, hi = -Infinity;
+      for (let i = begin; i < end; i++) {
+        for (let f = 3 * order[i], j = f; j < f + 3; j++) {
+          const x = P[3 * F[j] + k];
           if (x < lo) lo = x;
           if (x > hi) hi = x;
         }
       }
+      if (begin < 0) {
+        const a = 6 * ~begin + k, b = a + 6;
+        lo = Math.min(box[a], box[b]);
+        hi = Math.max(box[a + 3], box[b + 3]);
+      }
       box[6 * node + k] = lo;
       box[6 * node + 3 + k] = hi;
-      if (most - least > cut.width) Object.assign(cut, { axis: k, at: (least + most) / 2, width: most - least });
     }
-    return cut;
   }
 
-  part(from, to, { axis, at }) {
-    const { order, middles } = this;
-    let i = from, j = to;
+  // Splits triangles at the middle of the largest spread of their centers; returns where the second part begins.
+  part(from, to) {
+    const { order, middles: M } = this;
+    let axis = 0, at = 0, width = 0;
+    for (let k = 0; k < 3; k++) {
+      let least = Infinity, most = -Infinity;
+      for (let i = 3 * from + k; i < 3 * to; i += 3) {
+        const m = M[i];
+        if (m < least) least = m;
+        if (m > most) most = m;
+      }
+      if (most - least > width) { axis = k; at = (least + most) / 2; width = most - least; }
+    }
+    let i = from, j = width > 0 ? to : from;
     while (i < j) {
-      if (middles[3 * order[i] + axis] < at) i++;
-      else { j--; const t = order[i]; order[i] = order[j]; order[j] = t; }
+      if (M[3 * i + axis] < at) { i++; continue; }
+      j--;
+      const t = order[i]; order[i] = order[j]; order[j] = t;
+      for (let k = 0; k < 3; k++) { const m = M[3 * i + k]; M[3 * i + k] = M[3 * j + k]; M[3 * j + k] = m; }
     }
     return i;
   }

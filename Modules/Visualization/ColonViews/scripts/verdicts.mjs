@@ -12,7 +12,7 @@ const numberOf = (x) => (Number.isFinite(x) && x > 0 ? Math.round(10 * x) / 10 :
 const isPoint = (p) => Array.isArray(p) && p.length === 3 && p.every(Number.isFinite);
 const caliperOf = (ends) => (Array.isArray(ends) && ends.length === 2 && ends.every(isPoint) ? ends : null);
 // As in report.html.
-const scoreOf = (score) => (score < 0.01 ? '< 0.01' : score.toFixed(2));
+const scoreOf = (score) => (score < 0.01 ? '< 0.01' : score > 0.99 ? '> 0.99' : score.toFixed(2));
 // Recognized as something else, and not listed as a possible polyp in the other position.
 const isOther = ({ candidate: c }) => Boolean(c.recognizedAs) && !c.lesion;
 const cmOf = (mm) => `${(mm / 10).toFixed(1)} cm from the anal verge`;
@@ -123,13 +123,13 @@ export class Verdicts {
   }
 
   // A complete finding; files of version 1 lack its place along the colon.
-  findingOf({ id, position = 0, lps, uv, diameter, note, segment, arcLength, morphology, caliper }) {
+  findingOf({ id, position = 0, lps, uv, diameter, note, segment, arcLength, morphology, caliper, extracolonic }) {
     const place = this.exams[position].fromXyz(lps);
     return {
       id, position, lps, uv, diameter: numberOf(diameter), note: String(note ?? ''),
       segment: segment ?? this.exams[position].nameOfSegment(place.face),
       arcLength: arcLength ?? Math.round(10 * place.arc) / 10,
-      morphology: wordOf(MORPHOLOGIES, morphology), caliper: caliperOf(caliper),
+      morphology: wordOf(MORPHOLOGIES, morphology), caliper: caliperOf(caliper), extracolonic: extracolonic === true,
     };
   }
 
@@ -181,7 +181,7 @@ export class Verdicts {
     const verdict = entry.candidate ? [this.select(entry, 'verdict', VERDICTS)] : [];
     const item = element('li', {}, [
       head, ...verdict, ...(this.isSized(entry) ? this.measures(entry) : []), note,
-      ...(entry.candidate ? [] : [this.removal(entry)]),
+      ...(entry.candidate ? [] : [this.outside(entry), this.removal(entry)]),
     ]);
     item.dataset.id = entry.id;
     return item;
@@ -213,11 +213,14 @@ export class Verdicts {
   }
 
   factsOfFinding(f) {
-    const facts = [`${f.id}${this.whereOf(f)}`, f.segment || 'segment unknown', cmOf(f.arcLength)];
+    const where = f.extracolonic ? ['extracolonic'] : [f.segment || 'segment unknown', cmOf(f.arcLength)];
+    const facts = [`${f.id}${this.whereOf(f)}`, ...where];
     if (f.diameter) facts.push(`${f.diameter.toFixed(1)} mm`);
     const isAt = (e) => e.position === f.position && distance(e.candidate.xyz, f.lps) < e.candidate.place.depth + SAME;
     const same = this.isRevealed && this.entries.find(isAt);
-    if (same) facts.push(`at candidate ${same.id}: if it is the same lesion, give the verdict there and remove this finding`);
+    if (same && !f.extracolonic) {
+      facts.push(`at candidate ${same.id}: if it is the same lesion, give the verdict there and remove this finding`);
+    }
     return facts;
   }
 
@@ -240,7 +243,14 @@ export class Verdicts {
     size.onchange = () => this.setSize(entry, size.valueAsNumber);
     const measure = element('button', { type: 'button', textContent: 'measure', title: 'measure with two clicks' });
     measure.onclick = () => this.actions.resize(entry);
-    return [size, measure, this.select(entry, 'morphology', MORPHOLOGIES, 'morphology')];
+    return [size, measure, ...(entry.extracolonic ? [] : [this.select(entry, 'morphology', MORPHOLOGIES, 'morphology')])];
+  }
+
+  // Whether a finding is outside the colon: it is listed apart and not counted as a polyp.
+  outside(finding) {
+    const box = element('input', { type: 'checkbox', className: 'outside', checked: finding.extracolonic });
+    box.onchange = () => { finding.extracolonic = box.checked; this.changed(); this.list(); };
+    return element('label', {}, [box, 'extracolonic']);
   }
 
   removal(finding) {

@@ -15,7 +15,7 @@ import { LEAST_WIDTH } from './slice.mjs';
 import { Verdicts } from './verdicts.mjs';
 import { add } from '../../../Core/Pages/scripts/math.mjs';
 import { toggle } from '../../../Core/Pages/scripts/keys.mjs';
-import { byId, letGo, notice, openPage } from '../../../Core/Pages/scripts/page.mjs';
+import { byId, letGo, notice, openPage, pause } from '../../../Core/Pages/scripts/page.mjs';
 import { scaleViews, View } from '../../../Core/Pages/scripts/view.mjs';
 
 const DOUBTFUL = 0.3; // below this confidence of the map the other position is dimmed
@@ -372,11 +372,11 @@ class Viewer {
     this.panels.forEach((p) => p.views.forEach((v) => v.box.classList.toggle('active', p === panel && v === p.active)));
   }
 
-  async loadVolumes(folder) {
+  async loadVolumes(volumes) {
     for (const [k, exam] of this.exams.entries()) {
       const started = performance.now();
       try {
-        await exam.loadVolume(folder, `${k}/`);
+        exam.volume = await volumes[k];
         if (!exam.volume.isCt) this.panels[k].setWindow([1, 0.5]);
       } catch (error) {
         this.panels[k].volumeText = 'The volume cannot be shown.';
@@ -397,10 +397,15 @@ class Viewer {
 }
 
 async function open(folder) {
-  const started = performance.now(), info = await readBlock(folder, 'info'), painter = new Painter();
-  $('title').textContent = document.title = `${info.title} – Shapeton viewer`;
-  const exams = [];
-  for (const [k, position] of info.positions.entries()) exams.push(await new Exam().load(folder, `${k}/`, position, painter));
+  const started = performance.now(), info = await readBlock(folder, 'info');
+  $('title').textContent = document.title = `${[info.title, info.patient].filter(Boolean).join(' · ')} – Shapeton viewer`;
+  const exams = info.positions.map((position, k) => new Exam(folder, `${k}/`, position));
+  const volumes = exams.map((exam) => exam.readVolume());
+  for (const volume of volumes) volume.catch(() => {}); // reported by loadVolumes()
+  await exams[0].blocks[0];
+  const painter = new Painter(); // while blocks are decoded
+  for (const exam of exams) await exam.load(painter);
+  await pause();
   const mapOf = async (k) => ({ mapped: await readBlock(folder, `${k}/mapped`), trust: await readBlock(folder, `${k}/trust`) });
   const maps = info.hasMap ? [await mapOf(0), await mapOf(1)] : null;
   maps?.forEach((map, k) => { exams[k].trust = map.trust; });
@@ -411,7 +416,8 @@ async function open(folder) {
   const viewer = new Viewer(info, exams, maps, painter);
   viewer.times.surface = performance.now() - started;
   viewer.repaint();
-  await viewer.loadVolumes(folder);
+  await pause();
+  await viewer.loadVolumes(volumes);
   viewer.follow(location.hash);
   addEventListener('hashchange', () => viewer.follow(location.hash));
   viewer.times.all = performance.now() - started;

@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 double
 WidthOf(const PolypCandidate & candidate)
 {
-  constexpr double least = 40.0, timesHead = 2.5;
+  constexpr double least = 60.0, timesHead = 2.5;
   return std::max(least, timesHead * std::max(candidate.diameter, candidate.height));
 }
 

@@ -44,6 +44,23 @@ TitleOf(const std::string & exam, const ColonViewerOptions & options)
   return NameOfFolder(exam) + (options.second.empty() ? "" : " and " + NameOfFolder(options.second));
 }
 
+/** Takes the patient from the positions; named once if all agree. */
+std::string
+PatientOfAll(Json & positions, bool isAnonymous)
+{
+  std::string all;
+  for (auto & position : positions)
+  {
+    const std::string patient = position["patient"];
+    position.erase("patient");
+    if (!isAnonymous && !patient.empty() && all != patient)
+    {
+      all += (all.empty() ? "" : " / ") + patient;
+    }
+  }
+  return all;
+}
+
 Json
 Identity(Json & positions, const ColonExamination & exam, bool isAnonymous)
 {
@@ -131,6 +148,7 @@ WriteColonViewer(const std::string &        folderOfExam,
   NameLesions(exam, positions);
   Json info;
   info["title"] = TitleOf(folderOfExam, options);
+  info["patient"] = PatientOfAll(positions, options.isAnonymous);
   info["exam"] = Identity(positions, exam, options.isAnonymous);
   info["bits"] = options.bits;
   info["isSecondReader"] = options.isSecondReader;

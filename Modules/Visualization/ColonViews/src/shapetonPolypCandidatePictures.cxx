@@ -29,7 +29,7 @@ using Eigen::Vector3d;
 /** Layout, pixels. */
 constexpr unsigned int viewWidth = 400;
 constexpr unsigned int viewHeight = 300;
-constexpr unsigned int cropSize = 196;
+constexpr unsigned int cropSize = 252;
 constexpr int          cardGap = 6;
 constexpr int          cardLabel = 22;
 /** Magnification of the close-up relative to the flat colon. */
@@ -133,13 +133,40 @@ MarkCrop(Picture * crop, const CandidatePlane & plane, const std::string & title
   {
     FillRectangle(crop, 0, 0, static_cast<int>(cropSize), letters + padding, ground, shareOfHead);
     DrawLabel(crop, title, 3, 1, cropSize);
-    DrawScaleBar(crop,
-                 padding,
-                 static_cast<int>(cropSize) - padding,
-                 static_cast<int>(cropSize) / 3,
-                 plane.width / cropSize,
-                 lightInk);
+    constexpr int size = static_cast<int>(cropSize), scale = 28; // pixels
+    FillRectangle(crop, 0, size - scale, size / 3 + 2 * padding, scale, ground, shareOfHead);
+    DrawScaleBar(crop, padding, size - padding, size / 3, plane.width / cropSize, lightInk);
   }
+}
+
+/** Crops of one volume in one window. */
+struct CropRow
+{
+  std::string                   title;
+  std::vector<Picture::Pointer> crops;
+};
+
+/** In the soft-tissue window and in the colon window. */
+std::vector<CropRow>
+CropRowsOf(const itk::Image<float, 3> * ct, const std::string & name, const std::vector<CandidatePlane> & planes)
+{
+  std::vector<CropRow> rows{ { name + ", soft-tissue window", {} }, { name + ", colon window", {} } };
+  for (const CandidatePlane & plane : planes)
+  {
+    rows[0].crops.push_back(PaintPlane(plane, ct, softTissueWindow, cropSize));
+    rows[1].crops.push_back(PaintPlane(plane, ct, colonWindow, cropSize));
+  }
+  return rows;
+}
+
+bool
+HaveSamePixels(const std::vector<CropRow> & a, const std::vector<CropRow> & b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const CropRow & one, const CropRow & other) {
+    return std::equal(one.crops.begin(), one.crops.end(), other.crops.begin(), [](const auto & p, const auto & q) {
+      return std::equal(p->GetBufferPointer(), p->GetBufferPointer() + cropSize * cropSize, q->GetBufferPointer());
+    });
+  });
 }
 
 std::vector<FlatAnnotation>
@@ -363,21 +390,11 @@ PolypCandidatePictures::DrawCrops(const PolypCandidate & candidate) const
     return nullptr;
   }
   const std::vector<CandidatePlane> planes = PlanesOf(colon.wall, colon.ct, candidate);
-  struct Row
+  std::vector<CropRow> rows = colon.original ? CropRowsOf(colon.original, "CT", planes) : std::vector<CropRow>();
+  std::vector<CropRow> cleansed = CropRowsOf(colon.ct, "Cleansed CT", planes);
+  if (rows.empty() || !HaveSamePixels(rows, cleansed))
   {
-    const itk::Image<float, 3> * ct;
-    std::string                  title;
-    IntensityWindow              window;
-  };
-  std::vector<Row> rows;
-  for (const auto & [ct, name] :
-       { std::pair<const itk::Image<float, 3> *, const char *>{ colon.original, "CT" }, { colon.ct, "Cleansed CT" } })
-  {
-    if (ct != nullptr)
-    {
-      rows.push_back({ ct, std::string(name) + ", soft-tissue window", softTissueWindow });
-      rows.push_back({ ct, std::string(name) + ", colon window", colonWindow });
-    }
+    rows.insert(rows.end(), cleansed.begin(), cleansed.end());
   }
   const int  step = static_cast<int>(cropSize) + cardGap;
   const auto page = NewPicture(static_cast<unsigned int>(static_cast<int>(planes.size()) * step - cardGap),
@@ -389,7 +406,7 @@ PolypCandidatePictures::DrawCrops(const PolypCandidate & candidate) const
     DrawLabel(page, planes[column].title, left + 2, 2, cropSize);
     for (std::size_t row = 0; row < rows.size(); ++row)
     {
-      const auto crop = PaintPlane(planes[column], rows[row].ct, rows[row].window, cropSize);
+      const Picture::Pointer & crop = rows[row].crops[column];
       MarkCrop(crop, planes[column], column == 0 ? rows[row].title : "");
       PastePicture(page, crop, left, cardLabel + static_cast<int>(row) * step);
     }

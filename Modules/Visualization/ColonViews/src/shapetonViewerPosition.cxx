@@ -116,6 +116,20 @@ EvaluableSegments(const Json & landmarks)
   return segments;
 }
 
+/** "ID 123, 2026-02-17", as far as known. */
+std::string
+PatientOf(const ExaminationFolder & exam, const Json & quality)
+{
+  constexpr std::size_t year = 4, month = 2; // digits of the date
+  const Json            series =
+    SeriesRead(exam.Has(examination::series) ? ReadJson(exam.PathOf(examination::series)) : Json(), quality);
+  const std::string id = series.value("patientID", ""), date = series.value("studyDate", "");
+  const std::string when = date.size() < year + month
+                             ? date
+                             : date.substr(0, year) + '-' + date.substr(year, month) + '-' + date.substr(year + month);
+  return (id.empty() ? "" : "ID " + id) + (id.empty() || when.empty() ? "" : ", ") + when;
+}
+
 void
 PutCenterline(PageBlocks & blocks, const std::string & prefix, const ExaminationFolder & exam)
 {
@@ -184,15 +198,15 @@ public:
     blocks.Put(name, corners, 3);
   }
 
-  /** Bits 0 to 2: segment; 3 to 5: hindrance (why the wall is not visible), or 5 for visible wall coated by tagged
-   * residue; 6: interpolated over a gap; 7: cap of a pouch. \param coated by face; empty if unknown. */
+  /** Bits 0 to 2: segment; 3 to 5: hindrance (why the wall is not visible), 4 + WallCover for visible wall; 6:
+   * interpolated over a gap; 7: cap of a pouch. \param covers by face; empty if unknown. */
   void
-  PutKinds(PageBlocks &              blocks,
-           const std::string &       name,
-           const Eigen::MatrixXd &   segments,
-           const std::vector<bool> & coated) const
+  PutKinds(PageBlocks &                   blocks,
+           const std::string &            name,
+           const Eigen::MatrixXd &        segments,
+           const std::vector<WallCover> & covers) const
   {
-    constexpr int             isCoated = 5;
+    constexpr int             visible = 4;
     const Eigen::MatrixXd     hindrance = this->MarksOf("notAssessable");
     const Eigen::MatrixXd     bridged = this->MarksOf("bridged");
     const Eigen::MatrixXd     cap = this->MarksOf("cap");
@@ -201,7 +215,8 @@ public:
     {
       const int segment = segments.size() > 0 ? static_cast<int>(segments(face, 0)) & 7 : 0;
       const int reason = static_cast<int>(hindrance(face, 0)) & 7;
-      const int state = reason == 0 && !coated.empty() && coated[static_cast<std::size_t>(face)] ? isCoated : reason;
+      const int cover = covers.empty() ? 0 : static_cast<int>(covers[static_cast<std::size_t>(face)]);
+      const int state = reason == 0 && cover != 0 ? visible + cover : reason;
       kinds.push_back(static_cast<std::uint8_t>(segment | state << 3 | (bridged(face, 0) != 0 ? 64 : 0) |
                                                 (cap(face, 0) != 0 ? 128 : 0)));
     }
@@ -304,13 +319,13 @@ ReadViewerVolume(const ExaminationFolder & exam, const MaskImage & lumen, Json &
 }
 
 void
-PutWall(PageBlocks &              blocks,
-        const std::string &       prefix,
-        const ExaminationFolder & exam,
-        const std::vector<bool> & coated,
-        const FlatColon &         flat,
-        Json &                    info,
-        Json &                    missing)
+PutWall(PageBlocks &                   blocks,
+        const std::string &            prefix,
+        const ExaminationFolder &      exam,
+        const std::vector<WallCover> & covers,
+        const FlatColon &              flat,
+        Json &                         info,
+        Json &                         missing)
 {
   const std::string path = exam.PathOf(examination::flat);
   const auto &      mesh = flat.Surface();
@@ -321,7 +336,7 @@ PutWall(PageBlocks &              blocks,
   const FlatFaces faces(mesh, path);
   faces.PutCorners(blocks, prefix + "faces");
   const bool hasSegments = Has(exam, examination::segments, "segments", missing);
-  faces.PutKinds(blocks, prefix + "kinds", hasSegments ? SegmentsOfFaces(exam, mesh) : Eigen::MatrixXd(), coated);
+  faces.PutKinds(blocks, prefix + "kinds", hasSegments ? SegmentsOfFaces(exam, mesh) : Eigen::MatrixXd(), covers);
   const bool hasFolds = Has(exam, examination::foldLabels, "folds", missing);
   faces.PutFolds(blocks, prefix + "folds", hasFolds ? exam.ReadFolds().GetPointer() : nullptr);
 }
@@ -344,15 +359,16 @@ PutViewerPosition(PageBlocks &               blocks,
   const Json quality = exam.ReadQuality();
   info["name"] = PositionOfQuality(quality);
   info["seriesUID"] = SeriesOfQuality(quality);
+  info["patient"] = PatientOf(exam, quality);
   info["gravity"] = IsPositionKnown(quality) ? quality.value("/lumen/gravity"_json_pointer, Json()) : Json();
   PutCenterline(blocks, prefix, exam);
   const auto         lumen = exam.ReadLumen();
   const ViewerVolume volume = ReadViewerVolume(exam, *lumen, missing);
   const auto         flat = exam.ReadFlatColon();
-  // Whether tagged residue coats a face of the wall; unknown if there is no CT from before cleansing.
-  const auto coated =
-    volume.cleansed ? FindCoatedFaces(flat->Surface(), lumen, AttenuationOf(volume.shown)) : std::vector<bool>();
-  PutWall(blocks, prefix, exam, coated, *flat, info, missing);
+  // Unknown if there is no CT from before cleansing.
+  const auto covers =
+    volume.cleansed ? FindWallCovers(flat->Surface(), lumen, AttenuationOf(volume.shown)) : std::vector<WallCover>();
+  PutWall(blocks, prefix, exam, covers, *flat, info, missing);
   PutViewerVolume(blocks, prefix + "volume", volume, *lumen, flat->Surface().V, options);
   info["taeniae"] = Has(exam, examination::taeniae, "taeniae", missing) ? Taeniae(exam) : Json::array();
   info["flexures"] = Has(exam, examination::flexures, "flexures", missing) ? Flexures(exam) : Json::array();

@@ -137,25 +137,29 @@ TEST(PolypCandidatePictures, WholeHeadIsInAllCrops)
   auto candidates = shapeton::FindPolypCandidates(colon.wall);
   ASSERT_EQ(candidates.size(), 1u);
   const auto crops = shapeton::PolypCandidatePictures(colon, candidates).DrawCrops(candidates.front());
-  ASSERT_EQ(crops->GetLargestPossibleRegion().GetSize(), (itk::Size<2>{ { 4 * 202 - 6, 22 + 4 * 202 - 6 } }));
+  ASSERT_EQ(crops->GetLargestPossibleRegion().GetSize(), (itk::Size<2>{ { 4 * 258 - 6, 22 + 4 * 258 - 6 } }));
   const auto grayAt = [&](int column, int row, int x, int y) {
-    return static_cast<int>(crops->GetPixel({ { column * 202 + x, 22 + row * 202 + y } })[0]);
+    return static_cast<int>(crops->GetPixel({ { column * 258 + x, 22 + row * 258 + y } })[0]);
   };
-  constexpr double pixelsPerMm = 196.0 / 40.0;
+  constexpr double pixelsPerMm = 252.0 / 60.0;
   for (int column = 0; column < 4; ++column)
   {
-    EXPECT_NEAR(grayAt(column, 0, 98, 98), 255 * 210 / 400, 8);   // CT, soft-tissue window
-    EXPECT_NEAR(grayAt(column, 1, 98, 98), 255 * 1000 / 1500, 8); // CT, colon window
-    EXPECT_NEAR(grayAt(column, 2, 98, 98), 255 * 210 / 400, 8);
-    EXPECT_NEAR(grayAt(column, 3, 98, 98), 255 * 1000 / 1500, 8);
+    EXPECT_NEAR(grayAt(column, 0, 126, 126), 255 * 210 / 400, 8);   // CT, soft-tissue window
+    EXPECT_NEAR(grayAt(column, 1, 126, 126), 255 * 1000 / 1500, 8); // CT, colon window
+    EXPECT_NEAR(grayAt(column, 2, 126, 126), 255 * 210 / 400, 8);
+    EXPECT_NEAR(grayAt(column, 3, 126, 126), 255 * 1000 / 1500, 8);
   }
   // 12 mm to the right or left of the center of the head in the axial crop is fluid, removed by cleansing.
   for (const int side : { -1, 1 })
   {
-    const int x = 98 + static_cast<int>(side * 12.0 * pixelsPerMm);
-    EXPECT_GT(grayAt(0, 0, x, 98), 240);
-    EXPECT_LT(grayAt(0, 2, x, 98), 10);
+    const int x = 126 + static_cast<int>(side * 12.0 * pixelsPerMm);
+    EXPECT_GT(grayAt(0, 0, x, 126), 240);
+    EXPECT_LT(grayAt(0, 2, x, 126), 10);
   }
+  // Where cleansing changed nothing, the crops are not repeated.
+  colon.original = colon.ct;
+  const auto unchanged = shapeton::PolypCandidatePictures(colon, candidates).DrawCrops(candidates.front());
+  EXPECT_EQ(unchanged->GetLargestPossibleRegion().GetSize(1), 22u + 2 * 258 - 6);
 }
 
 TEST(PerspectiveRendering, PlacesAreThoseOfAPinhole)
