@@ -475,7 +475,7 @@ AddUnusedLines(const LumenNetwork &             network,
     piece.component = lines[i].component;
     piece.volume = 1e-3 * lines[i].volume;
     piece.place = ToPoint(network.grid, network.grid.Position(lines[i].core[lines[i].core.size() / 2]));
-    piece.reason = "it is too far from the other pieces";
+    piece.reason = "it is too far from the other pieces, or as narrow as small bowel";
     result.pieces.push_back(piece);
     result.warnings.push_back("a piece of lumen of " + InTenths(piece.volume) + " ml at " + PlaceInWords(piece.place) +
                               " is not used: " + piece.reason);

@@ -103,6 +103,14 @@ PhysicalPoints(const LumenGrid & grid, const std::vector<int> & nodes)
   return points;
 }
 
+std::vector<double>
+RadiiOf(const LumenGrid & grid, const std::vector<int> & nodes)
+{
+  std::vector<double> radii(nodes.size());
+  std::transform(nodes.begin(), nodes.end(), radii.begin(), [&grid](int node) { return grid.Distance(node); });
+  return radii;
+}
+
 /** End 1 of a line, or end 0 of a reversed line. The direction points from the last 40 mm of the core to the center of
  * the tips, since paths bend toward the wall at a blunt end. */
 JoinEnd
@@ -113,10 +121,9 @@ MakeJoinEnd(const LumenGrid & grid, const PieceLine & line, bool isReversed, boo
   {
     std::reverse(nodes.begin(), nodes.end());
   }
-  const CurvePoints   core = PhysicalPoints(grid, nodes);
-  std::vector<double> radii(nodes.size());
-  std::transform(nodes.begin(), nodes.end(), radii.begin(), [&grid](int node) { return grid.Distance(node); });
-  JoinEnd end;
+  const CurvePoints         core = PhysicalPoints(grid, nodes);
+  const std::vector<double> radii = RadiiOf(grid, nodes);
+  JoinEnd                   end;
   end.radius = RadiusNearEnd(core, radii);
   end.position = core.back();
   Eigen::Vector3d middle = core.back();
@@ -172,6 +179,7 @@ ChooseOrder(const LumenNetwork &           network,
     cores.push_back(MakeJoinPiece(grid, line, false));
     pieces.push_back(MakeJoinPiece(grid, line, true));
     pieces.back().isWanted = choice.isWanted[line.component] != 0;
+    pieces.back().weight = WeightOf(RadiiOf(grid, line.core), network.cells.UsualRadius());
   }
   PreferCecum(extent, network.cells.UsualRadius(), pieces);
   const auto order = OrderPieces(pieces, options.start ? PlacedPiece{ 0, false } : FindRectum(cores, extent));

@@ -53,7 +53,7 @@ JoinCost(const JoinEnd & a, const JoinEnd & b)
 double
 LeavingCost(const JoinPiece & piece)
 {
-  return piece.isWanted ? leavingWantedCost : leavingCost + piece.length;
+  return piece.isWanted ? leavingWantedCost : leavingCost + piece.weight * piece.length;
 }
 
 /** Join costs from each state to each next state (see Table::Extend). */
@@ -192,6 +192,14 @@ PreferCecum(const ColonExtent & extent, double usualRadius, std::vector<JoinPiec
       end.asCecum = cecumWeight * (highShare * high + leftShare * left) + taperWeight * taper;
     }
   }
+}
+
+double
+WeightOf(std::vector<double> radii, double usualRadius)
+{
+  std::nth_element(radii.begin(), radii.begin() + radii.size() / 2, radii.end());
+  const double share = radii[radii.size() / 2] / usualRadius;
+  return std::min(1.0, share * share);
 }
 
 std::vector<PlacedPiece>

@@ -31,6 +31,8 @@ struct JoinPiece
   std::array<JoinEnd, 2> ends;
   /** Length, mm. */
   double length{ 0.0 };
+  /** Fraction of the length that counts if the piece is omitted, 0 to 1: less for lumen as narrow as small bowel. */
+  double weight{ 1.0 };
   /** Whether the piece must be used. */
   bool isWanted{ false };
 };
@@ -63,6 +65,11 @@ ClosestTips(const JoinEnd & a, const JoinEnd & b);
  * collapsed end. `usualRadius` is LumenCells::UsualRadius. */
 void
 PreferCecum(const ColonExtent & extent, double usualRadius, std::vector<JoinPiece> & pieces);
+
+/** Weight of a piece with these radii along its line, mm: the area of its median section relative to the usual one, at
+ * most 1. */
+double
+WeightOf(std::vector<double> radii, double usualRadius);
 
 /** The order that minimizes the sum of join costs and penalties for omitted pieces, for a given first piece and
  * direction. Exact, by dynamic programming over subsets (Held, Karp 1962). `cost` returns the sum, mm. */

@@ -408,6 +408,27 @@ TEST(ColonCenterline, GoesOnAtATaperRatherThanAtANearerCecum)
   EXPECT_NEAR(line.length, LengthOf(truth), 0.07 * LengthOf(truth));
 }
 
+TEST(ColonCenterline, EndsAtTheCecumRatherThanInSmallBowel)
+{
+  const TubePoints truth = shapeton::ColonCurve();
+  TubeMask         mask(truth, 35.0, { 1.5, 1.5, 1.5 });
+  mask.Paint(truth, [](double share) { return std::min(16.0 + 4.0 * share, 4.0 + 120.0 * share); });
+  // Gas in small bowel, half a meter long and 12 mm wide, begins 35 mm from the cecum.
+  const auto bowel = shapeton::CurveThrough({ { -40, 20, -60 },
+                                              { 40, 20, -60 },
+                                              { 40, 20, -30 },
+                                              { -40, 20, -30 },
+                                              { -40, 20, 0 },
+                                              { 40, 20, 0 },
+                                              { 40, 20, 25 } });
+  mask.Paint(bowel, [](double) { return 6.0; });
+  const ColonCenterline line = shapeton::TraceColonCenterline(mask.Get());
+  EXPECT_TRUE(line.gaps.empty());
+  EXPECT_NEAR(line.length, LengthOf(truth), 0.05 * LengthOf(truth));
+  ASSERT_EQ(line.pieces.size(), 2u);
+  EXPECT_NE(line.pieces[1].reason.find("small bowel"), std::string::npos);
+}
+
 TEST(ColonCenterline, BeginsAtARectumThatLooksLikeASideBranch)
 {
   // The junction of sigmoid and descending colon is collapsed, and the descending colon leaks into the rectum: the
