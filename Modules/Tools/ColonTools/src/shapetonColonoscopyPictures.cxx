@@ -3,6 +3,7 @@
 #include "shapetonColonFlexures.h"
 #include "shapetonColonLandmarkPictures.h"
 #include "shapetonJson.h"
+#include "shapetonSegmentQuality.h"
 #include "shapetonSurfaceRendering.h"
 #include "shapetonFlatPictureSize.h"
 
@@ -209,7 +210,7 @@ DrawInside(const ColonoscopyResults & results, PatientSide side)
   return RenderSurfaces(scene, options);
 }
 
-std::vector<WallCover>
+std::vector<unsigned short>
 CoverPixels(const ColonoscopyResults & results)
 {
   if (!results.original)
@@ -218,21 +219,22 @@ CoverPixels(const ColonoscopyResults & results)
   }
   const std::vector<WallCover> covers =
     FindWallCovers(results.flat->Surface(), results.lumen, AttenuationOf(results.original));
-  const FlatColonGrid &  grid = results.flat->Grid();
-  std::vector<WallCover> ofPixels;
+  const FlatColonGrid &       grid = results.flat->Grid();
+  std::vector<unsigned short> ofPixels;
   for (int row = 0; row < grid.Rows(); ++row)
   {
     for (int column = 0; column < grid.Columns(); ++column)
     {
-      const int face = grid.FaceOfPixel(column, row);
-      ofPixels.push_back(face >= 0 ? covers[static_cast<std::size_t>(face)] : WallCover::None);
+      const int       face = grid.FaceOfPixel(column, row);
+      const WallCover cover = face >= 0 ? covers[static_cast<std::size_t>(face)] : WallCover::None;
+      ofPixels.push_back(static_cast<unsigned short>(cover));
     }
   }
   return ofPixels;
 }
 
 Picture::Pointer
-DrawFlat(const ColonoscopyResults & results, const std::vector<WallCover> & covers, FlatColoring coloring)
+DrawFlat(const ColonoscopyResults & results, const std::vector<unsigned short> & covers, FlatColoring coloring)
 {
   FlatColonParts parts;
   parts.flat = results.flat.get();
@@ -246,20 +248,13 @@ DrawFlat(const ColonoscopyResults & results, const std::vector<WallCover> & cove
     parts.outlines.push_back(OutlinesOf(
       results.foldLabels->GetBufferPointer(), static_cast<int>(size[0]), static_cast<int>(size[1]), foldColor));
   }
-  for (const WallCover cover : { WallCover::Seam, WallCover::Residue })
+  if (!covers.empty())
   {
-    std::vector<unsigned short> isCover;
-    for (const WallCover one : covers)
-    {
-      isCover.push_back(one == cover ? 1 : 0);
-    }
-    if (!isCover.empty())
-    {
-      parts.outlines.push_back(OutlinesOf(isCover.data(),
-                                          results.flat->Grid().Columns(),
-                                          results.flat->Grid().Rows(),
-                                          cover == WallCover::Seam ? seamColor : residueColor));
-    }
+    const FlatColonGrid & grid = results.flat->Grid();
+    const auto            colorOf = [](int cover) {
+      return cover == static_cast<int>(WallCover::Seam) ? seamColor : residueColor;
+    };
+    parts.outlines.push_back({ covers.data(), grid.Columns(), grid.Rows(), colorOf, 1 });
   }
   parts.lines = FlatTaeniae(results.taeniae);
   const double circumference = results.flatStatistics.at("circumference").get<double>();

@@ -4,7 +4,6 @@
 #include "shapetonColonoscopyResults.h"
 #include "shapetonColonPictures.h"
 #include "shapetonFlatColonPictures.h"
-#include "shapetonSegmentQuality.h"
 
 namespace shapeton
 {
@@ -21,13 +20,13 @@ DrawSegments(const ColonoscopyResults & results, PatientSide side);
 Picture::Pointer
 DrawInside(const ColonoscopyResults & results, PatientSide side);
 
-/** The WallCover of each pixel of the flat map's grid; empty if there is no CT from before cleansing. */
-std::vector<WallCover>
+/** The WallCover, as a number, of each pixel of the flat map's grid; empty if there is no CT from before cleansing. */
+std::vector<unsigned short>
 CoverPixels(const ColonoscopyResults & results);
 
 /** The flat colon in rows, with segments, taeniae and folds. */
 Picture::Pointer
-DrawFlat(const ColonoscopyResults & results, const std::vector<WallCover> & covers, FlatColoring coloring);
+DrawFlat(const ColonoscopyResults & results, const std::vector<unsigned short> & covers, FlatColoring coloring);
 } // namespace shapeton
 
 #endif

@@ -119,8 +119,8 @@ AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & r
   marks += results.original ? " Yellow outlines: wall coated by tagged residue. Blue outlines: seams of electronic "
                               "cleansing at fluid levels, not evaluable."
                             : "";
-  const std::vector<WallCover> covers = CoverPixels(results);
-  std::vector<PictureFile>     drawings;
+  const std::vector<unsigned short> covers = CoverPixels(results);
+  std::vector<PictureFile>          drawings;
   if (results.ct)
   {
     drawings.push_back({ "",
