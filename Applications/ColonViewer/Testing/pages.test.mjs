@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { gunzipSync } from 'node:zlib';
+import { gunzipSync, gzipSync } from 'node:zlib';
 import { launch } from '../../../Testing/Browser/browser.mjs';
 
 const { TOOL: tool, EXAM: exam, WORK: work } = process.env;
@@ -236,6 +236,7 @@ test('an anonymous page contains neither series UID nor folder name', () => {
   const info = infoOf(made('anonymous', '--anonymous'));
   assert.deepEqual(info.exam.seriesUIDs, []);
   assert.equal(info.title, 'Examination');
+  assert.equal(info.patient, '');
   assert.equal(infoOf(`${work}/first`).exam.seriesUIDs.length, info.positions.length);
   assert.equal(info.exam.sha256, infoOf(`${work}/first`).exam.sha256);
 });
@@ -247,6 +248,25 @@ test('a truncated volume is reported, and everything else works', async () => {
   assert.match(await notices(), /The data "0\/volume" in data\/0-volume\.js is damaged.*still work/);
   await page.evaluate(async () => { viewer.stepEntry(1); viewer.nextVerdict(); await viewer.idle(); });
   assert.ok(await page.evaluate(() => viewer.panels[0].flat.shown && viewer.verdicts.document().candidates[0].verdict === 'polyp'));
+});
+
+test('a block in parts is read, and a missing part is reported', async () => {
+  const folder = `${work}/parts`, codes = () => page.evaluate(() => viewer.exams[0].volume.data.join());
+  cpSync(`${work}/first`, folder, { recursive: true });
+  await open(folder);
+  const whole = await codes(), file = `${folder}/data/0-volume.js`, text = readFileSync(file, 'utf8');
+  const [, header, body] = text.match(/^block\("0\/volume",(.*),"([^"]*)"\);\n$/);
+  const bytes = gunzipSync(Buffer.from(body, 'base64')), cut = Math.floor(bytes.length / 3);
+  writeFileSync(file, text.replace('"parts":0', '"parts":2').replace(body, ''));
+  [bytes.subarray(0, cut), bytes.subarray(cut)].forEach((part, i) => {
+    writeFileSync(`${folder}/data/0-volume.${i + 1}.js`, `block("0/volume.${i + 1}",null,"${gzipSync(part).toString('base64')}");\n`);
+  });
+  assert.equal(JSON.parse(header).parts, 0, 'a small block is not split');
+  await open(folder);
+  assert.ok(whole === await codes());
+  rmSync(`${folder}/data/0-volume.2.js`);
+  await open(folder);
+  assert.match(await notices(), /data\/0-volume\.2\.js of this page is missing.*still work/);
 });
 
 test('a truncated surface and a missing file are reported', async () => {

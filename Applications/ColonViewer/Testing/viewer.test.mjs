@@ -73,6 +73,8 @@ test('opens without errors and without a network', async () => {
   assert.deepEqual(page.requests.filter((r) => !/^(file|blob|data):/.test(r)), []);
   const text = await page.evaluate(() => document.querySelector('footer').innerText);
   assert.match(text, /For research use; not a diagnosis\. This page holds patient data\./);
+  const patient = await page.evaluate(() => [viewer.info.patient, document.title]);
+  assert.ok(patient[1].includes(patient[0]), 'the title names the patient');
   const bytes = statSync(`${folder}/viewer.html`).size;
   if (existsSync(`${folder}/data`)) assert.ok(bytes < 150e3, `${bytes} bytes of scripts`);
 });
@@ -178,6 +180,22 @@ test('Shift and moving the mouse moves the crosshair', async () => {
   await page.mouse('mouseMoved', x + w * 0.31, y + h * 0.6, { modifiers: SHIFT });
   await idle();
   assert.ok(far((await state()).xyz, old.xyz) > 1);
+});
+
+test('Home and End look into the colon from inside its ends', async () => {
+  const inside = () => page.evaluate(() => {
+    const { inside: eye, exam: { center } } = viewer.panels[0];
+    const { point: { arc }, way, yaw, pitch } = eye;
+    return { fromEnds: [arc - center[0].arc, center.at(-1).arc - arc], way, turned: Math.hypot(yaw, pitch) };
+  });
+  for (const [key, end, way] of [['Home', 0, 1], ['End', 1, -1]]) {
+    for (let i = 0; i < 3; i++) await press('ArrowRight');
+    await press(key);
+    const eye = await inside();
+    assert.ok(eye.fromEnds[end] >= 15 && eye.fromEnds[end] < 25, `${key}: ${eye.fromEnds[end]} mm from the end`);
+    assert.deepEqual([eye.way, eye.turned], [way, 0]);
+  }
+  await press('Home');
 });
 
 test('each layer changes a view, and hiding it restores the view', async () => {

@@ -80,6 +80,7 @@ function decodeBeside(header, parts) {
       waiting.delete(id);
       if (values) done(values); else fail(new Error(why));
     };
+    worker.onerror = () => { for (const { fail } of waiting.values()) fail(new Error('the browser cannot start a worker')); };
   }
   return new Promise((done, fail) => {
     waiting.set(next, { done, fail });

@@ -161,8 +161,8 @@ PageBlocks::Script() const
 void
 PageBlocks::PutBytes(const std::string & name, Json header, const std::string & bytes)
 {
-  constexpr std::size_t partSize = std::size_t(8)
-                                   << 20; // bytes; a browser reads 21 MB as 8 scripts in 1.0 s, as one in 2.4 s
+  // Bytes before compression. A browser reads 21 MB as eight scripts in 1.0 s, as one script in 2.4 s.
+  constexpr std::size_t    partSize = std::size_t{ 8 } << 20;
   std::vector<std::string> parts(std::max<std::size_t>(1, (bytes.size() + partSize - 1) / partSize));
   ParallelFor(parts.size(),
               [&](std::size_t part) { parts[part] = Base64(Gzip(bytes.substr(part * partSize, partSize))); });

@@ -48,6 +48,19 @@ TEST(PageBlocks, EqualInputGivesEqualBytesInThePageAndBesideIt)
   EXPECT_TRUE(beside.Inline().empty());
 }
 
+TEST(PageBlocks, ALongBlockIsSplitIntoParts)
+{
+  constexpr std::size_t           partSize = std::size_t{ 8 } << 20;
+  const std::vector<std::uint8_t> values(2 * partSize + 1, 3);
+  PageBlocks                      blocks("", true, AsItIs);
+  blocks.Put("long", values);
+  const std::string text = blocks.Script();
+  EXPECT_NE(text.find(R"("parts":3,"type":"u8"},""))"), std::string::npos) << text.substr(0, 200);
+  EXPECT_NE(text.find(R"(block("long.1",null,")"), std::string::npos);
+  EXPECT_NE(text.find(R"(block("long.3",null,")"), std::string::npos);
+  EXPECT_EQ(text.find(R"(block("long.4")"), std::string::npos);
+}
+
 TEST(PageBlocks, AFileThatCannotBeWrittenIsAnError)
 {
   PageBlocks blocks(testing::TempDir() + "/no/such/folder", false, AsItIs);

@@ -305,6 +305,16 @@ RunOne(CommandLine & commandLine, SeriesRun & only)
   }
 }
 
+/** Without the options of both positions. */
+ColonoscopyPresentation
+PresentationOfSecond(const SeriesRun & second)
+{
+  ColonoscopyPresentation presentation = second.Presentation();
+  LeaveOut(optionsOfPair, presentation.provenance);
+  LeaveOut({ "viewer" }, presentation.provenance);
+  return presentation;
+}
+
 /** The presentation of the first series with what failed in the second one; a run stops at the first failed stage. */
 ColonoscopyPresentation
 PresentationOfPair(const SeriesRun & first, const SeriesRun & second)
@@ -334,15 +344,13 @@ RunTwo(CommandLine & commandLine, SeriesRun & first, SeriesRun & second)
       first.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, polypsOfFirst) &&
       second.Run(LastStages(commandLine, ColonoscopySeries::Second), lastOfSecond))
   {
+    ColonoscopyPresenter(commandLine).WriteLimitations(PresentationOfSecond(second));
     presenter.WriteLimitations(PresentationOfPair(first, second));
     first.Run(LastStages(commandLine, ColonoscopySeries::First), lastOfFirst);
   }
   if (hasFirst)
   {
-    ColonoscopyPresentation presentation = second.Presentation();
-    LeaveOut(optionsOfPair, presentation.provenance);
-    LeaveOut({ "viewer" }, presentation.provenance);
-    ColonoscopyPresenter(commandLine).WriteReport(presentation);
+    ColonoscopyPresenter(commandLine).WriteReport(PresentationOfSecond(second));
   }
   const ColonoscopyPresentation presentation = PresentationOfPair(first, second);
   presenter.WriteReport(presentation);

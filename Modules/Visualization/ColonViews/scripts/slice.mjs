@@ -122,7 +122,7 @@ export class SliceView extends View {
     for (const [color, width] of [['#000c', 4], ['#ffd', 1.6]]) {
       this.line(g, [at(24, 0), tip, null, at(6, 4), tip, at(6, -4)], color, width);
     }
-    this.write(g, 'gravity', w - 84, 38);
+    this.write(g, 'gravity', w - 46, 70);
   }
 
   drawScale(g, scale, w, h) {

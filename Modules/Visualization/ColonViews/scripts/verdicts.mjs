@@ -158,9 +158,10 @@ export class Verdicts {
 
   list() {
     const polyps = this.entries.filter((e) => !isOther(e)), others = this.entries.filter(isOther);
+    const order = this.exams.length > 1 ? 'by lesion as in the report' : 'highest score first';
     const part = (title, all, remark = '') => (all.length ? [this.heading(title, remark), ...all.map((e) => this.item(e))] : []);
     this.root.replaceChildren(
-      ...(this.isRevealed ? part('Candidates, highest score first', polyps, 'Scores are calibrated on synthetic patients.') : []),
+      ...(this.isRevealed ? part(`Candidates, ${order}`, polyps, 'Scores are calibrated on synthetic patients.') : []),
       ...(this.isRevealed ? part('Recognized as something else, or parts of another candidate', others) : []),
       ...part('Reader findings', this.findings),
     );

@@ -145,7 +145,7 @@ class Viewer {
   fly(mm) { this.panel.fly(mm); }
   turn([yaw, pitch]) { this.panel.inside.turn(yaw, pitch); }
   reverse() { this.panel.inside.reverse(); this.notify(); }
-  goTo(arc) { const { center } = this.panel.exam; this.panel.inside.go(arc ? center.length - 1 : 0); }
+  goTo(arc) { this.panel.inside.goToEnd(arc > 0); }
   moveFlat([right, down]) { this.panel.flat.move(right, down); }
   stepSlice([k, n]) { this.panel.slices[k].step(n); }
   nextPanel() { this.current = (this.current + 1) % this.panels.length; this.notify(); }

@@ -77,6 +77,28 @@ Identity(Json & positions, const ColonExamination & exam, bool isAnonymous)
   return { { "seriesUIDs", series }, { "sha256", exam.Digest() } };
 }
 
+/** What the reports of the positions of one run state that it does not show; that of the second one with its name. */
+Json
+StatedBy(const std::vector<ExaminationFolder> & folders, const Json & positions)
+{
+  Json stated{ { "note", "" }, { "limitations", Json::array() } };
+  for (std::size_t k = 0; k < folders.size(); ++k)
+  {
+    if (!folders[k].Has(examination::limitations))
+    {
+      continue;
+    }
+    const Json one = ReadJson(folders[k].PathOf(examination::limitations));
+    stated["note"] = k == 0 ? one.at("note") : stated["note"];
+    for (const Json & text : one.at("limitations"))
+    {
+      const std::string name = positions[k].at("name");
+      stated["limitations"].push_back((k == 0 ? "" : name + ": ") + text.get<std::string>());
+    }
+  }
+  return stated;
+}
+
 /** Combines warnings that differ only in numbers. */
 Json
 WarningsForPage(const std::vector<std::string> & warnings)
@@ -153,10 +175,7 @@ WriteColonViewer(const std::string &        folderOfExam,
   info["bits"] = options.bits;
   info["isSecondReader"] = options.isSecondReader;
   info["warnings"] = WarningsForPage(options.warnings);
-  const ExaminationFolder & first = exam.GetPositions().front();
-  info["stated"] = options.second.empty() && first.Has(examination::limitations)
-                     ? ReadJson(first.PathOf(examination::limitations))
-                     : Json{ { "note", "" }, { "limitations", Json::array() } };
+  info["stated"] = StatedBy(options.second.empty() ? exam.GetPositions() : std::vector<ExaminationFolder>(), positions);
   info["hasMap"] = PutMaps(blocks, exam.GetPositions(), RegistrationOf(exam.GetPositions().front(), options));
   if (!options.verdicts.empty())
   {
