@@ -55,7 +55,7 @@ TEST(PageBlocks, ALongBlockIsSplitIntoParts)
   PageBlocks                      blocks("", true, AsItIs);
   blocks.Put("long", values);
   const std::string text = blocks.Script();
-  EXPECT_NE(text.find(R"("parts":3,"type":"u8"},""))"), std::string::npos) << text.substr(0, 200);
+  EXPECT_NE(text.find(R"("delta":0,"parts":3},""))"), std::string::npos) << text.substr(0, 200);
   EXPECT_NE(text.find(R"(block("long.1",null,")"), std::string::npos);
   EXPECT_NE(text.find(R"(block("long.3",null,")"), std::string::npos);
   EXPECT_EQ(text.find(R"(block("long.4")"), std::string::npos);

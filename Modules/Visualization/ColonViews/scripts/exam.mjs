@@ -20,10 +20,12 @@ const turn = (v, c) => v - c * Math.floor(v / c);
 
 // One position of a patient: the wall with its flat map, the centerline, the volume, and the mappings between them.
 export class Exam {
-  constructor(folder, prefix, info) {
+  // Begins to read the blocks that load() uses.
+  startReading(folder, prefix, info) {
     Object.assign(this, { folder, prefix, info, circumference: info.circumference, volume: null });
     this.blocks = [...BLOCKS, ...Details.blocks].map((name) => this.read(name));
     for (const block of this.blocks) block.catch(() => {}); // reported by load()
+    return this;
   }
 
   read(name) { return readBlock(this.folder, this.prefix + name); }

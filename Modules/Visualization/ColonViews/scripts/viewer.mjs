@@ -399,7 +399,7 @@ class Viewer {
 async function open(folder) {
   const started = performance.now(), info = await readBlock(folder, 'info');
   $('title').textContent = document.title = `${[info.title, info.patient].filter(Boolean).join(' · ')} – Shapeton viewer`;
-  const exams = info.positions.map((position, k) => new Exam(folder, `${k}/`, position));
+  const exams = info.positions.map((position, k) => new Exam().startReading(folder, `${k}/`, position));
   const volumes = exams.map((exam) => exam.readVolume());
   for (const volume of volumes) volume.catch(() => {}); // reported by loadVolumes()
   await exams[0].blocks[0];
