@@ -19,6 +19,8 @@ namespace
 /** Label of tagged fluid in a LumenMask. */
 constexpr unsigned char fluidLabel = 2;
 
+constexpr double inLumen = 2.0; // mm from the wall, beyond the blur of a scan
+
 /** The segment of each face. */
 std::vector<int>
 SegmentsOfFaces(const SurfaceMesh & wall)
@@ -93,7 +95,6 @@ FrontOf(const SurfaceMesh & wall, int face)
 bool
 IsSubmerged(const LumenMask * lumen, const FaceFront & front)
 {
-  constexpr double inLumen = 2.0; // mm from the wall, beyond the blur of a scan
   return LabelAt(lumen, front.middle + inLumen * front.inwards) == fluidLabel;
 }
 
@@ -117,9 +118,8 @@ IsCoated(const LumenMask * lumen, const AttenuationAt & original, const FaceFron
 bool
 IsAtSeam(const LumenMask * lumen, const FaceFront & front)
 {
-  constexpr double      inLumen = 2.0; // mm from the wall, beyond the blur of a scan
-  constexpr double      step = 0.5;    // mm
-  constexpr int         steps = 5;     // 2.5 mm: beyond it, the wall of a phantom is as exact as elsewhere
+  constexpr double      step = 0.5; // mm
+  constexpr int         steps = 5;  // 2.5 mm: beyond it, the wall of a phantom is as exact as elsewhere
   const Eigen::Vector3d start = front.middle + inLumen * front.inwards;
   const unsigned char   here = LabelAt(lumen, start);
   for (int way = 0; way < 6 && here != 0; ++way)

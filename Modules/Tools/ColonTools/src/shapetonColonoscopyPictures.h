@@ -20,7 +20,7 @@ DrawSegments(const ColonoscopyResults & results, PatientSide side);
 Picture::Pointer
 DrawInside(const ColonoscopyResults & results, PatientSide side);
 
-/** The WallCover, as a number, of each pixel of the flat map's grid; empty if there is no CT from before cleansing. */
+/** WallCover of each pixel of the flat map's grid; empty without a CT from before cleansing. */
 std::vector<unsigned short>
 CoverPixels(const ColonoscopyResults & results);
 

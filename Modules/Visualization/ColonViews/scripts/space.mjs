@@ -109,7 +109,7 @@ export class OutsideView extends SpaceView {
 
 const REACH = 90;    // range of the light inside the colon, mm
 const STRETCH = 250; // visible range along the colon ahead of and behind the eye, mm
-const FROM_END = 15; // mm from an end of the centerline to an eye that looks from there into the colon
+const FROM_END = 20; // mm from an end of the centerline to an eye that looks from there into the colon
 
 // An eye on the centerline. Its vertical field of view is 120 degrees; at 92 degrees, a flight in both directions misses a tenth of
 // the wall. way: 1 to the cecum, -1 to the rectum; look: the target point, if any; otherwise yaw and pitch apply.
@@ -177,10 +177,9 @@ export class EndoView extends SpaceView {
 
   // Flies to an end of the centerline, where the eye is inside and looks into the colon.
   goToEnd(isLast) {
-    const { center } = this.panel.exam, { arc } = center[isLast ? center.length - 1 : 0];
-    const isInside = (c) => Math.abs(c.arc - arc) >= FROM_END, index = isLast ? center.findLastIndex(isInside) : center.findIndex(isInside);
-    Object.assign(this, { way: isLast ? -1 : 1, yaw: 0, pitch: 0 });
-    this.go(index);
+    const { exam } = this.panel, { arc } = exam.center.at(isLast ? -1 : 0), way = isLast ? -1 : 1;
+    Object.assign(this, { way, yaw: 0, pitch: 0 });
+    this.go(exam.centerAt(arc + way * FROM_END));
   }
 
   reverse() {

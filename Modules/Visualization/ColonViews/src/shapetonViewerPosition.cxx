@@ -365,7 +365,7 @@ PutViewerPosition(PageBlocks &               blocks,
   const auto         lumen = exam.ReadLumen();
   const ViewerVolume volume = ReadViewerVolume(exam, *lumen, missing);
   const auto         flat = exam.ReadFlatColon();
-  // Unknown if there is no CT from before cleansing.
+  // Empty without a CT from before cleansing.
   const auto covers =
     volume.cleansed ? FindWallCovers(flat->Surface(), lumen, AttenuationOf(volume.shown)) : std::vector<WallCover>();
   PutWall(blocks, prefix, exam, covers, *flat, info, missing);
