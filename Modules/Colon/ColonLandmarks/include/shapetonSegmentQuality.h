@@ -46,8 +46,10 @@ GradeOf(const ColonDistension & distension);
 enum class WallCover : unsigned char
 {
   None,
-  Residue, ///< coated by tagged matter: more than 300 HU within 2 mm behind the wall, not next to fluid
-  Seam     ///< within 2.5 mm of a fluid level, where electronic cleansing determines the wall
+  /** Coated by tagged matter: more than 300 HU within 2 mm behind the wall, not next to fluid; or, under fluid, more
+   * than 200 HU up to 3 mm behind it. */
+  Residue,
+  Seam ///< within 2.5 mm of a fluid level, where electronic cleansing determines the wall
 };
 
 /** A part of the wall that a flat map does not show, such as a blind pouch. */

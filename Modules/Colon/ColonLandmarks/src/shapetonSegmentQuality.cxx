@@ -114,6 +114,28 @@ IsCoated(const LumenMask * lumen, const AttenuationAt & original, const FaceFron
   return false;
 }
 
+/** Whether there is tagged matter behind a wall that is under fluid: contrast that is too weak for the fluid of the
+ * lumen, or bowel that touches. Folds are left out, since lumen is behind them. */
+bool
+IsAboveWeakFluid(const LumenMask * lumen, const AttenuationAt & original, const FaceFront & front)
+{
+  constexpr double weak = 200.0;                           // HU: soft tissue of 50 HU and 3 times a noise of 50 HU
+  constexpr double first = 1.0, deepest = 3.0, step = 0.5; // mm; the blur of a pool ends before the last one
+  if (!IsSubmerged(lumen, front))
+  {
+    return false;
+  }
+  for (double depth = first; depth <= deepest; depth += step)
+  {
+    const Eigen::Vector3d place = front.middle - depth * front.inwards;
+    if (LabelAt(lumen, place) != 0 || !(original(place) > weak))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /** Whether gas and tagged fluid meet near a face, without tissue in between. */
 bool
 IsAtSeam(const LumenMask * lumen, const FaceFront & front)
@@ -260,9 +282,8 @@ FindWallCovers(const SurfaceMesh & wall, const LumenMask * lumen, const Attenuat
   std::vector<WallCover> covers(static_cast<std::size_t>(wall.NumberOfFaces()), WallCover::None);
   ParallelForBlocks(covers.size(), [&](std::size_t face) {
     const FaceFront front = FrontOf(wall, static_cast<int>(face));
-    covers[face] = IsAtSeam(lumen, front)             ? WallCover::Seam
-                   : IsCoated(lumen, original, front) ? WallCover::Residue
-                                                      : WallCover::None;
+    const bool      isCovered = IsCoated(lumen, original, front) || IsAboveWeakFluid(lumen, original, front);
+    covers[face] = IsAtSeam(lumen, front) ? WallCover::Seam : isCovered ? WallCover::Residue : WallCover::None;
   });
   return covers;
 }

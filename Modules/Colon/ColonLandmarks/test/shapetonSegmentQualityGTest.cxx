@@ -123,6 +123,30 @@ TEST(SegmentQuality, StatesWhatIsKnownOfATube)
   EXPECT_DOUBLE_EQ(rows[1].EvaluableShare(), 1.0 - (320.0 + rows[1].seamArea) / 25000.0);
 }
 
+TEST(SegmentQuality, MarksWallAboveWeaklyTaggedFluid)
+{
+  const auto        lumen = Lumen();
+  const SurfaceMesh tube = Tube();
+  // A strip 3.5 mm deep behind the bottom of the pool, and beside it one of 1 mm, the blur of a wall.
+  const auto attenuation = [](const Eigen::Vector3d & p) {
+    const double r = std::hypot(p.x(), p.y());
+    const bool   isBottom = p.y() < -0.9 * radius && r >= radius;
+    const double depth = p.z() > 250.0 ? 3.5 : 1.0;
+    return isBottom && r < radius + depth ? 284.0 : r >= radius ? 40.0 : p.y() < level ? 700.0 : -1000.0;
+  };
+  const std::vector<WallCover> covers = FindWallCovers(tube, lumen, attenuation);
+  for (int f = 0; f < tube.NumberOfFaces(); ++f)
+  {
+    const Eigen::Vector3d middle =
+      (tube.V.row(tube.F(f, 0)) + tube.V.row(tube.F(f, 1)) + tube.V.row(tube.F(f, 2))) / 3.0;
+    const bool isInStrip = middle.z() > 255.0 && middle.z() < length - 5.0 && middle.y() < -0.95 * radius;
+    const bool isOutside = middle.z() < 245.0 || middle.y() > -0.85 * radius;
+    const bool isMarked = covers[static_cast<std::size_t>(f)] == WallCover::Residue;
+    EXPECT_TRUE(!isInStrip || isMarked) << middle.transpose();
+    EXPECT_TRUE(!isOutside || !isMarked) << middle.transpose();
+  }
+}
+
 TEST(SegmentQuality, LeavesOutWhatNeedsImages)
 {
   const CurveSet      axis = Axis();

@@ -35,16 +35,25 @@ FindTerminalIleum(const LumenMask * labels, const CurveSet & centerline, const I
 
 /** Finds an ileum that was filled by reflux through the valve and that contains the end of the line. The cecum is then
  * a pouch of lumen beside the line, at least 21 mm deep beyond the inscribed ball and at least 1 ml in volume. After
- * the pouch, the line continues for at least 40 mm, with an inscribed radius of at most 12.5 mm along three quarters of
- * its length. The median radii of this part and of its first 100 mm are at most 3/4 of the median radius of the 150 mm
- * before it. The ileum is the lumen around the line after its narrowest place next to the pouch. Empty if not found;
- * fast if the line does not have a narrow end.
+ * the pouch, the line continues for at least 40 mm, with an inscribed radius of at most 15 mm along three quarters of
+ * its length. The median radii of this part and of its first 100 mm are at most 12.5 mm, and 3/4 of the median radius
+ * of the 150 mm before it. The ileum is the lumen around the line after its narrowest place next to the pouch. Empty if
+ * not found; fast if the line does not have a narrow end.
  *
  * \param labels nonzero voxels are lumen.
  * \param centerline LPS, mm, one curve with point arrays `arcLength`, `radius` and `gap`, from the rectum.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT std::optional<TerminalIleum>
                           FindRefluxedIleum(const LumenMask * labels, const CurveSet & centerline);
+
+/** Finds an ileum that contains the end of the line although the cecum is no pouch beside the line: the valve is near
+ * the pole. The line passes a place with a radius of at most 4 mm, or a gap, within 15 mm of a valve that
+ * FindIleocecalValve() finds with a confidence of at least .9 if the line ends there. Behind it, it continues for at
+ * least 120 mm, longer than a cecum, and narrow as for FindRefluxedIleum(). Empty if not found; fast if the line does
+ * not have a narrow end. \param ct HU, cleansed, or null; the other parameters are as for FindRefluxedIleum().
+ * \ingroup ShapetonColonModel */
+ShapetonColonModel_EXPORT std::optional<TerminalIleum>
+FindIleumBehindValve(const LumenMask * labels, const itk::Image<float, 3> * ct, const CurveSet & centerline);
 
 /** Sets the voxels of an image inside the ileum to 0; the grids may differ. \ingroup ShapetonColonModel */
 template <typename TImage>

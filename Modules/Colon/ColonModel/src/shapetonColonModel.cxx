@@ -85,6 +85,10 @@ void
 AddValve(ColonModel & model, const ColonModelSettings & options)
 {
   model.terminalIleum = FindRefluxedIleum(model.lumen.labels, model.centerline.curve);
+  if (!model.terminalIleum)
+  {
+    model.terminalIleum = FindIleumBehindValve(model.lumen.labels, model.cleansed, model.centerline.curve);
+  }
   if (model.terminalIleum)
   {
     RemoveIleum(model, options);

@@ -5,14 +5,17 @@
 #include "shapetonTerminalIleum.h"
 
 #include <algorithm>
+#include <numeric>
+#include <set>
 
 namespace shapeton
 {
 namespace
 {
-/** Maximum radius (mm) of an ileum, which is 10 to 25 mm wide; fraction of the length of the ileum that must not exceed
- * this radius; length (mm) of its first stretch, half of which must not exceed it. */
+/** Maximum radius (mm) of half of an ileum, which is 10 to 25 mm wide, and of half of its first stretch (length in mm);
+ * maximum radius (mm) of a fraction of its length: small bowel of more than 30 mm is dilated. */
 constexpr double WidestIleum = 12.5;
+constexpr double DilatedIleum = 15.0;
 constexpr double MostOfIleum = 0.75;
 constexpr double FirstStretch = 100.0;
 /** Maximum ratio of the median radius of the ileum to that of the colon; it is 0.53 in one real patient. A spastic
@@ -36,6 +39,13 @@ constexpr double ValveReach = 60.0;
 constexpr double ValveLength = 30.0;
 constexpr double WiderThanIleum = 1.3; // radius of the cecum relative to the median of the ileum
 constexpr double PlaceStep = 5.0;      // mm between tried places
+/** For an ileum behind a valve that is found: minimum length (mm), longer than a cecum, and minimum length (mm) of the
+ * colon before it; maximum radius (mm) of the open valve and its distance (mm) from the found one; confidence. */
+constexpr double LeastIleumAtValve = 120.0;
+constexpr double LeastColon = 600.0;
+constexpr double OpenValve = 4.0;
+constexpr double NearValve = 15.0;
+constexpr double LeastValveConfidence = 0.9;
 
 /** Inscribed radii along a line. */
 class Caliber
@@ -73,7 +83,7 @@ public:
       return false;
     }
     const double ileum = std::max(LowerQuantile(first, 0.5), LowerQuantile(after, 0.5));
-    return LowerQuantile(after, MostOfIleum) <= WidestIleum && ileum <= WidestIleum &&
+    return LowerQuantile(after, MostOfIleum) <= DilatedIleum && ileum <= WidestIleum &&
            ileum <= NarrowerThanColon * LowerQuantile(before, 0.5);
   }
 
@@ -88,6 +98,22 @@ public:
     return isNarrow;
   }
 
+  /** Points of the line that may be in an open valve: the narrowest ones at the beginning of a narrow rest. */
+  std::set<Eigen::Index>
+  NarrowPlaces() const
+  {
+    std::set<Eigen::Index> places;
+    for (double s = this->End() - LeastIleumAtValve; s >= LeastColon; s -= PlaceStep)
+    {
+      const Eigen::Index place = this->IsNarrowFrom(s) ? this->NarrowestIn(this->PointAt(s), ValveLength) : 0;
+      if (place > 0 && m_Radii[place] <= OpenValve)
+      {
+        places.insert(place);
+      }
+    }
+    return places;
+  }
+
   /** The valve: the narrowest place after the last place near the pouch that is wider than an ileum. A gap in the line
    * is a closed valve. */
   double
@@ -100,12 +126,19 @@ public:
     {
       cecum = m_Radii[i] >= wide ? i : cecum;
     }
-    Eigen::Index narrowest = cecum;
-    for (Eigen::Index i = cecum; i < m_Radii.size() && m_ArcLengths[i] < m_ArcLengths[cecum] + ValveLength; ++i)
-    {
-      narrowest = m_Radii[i] < m_Radii[narrowest] ? i : narrowest;
-    }
-    return m_ArcLengths[narrowest];
+    return m_ArcLengths[this->NarrowestIn(cecum, ValveLength)];
+  }
+
+  double
+  ArcLengthAt(Eigen::Index point) const
+  {
+    return m_ArcLengths[point];
+  }
+
+  Eigen::Vector3d
+  PointOf(Eigen::Index point) const
+  {
+    return m_Points.row(point).transpose();
   }
 
   /** Distance (mm) of a point beyond the inscribed ball at a position on the line. */
@@ -117,6 +150,18 @@ public:
   }
 
 private:
+  /** The point with the least radius on a length (mm) of the line. */
+  Eigen::Index
+  NarrowestIn(Eigen::Index first, double length) const
+  {
+    Eigen::Index narrowest = first;
+    for (Eigen::Index i = first; i < m_Radii.size() && m_ArcLengths[i] < m_ArcLengths[first] + length; ++i)
+    {
+      narrowest = m_Radii[i] < m_Radii[narrowest] ? i : narrowest;
+    }
+    return narrowest;
+  }
+
   std::vector<double>
   Radii(double begin, double end) const
   {
@@ -137,10 +182,34 @@ private:
   VertexMatrix    m_Points;
 };
 
+double
+VolumeInMl(const LumenMask * mask)
+{
+  const auto                  spacing = mask->GetSpacing();
+  const unsigned char * const begin = mask->GetBufferPointer();
+  const auto                  size = static_cast<std::ptrdiff_t>(mask->GetBufferedRegion().GetNumberOfPixels());
+  return 1e-3 * spacing[0] * spacing[1] * spacing[2] *
+         static_cast<double>(std::count(begin, begin + size, static_cast<unsigned char>(1)));
+}
+
+/** The first points of a line. */
+CurveSet
+FirstPoints(const CurveSet & line, Eigen::Index points)
+{
+  CurveSet part;
+  part.V = line.V.topRows(points);
+  part.curves.emplace_back(static_cast<std::size_t>(points));
+  std::iota(part.curves[0].begin(), part.curves[0].end(), 0);
+  for (const SurfaceArray & array : line.pointArrays)
+  {
+    part.pointArrays.push_back({ array.name, array.values.topRows(points), array.areIntegers });
+  }
+  return part;
+}
+
 /** The part of a cecum beside the line. */
 struct CecalPouch
 {
-  std::size_t         voxel{ 0 };   ///< one of its voxels, in the padded grid
   double              depth{ 0.0 }; ///< mm beyond the inscribed ball
   std::vector<double> arcLengths;   ///< of its voxels
 };
@@ -165,7 +234,6 @@ public:
     std::vector<CecalPouch> pouches(m_Pieces.sizes.size());
     this->ForEachVoxelOf(m_Pieces, [&](int label, std::size_t voxel) {
       const std::int64_t inner = this->Inner(voxel);
-      pouches[label].voxel = voxel;
       pouches[label].depth = std::max(pouches[label].depth, this->Beyond(inner));
       pouches[label].arcLengths.push_back(m_Field.ArcLengthOfVoxel(inner));
     });
@@ -186,26 +254,26 @@ public:
 
   /** The lumen around the line behind the valve, excluding the cecum, which may touch the ileum. */
   TerminalIleum
-  IleumBehind(double valve, const CecalPouch & pouch) const
+  IleumBehind(Eigen::Index valve) const
   {
+    const double  begin = m_Caliber.ArcLengthAt(valve);
     TerminalIleum ileum;
     ileum.mask = NewImageOn<LumenMask>(m_Labels, true);
     unsigned char * const isIleum = ileum.mask->GetBufferPointer();
-    PaddedVoxels          cecum(m_Labels->GetBufferedRegion());
+    PaddedVoxels          colon(m_Labels->GetBufferedRegion());
     m_Voxels.ForEachVoxel([&](std::int64_t padded, std::int64_t inner) {
-      isIleum[inner] = m_Labels->GetBufferPointer()[inner] != 0 && m_Field.ArcLengthOfVoxel(inner) > valve ? 1 : 0;
-      cecum.flags[padded] = m_Voxels.flags[padded] != 0 || (isIleum[inner] != 0 && this->Beyond(inner) > CecumBegin);
+      const bool isLumen = m_Labels->GetBufferPointer()[inner] != 0;
+      isIleum[inner] = isLumen && m_Field.ArcLengthOfVoxel(inner) > begin ? 1 : 0;
+      colon.flags[padded] = isLumen && (isIleum[inner] == 0 || this->Beyond(inner) > CecumBegin) ? 1 : 0;
     });
-    const VoxelComponents pieces = FindComponents(cecum, 1, true, VoxelContact::Face);
-    const auto            at = cecum.grid.Voxel(pouch.voxel);
-    const int             label = pieces.labels.ofRun[pieces.runs.Find(at[0], at[1], at[2])];
-    ForEachVoxelOf(pieces, [&](int piece, std::size_t voxel) {
-      isIleum[this->Inner(voxel)] = piece == label ? 0 : isIleum[this->Inner(voxel)];
+    const VoxelComponents pieces = FindComponents(colon, 1, true, VoxelContact::Face);
+    const auto            largest = std::max_element(pieces.sizes.begin(), pieces.sizes.end()) - pieces.sizes.begin();
+    this->ForEachVoxelOf(pieces, [&](int piece, std::size_t voxel) {
+      isIleum[this->Inner(voxel)] = piece == largest ? 0 : isIleum[this->Inner(voxel)];
     });
-    const auto spacing = m_Labels->GetSpacing();
-    const auto size = static_cast<std::ptrdiff_t>(m_Labels->GetBufferedRegion().GetNumberOfPixels());
-    ileum.volume = 1e-3 * spacing[0] * spacing[1] * spacing[2] *
-                   static_cast<double>(std::count(isIleum, isIleum + size, static_cast<unsigned char>(1)));
+    ileum.mouth = m_Caliber.PointOf(valve);
+    ileum.length = m_Caliber.End() - begin;
+    ileum.volume = VolumeInMl(ileum.mask);
     return ileum;
   }
 
@@ -260,10 +328,23 @@ FindRefluxedIleum(const LumenMask * labels, const CurveSet & centerline)
   {
     return std::nullopt;
   }
-  const double  valve = caliber.ValveAfter(LowerQuantile(pouch->arcLengths, 0.5));
-  TerminalIleum ileum = search.IleumBehind(valve, *pouch);
-  ileum.mouth = centerline.V.row(caliber.PointAt(valve));
-  ileum.length = caliber.End() - valve;
-  return ileum;
+  return search.IleumBehind(caliber.PointAt(caliber.ValveAfter(LowerQuantile(pouch->arcLengths, 0.5))));
+}
+
+std::optional<TerminalIleum>
+FindIleumBehindValve(const LumenMask * labels, const itk::Image<float, 3> * ct, const CurveSet & centerline)
+{
+  const Caliber caliber(centerline);
+  for (const Eigen::Index place : caliber.NarrowPlaces())
+  {
+    const Eigen::Vector3d               mouth = centerline.V.row(place);
+    const std::optional<IleocecalValve> valve =
+      FindIleocecalValve(labels, ct, FirstPoints(centerline, place + 1)).valve;
+    if (valve && valve->confidence >= LeastValveConfidence && (valve->position - mouth).norm() <= NearValve)
+    {
+      return PouchSearch(labels, centerline, caliber).IleumBehind(place);
+    }
+  }
+  return std::nullopt;
 }
 } // namespace shapeton

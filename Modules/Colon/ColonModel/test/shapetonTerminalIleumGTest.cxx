@@ -102,6 +102,73 @@ TEST(RefluxedIleum, IsCutOffTheEndOfTheLine)
   }
 }
 
+TEST(RefluxedIleum, MayBeWideFarFromTheValve)
+{
+  cecalscene::Scene scene;
+  scene.hasValve = false;
+  scene.ileumRadius = 7.0;
+  scene.ileumLength = 90.0;
+  const auto         images = cecalscene::Draw(scene);
+  shapeton::CurveSet line = LineThroughIleum(scene);
+  const auto         widen = [&](double radius) {
+    line.pointArrays[1].values.bottomRows(35).setConstant(radius);
+    return shapeton::FindRefluxedIleum(images.lumen, line).has_value();
+  };
+  EXPECT_TRUE(widen(13.4)); // as in a phantom
+  EXPECT_FALSE(widen(15.1));
+}
+
+/** A line through the colon, the slit between the lips of the valve at 130 mm, and an ileum of 150 mm. Its middle is 3
+ * mm wide at the slit. */
+shapeton::CurveSet
+LineThroughValve(double lengthOfColon, double radiusOfSlit)
+{
+  const double        colon = cecalscene::valveBase.z();
+  lumenshapes::Points points;
+  std::vector<double> radii;
+  for (double z = colon - lengthOfColon; z < colon; z += 1.0)
+  {
+    points.emplace_back(0.0, 0.0, z);
+    radii.push_back(cecalscene::radius);
+  }
+  for (double x = 0.0; x < cecalscene::radius + 150.0; x += 1.0)
+  {
+    points.emplace_back(x, 0.0, colon);
+    const double inTube = std::max(0.0, cecalscene::radius - 9.0 - x);
+    radii.push_back(inTube > 0.0 ? std::max(inTube, radiusOfSlit) : x < cecalscene::radius ? radiusOfSlit : 7.0);
+  }
+  shapeton::CurveSet line = lumenshapes::Centerline(points);
+  const auto         number = static_cast<Eigen::Index>(points.size());
+  line.pointArrays[0].values = Eigen::VectorXd::LinSpaced(number, 0.0, static_cast<double>(number - 1));
+  line.pointArrays[1].values = Eigen::Map<Eigen::VectorXd>(radii.data(), number);
+  return line;
+}
+
+TEST(IleumBehindValve, IsCutOffWhereTheLinePassesTheValve)
+{
+  cecalscene::Scene scene;
+  scene.hasTwoLips = true;
+  const auto images = cecalscene::Draw(scene);
+  // The ileum begins at the slit.
+  std::size_t voxels = 0;
+  basetest::ForVoxels(images.lumen, [&](const auto & index, const auto & point) {
+    const double fromAxis = std::hypot(point[1], point[2] - cecalscene::valveBase.z());
+    const bool   isIleum = point[0] >= cecalscene::radius && fromAxis < 7.0;
+    const bool   isSlit = point[0] > 0.0 && point[0] < cecalscene::radius && fromAxis < 1.6;
+    voxels += isIleum ? 1 : 0;
+    images.lumen->SetPixel(index, isIleum || isSlit ? 1 : images.lumen->GetPixel(index));
+  });
+  const auto ileum = shapeton::FindIleumBehindValve(images.lumen, images.ct, LineThroughValve(700.0, 2.0));
+  ASSERT_TRUE(ileum);
+  EXPECT_NEAR(ileum->length, 160.0, 3.0); // with the slit between the lips
+  EXPECT_LT((ileum->mouth - cecalscene::valveBase).norm(), 15.0);
+  EXPECT_NEAR(ileum->volume, 1e-3 * 1.5 * 1.5 * 1.5 * static_cast<double>(voxels), 1.0);
+  EXPECT_FALSE(shapeton::FindIleumBehindValve(images.lumen, images.ct, LineThroughValve(700.0, 5.0))) << "no slit";
+  EXPECT_FALSE(shapeton::FindIleumBehindValve(images.lumen, images.ct, LineThroughValve(500.0, 2.0))) << "no colon";
+  const auto plain = cecalscene::Draw({ false });
+  EXPECT_FALSE(shapeton::FindIleumBehindValve(plain.lumen, plain.ct, LineThroughValve(700.0, 2.0))) << "no valve";
+}
+
 TEST(RefluxedIleum, IsNoColon)
 {
   cecalscene::Scene scene;

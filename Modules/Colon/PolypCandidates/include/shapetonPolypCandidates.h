@@ -68,12 +68,13 @@ enum class PolypTissue
   Fat,     ///< -150 to -30 HU
   Soft,    ///< -30 to 150 HU
   Tagged,  ///< above 150 HU: contains contrast medium, like tagged stool
+  WithGas  ///< fat or soft tissue by its median, but at least a twentieth is below -200 HU: pockets of gas, as in stool
 };
 
-/** The kind of tissue that has this attenuation in HU. \ingroup ShapetonPolypCandidates */
+/** The kind of tissue that has this attenuation in HU; never WithGas. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT PolypTissue
 TissueOf(double hounsfield);
-/** "unknown", "gas", "fat", "soft tissue", "tagged". \ingroup ShapetonPolypCandidates */
+/** "unknown", "gas", "fat", "soft tissue", "tagged", "with gas inside". \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
                                NameOf(PolypTissue tissue);
 

@@ -22,8 +22,9 @@ MeasureMorphology(const SurfaceMesh &                                  wall,
                   const std::function<bool(const Eigen::Vector3d &)> & isFold,
                   std::vector<PolypCandidate> &                        candidates);
 
-/** Sets mainCandidate of candidates whose heads are within 2 mm of the head of a candidate with a higher score: they
- * are fragments of one structure. \pre Sorted by descending score. \ingroup ShapetonPolypCandidates */
+/** Sets mainCandidate of candidates whose heads are within 4 mm of the head of a candidate with a higher score: they
+ * are fragments of one structure. A candidate that may be a polyp is no fragment of a lookalike. \pre Sorted by
+ * descending score. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
 JoinFragments(const SurfaceMesh & wall, std::vector<PolypCandidate> & candidates);
 

@@ -270,7 +270,7 @@ ReadPolypCandidates(const std::string & path)
     one.meanAttenuation = table.NumberOrNothing(row, "meanAttenuation");
     one.lowAttenuation = table.NumberOrNothing(row, "lowAttenuation");
     one.highAttenuation = table.NumberOrNothing(row, "highAttenuation");
-    one.tissue = Named(table.Text(row, "tissue"), PolypTissue::Tagged);
+    one.tissue = Named(table.Text(row, "tissue"), PolypTissue::WithGas);
     one.uncleansedAttenuation = table.NumberOrNothing(row, "uncleansedAttenuation");
     one.submergedShare = table.NumberOrNothing(row, "submergedShare");
     one.filmShare = table.NumberOrNothing(row, "filmShare");

@@ -2,6 +2,7 @@
 
 #include "shapetonCandidateList.h"
 #include "shapetonColonDistension.h"
+#include "shapetonColonSegments.h"
 #include "shapetonPlaceInWords.h"
 #include "shapetonScanResolution.h"
 #include "shapetonSurfaceQuality.h"
@@ -92,6 +93,8 @@ NameOf(PolypTissue tissue)
       return "soft tissue";
     case PolypTissue::Tagged:
       return "tagged";
+    case PolypTissue::WithGas:
+      return "with gas inside";
     default:
       return "unknown";
   }
@@ -213,6 +216,8 @@ RankValveLast(const IleocecalValve & valve, std::vector<PolypCandidate> & candid
     if (IsAt(valve, one))
     {
       one.lookalike = PolypLookalike::Valve;
+      one.arcLength = valve.arcLength; // both lips are one structure, at the border of the cecum
+      one.segment = one.segment > 0 ? NumberOfColonSegments : 0;
       one.score = std::min(one.score, 1.0 - defaultPolypSensitivity);
       if (one.features.shapeIndex <= leastShapeIndexOfDomes)
       {

@@ -192,6 +192,7 @@ MeasureAttenuation(const std::vector<InnerPoint> & points, PolypCandidate & cand
 {
   const std::vector<double> values = ValuesInside(points);
   constexpr double          low = 0.05, high = 0.95; // quantiles of the report
+  constexpr double          leastOfFat = -200.0;     // HU: fat of -100 HU and twice a noise of 50 HU
   candidate.attenuation = Quantile(values, 0.5);
   candidate.lowAttenuation = Quantile(values, low);
   candidate.highAttenuation = Quantile(values, high);
@@ -203,6 +204,10 @@ MeasureAttenuation(const std::vector<InnerPoint> & points, PolypCandidate & cand
   if (candidate.lookalike == PolypLookalike::None && NumberAway(points, blur) < fewest)
   {
     candidate.tissue = PolypTissue::Unknown; // a mixture with gas or fluid
+  }
+  else if (candidate.lookalike == PolypLookalike::None && candidate.lowAttenuation < leastOfFat)
+  {
+    candidate.tissue = PolypTissue::WithGas;
   }
 }
 
@@ -280,6 +285,10 @@ RemarkOn(const PolypCandidate & candidate)
   if (candidate.tissue == PolypTissue::Tagged)
   {
     return "tagged: stool or residue";
+  }
+  if (candidate.tissue == PolypTissue::WithGas)
+  {
+    return "gas inside, as in stool";
   }
   if (candidate.submergedShare > LeastUnder)
   {

@@ -439,6 +439,13 @@ TEST(PolypCandidates, ContentIsMeasuredInsideAndRanks)
     shapeton::MeasureContent(wall, ct, MakeLumen(bodies, 2.0), candidates);
     EXPECT_GT(candidates.front().submergedShare, 0.95);
   }
+  // Tissue with a pocket of gas 3.5 mm below the surface.
+  const auto mixed = MakeImage<itk::Image<float, 3>>(
+    0.8, [](double d) { return d < -3.5 ? -900.0 : -60.0 - 840.0 * std::clamp(0.5 * d + 0.5, 0.0, 1.0); }, bodies);
+  std::vector<PolypCandidate> candidates{ found };
+  shapeton::MeasureContent(wall, mixed, MakeLumen(bodies), candidates);
+  EXPECT_EQ(candidates.front().tissue, shapeton::PolypTissue::WithGas);
+  EXPECT_EQ(candidates.front().remark, "gas inside, as in stool");
   EXPECT_EQ(shapeton::TissueOf(-600.0), shapeton::PolypTissue::Gas);
   EXPECT_EQ(shapeton::TissueOf(std::nan("")), shapeton::PolypTissue::Unknown);
 }
@@ -709,7 +716,7 @@ TEST(PolypCandidates, FragmentsBelongToTheBestOne)
     return candidate;
   };
   std::vector<PolypCandidate> candidates{
-    headAround(Base(0.0), 1), headAround(Base(15.0), 2), headAround(Base(7.0), 3), headAround(Base(-14.0), 4)
+    headAround(Base(0.0), 1), headAround(Base(15.0), 2), headAround(Base(7.0), 3), headAround(Base(-11.0), 4)
   };
   shapeton::JoinFragments(wall, candidates);
   EXPECT_EQ(candidates[1].mainCandidate, 2);
@@ -717,6 +724,15 @@ TEST(PolypCandidates, FragmentsBelongToTheBestOne)
   EXPECT_EQ(candidates[3].mainCandidate, 4);
   EXPECT_TRUE(shapeton::IsListedAsPolyp(candidates[3]));
   EXPECT_FALSE(shapeton::IsListedAsPolyp(candidates[2]));
+
+  // A head 3 mm from stool may be a polyp; one 3 mm from another head is a fragment.
+  candidates = { headAround(Base(0.0), 1), headAround(Base(9.0), 2) };
+  shapeton::JoinFragments(wall, candidates);
+  EXPECT_EQ(candidates[1].mainCandidate, 1);
+  candidates[0].lookalike = shapeton::PolypLookalike::Tagged;
+  shapeton::JoinFragments(wall, candidates);
+  EXPECT_EQ(candidates[1].mainCandidate, 2);
+  EXPECT_TRUE(shapeton::IsListedAsPolyp(candidates[1]));
 }
 
 TEST(PolypCandidates, AlternativesToTheValveSaySoAndKeepTheirScores)
@@ -746,7 +762,10 @@ TEST(PolypCandidates, KnownValveIsNamedAndRanksBehindSoftTissue)
   shapeton::IleocecalValve valve;
   valve.length = 26.0;
   valve.confidence = 0.6;
-  const PolypCandidate lip = CandidateAt({ 15.9, 0.0, 0.0 }, 0.9); // half the length plus 3 mm
+  valve.arcLength = 1700.0;
+  PolypCandidate lip = CandidateAt({ 15.9, 0.0, 0.0 }, 0.9); // half the length plus 3 mm
+  lip.arcLength = 1685.0;
+  lip.segment = 5;
   const PolypCandidate beside = CandidateAt({ 16.1, 0.0, 0.0 }, 0.3);
   PolypCandidate       bubble = CandidateAt({ 100.0, 0.0, 0.0 }, 0.01);
   bubble.tissue = shapeton::PolypTissue::Gas;
@@ -755,6 +774,8 @@ TEST(PolypCandidates, KnownValveIsNamedAndRanksBehindSoftTissue)
   EXPECT_EQ(candidates[0].position, beside.position);
   EXPECT_EQ(candidates[0].remark, "");
   EXPECT_EQ(candidates[1].remark, "the ileocecal valve");
+  EXPECT_EQ(candidates[1].arcLength, valve.arcLength);
+  EXPECT_EQ(candidates[1].segment, 6);
   EXPECT_EQ(candidates[1].number, 2);
   EXPECT_LE(candidates[1].score, (1.0 - valve.confidence) * lip.score);
   EXPECT_EQ(candidates[2].tissue, shapeton::PolypTissue::Gas);
