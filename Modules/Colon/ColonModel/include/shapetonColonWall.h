@@ -67,8 +67,9 @@ SmoothWall(const SurfaceMesh & mesh, const WallSmoothingOptions & options);
 struct OpenEndsOptions
 {
   /** Radius (mm) of the disc to remove at each end, measured along surface edges; geodesic distances are about a tenth
-   * shorter. */
-  double radius{ 20.0 };
+   * shorter. What is removed is neither shown nor searched for polyps. Chosen: half of the smallest polyp that counts;
+   * the map of a smaller opening is longer without showing more. */
+  double radius{ 3.0 };
   /** Lower bound for reducing the radius in steps of 1 mm until the region is a disc. */
   double leastRadius{ 2.0 };
   /** Whether to smooth the rims by moving their vertices locally. */

@@ -24,8 +24,9 @@ struct TerminalIleum
 /** Finds the terminal ileum in a lumen: a connected region of lumen at least 4 mm away from the morphological opening
  * of the lumen by a ball with a radius of 8.5 mm. The region is attached to the colon only within 25 mm of the valve,
  * extends at least 30 mm, and does not contain any point of the centerline. These rules prevent the removal of colon:
- * corners of haustra are shallower, loops of colon are wider, and an appendix is attached elsewhere. Empty if not
- * found.
+ * corners of haustra are shallower, loops of colon are wider, and an appendix is attached elsewhere. If there
+ * is none, the ileum may be distended: a part of the lumen behind a slit of at most 8 mm within 25 mm of the valve,
+ * with an inscribed radius of at most 15 mm, and otherwise the same. Empty if not found.
  *
  * \param labels nonzero voxels are lumen.
  * \param centerline as for FindIleocecalValve(). The result does not depend on the number of threads.

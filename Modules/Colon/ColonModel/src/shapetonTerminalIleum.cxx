@@ -6,6 +6,8 @@
 
 #include "itkImageRegionIteratorWithIndex.h"
 
+#include <algorithm>
+
 namespace shapeton
 {
 namespace
@@ -21,19 +23,31 @@ constexpr double margin = 110.0;
 constexpr double fromValve = 25.0;
 /** Minimum length, mm; corners of haustra are shallower. */
 constexpr double leastLength = 30.0;
+/** Maximum radius (mm) of an open valve, and maximum inscribed radius (mm) of a distended ileum behind it: small bowel
+ * of more than 30 mm is dilated. */
+constexpr double openValve = 4.0;
+constexpr double distendedRadius = 15.0;
 
-/** Mask of the lumen that is more than leftWithColon away from its opening by a ball of the ileal radius. */
+/** Squared distances (mm^2) of lumen to the wall, up to `most`. */
+VoxelValues
+ToWall(const CecalRegion & region, double most)
+{
+  return SquaredDistances(
+    region.Grid(), { { CecalRegion::Step, CecalRegion::Step, CecalRegion::Step } }, region.Lumen(), most);
+}
+
+/** Mask of the lumen that is more than `left` (mm) away from its opening by a ball. */
 std::vector<unsigned char>
-NarrowLumen(const CecalRegion & region)
+NarrowLumen(const CecalRegion & region, double radius, double left)
 {
   const std::array<double, 3> spacing{ { CecalRegion::Step, CecalRegion::Step, CecalRegion::Step } };
-  const auto                  toWall = SquaredDistances(region.Grid(), spacing, region.Lumen(), ilealRadius);
+  const auto                  toWall = ToWall(region, radius);
   std::vector<unsigned char>  noMiddle(toWall.size());
   for (std::size_t voxel = 0; voxel < noMiddle.size(); ++voxel)
   {
-    noMiddle[voxel] = toWall[voxel] < ilealRadius * ilealRadius ? 1 : 0;
+    noMiddle[voxel] = toWall[voxel] < radius * radius ? 1 : 0;
   }
-  constexpr double           reach = ilealRadius + leftWithColon; // mm
+  const double               reach = radius + left; // mm
   const auto                 toMiddle = SquaredDistances(region.Grid(), spacing, noMiddle, reach);
   std::vector<unsigned char> narrow(toWall.size());
   for (std::size_t voxel = 0; voxel < narrow.size(); ++voxel)
@@ -43,19 +57,34 @@ NarrowLumen(const CecalRegion & region)
   return narrow;
 }
 
-/** A branch of narrow lumen, starting at the wide lumen. */
+/** Mask of the lumen without the slit of an open valve. */
+std::vector<unsigned char>
+LumenWithoutSlit(const CecalRegion & region, const IleocecalValve & valve)
+{
+  constexpr double           reach = fromValve - CecalRegion::Step; // mm; the mouth is beside the slit
+  std::vector<unsigned char> lumen = NarrowLumen(region, openValve, 0.0);
+  for (std::size_t voxel = 0; voxel < lumen.size(); ++voxel)
+  {
+    const bool isSlit = lumen[voxel] != 0 && (region.PointOf(voxel) - valve.position).norm() <= reach;
+    lumen[voxel] = region.IsLumen(voxel) && !isSlit ? 1 : 0;
+  }
+  return lumen;
+}
+
+/** A branch of lumen, starting at other lumen. */
 struct Branch
 {
   std::vector<std::size_t> mouth;
   std::vector<std::size_t> voxels;
+  double                   length{ 0.0 }; ///< see LengthOf()
 };
 
 bool
-TouchesWideLumen(const CecalRegion & region, const std::vector<unsigned char> & narrow, std::size_t voxel)
+TouchesOtherLumen(const CecalRegion & region, const std::vector<unsigned char> & lumen, std::size_t voxel)
 {
   bool touches = false;
   ForEachNeighbor(region.Grid(), voxel, [&](std::size_t neighbor) {
-    touches = touches || (region.IsLumen(neighbor) && narrow[neighbor] == 0);
+    touches = touches || (region.IsLumen(neighbor) && lumen[neighbor] == 0);
   });
   return touches;
 }
@@ -63,7 +92,7 @@ TouchesWideLumen(const CecalRegion & region, const std::vector<unsigned char> & 
 /** Moves the connected part around a voxel from `free` to a branch. */
 Branch
 GrowBranch(const CecalRegion &                region,
-           const std::vector<unsigned char> & narrow,
+           const std::vector<unsigned char> & lumen,
            std::size_t                        seed,
            std::vector<unsigned char> &       free)
 {
@@ -73,7 +102,7 @@ GrowBranch(const CecalRegion &                region,
   for (std::size_t next = 0; next < branch.voxels.size(); ++next)
   {
     const std::size_t voxel = branch.voxels[next];
-    if (TouchesWideLumen(region, narrow, voxel))
+    if (TouchesOtherLumen(region, lumen, voxel))
     {
       branch.mouth.push_back(voxel);
     }
@@ -88,11 +117,24 @@ GrowBranch(const CecalRegion &                region,
   return branch;
 }
 
-/** Straight distance from the mouth to the farthest voxel, mm. */
-double
-LengthOf(const CecalRegion & region, const Branch & branch, const Eigen::Vector3d & mouth)
+/** Center of the opening. */
+Eigen::Vector3d
+MiddleOfMouth(const CecalRegion & region, const Branch & branch)
 {
-  double farthest = 0.0;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const std::size_t voxel : branch.mouth)
+  {
+    middle += region.PointOf(voxel) / static_cast<double>(branch.mouth.size());
+  }
+  return middle;
+}
+
+/** Straight distance from the center of the mouth to the farthest voxel, mm. */
+double
+LengthOf(const CecalRegion & region, const Branch & branch)
+{
+  const Eigen::Vector3d mouth = MiddleOfMouth(region, branch);
+  double                farthest = 0.0;
   for (const std::size_t voxel : branch.voxels)
   {
     farthest = std::max(farthest, (region.PointOf(voxel) - mouth).norm());
@@ -144,52 +186,73 @@ MaskOf(const CecalRegion & region, const Branch & branch, const LumenMask * labe
   return mask;
 }
 
-/** Whether the branch is connected to the wide lumen only at the valve; sets `middle` to the center of the opening. */
+/** Whether the branch is connected to other lumen only at the valve. */
 bool
-LeavesAtValve(const CecalRegion & region, const Branch & branch, const IleocecalValve & valve, Eigen::Vector3d & middle)
+LeavesAtValve(const CecalRegion & region, const Branch & branch, const IleocecalValve & valve)
 {
-  middle.setZero();
-  for (const std::size_t voxel : branch.mouth)
-  {
-    if ((region.PointOf(voxel) - valve.position).norm() > fromValve)
-    {
-      return false;
-    }
-    middle += region.PointOf(voxel) / static_cast<double>(branch.mouth.size());
-  }
-  return !branch.mouth.empty();
+  return !branch.mouth.empty() && std::all_of(branch.mouth.begin(), branch.mouth.end(), [&](std::size_t voxel) {
+    return (region.PointOf(voxel) - valve.position).norm() <= fromValve;
+  });
 }
-} // namespace
 
-std::optional<TerminalIleum>
-FindTerminalIleum(const LumenMask * labels, const CurveSet & centerline, const IleocecalValve & valve)
+/** The longest part of some lumen that is connected to the rest only at the valve and does not contain the line. */
+std::optional<Branch>
+LongestBranch(const CecalRegion &                region,
+              const std::vector<unsigned char> & lumen,
+              const CurveSet &                   centerline,
+              const IleocecalValve &             valve)
 {
-  const CecalRegion                region(labels, nullptr, centerline, margin);
-  const std::vector<unsigned char> narrow = NarrowLumen(region);
-  std::vector<unsigned char>       free = narrow;
-  std::optional<TerminalIleum>     longest;
+  std::vector<unsigned char> free = lumen;
+  std::optional<Branch>      longest;
   for (std::size_t seed = 0; seed < free.size(); ++seed)
   {
     if (free[seed] == 0)
     {
       continue;
     }
-    const Branch    branch = GrowBranch(region, narrow, seed, free);
-    Eigen::Vector3d mouth;
-    if (!LeavesAtValve(region, branch, valve, mouth) || HoldsLine(region, branch, centerline))
+    Branch branch = GrowBranch(region, lumen, seed, free);
+    if (LeavesAtValve(region, branch, valve) && !HoldsLine(region, branch, centerline))
     {
-      continue;
-    }
-    const double length = LengthOf(region, branch, mouth);
-    if (length >= leastLength && (!longest || length > longest->length))
-    {
-      const double cube = CecalRegion::Step * CecalRegion::Step * CecalRegion::Step;
-      longest = TerminalIleum{
-        MaskOf(region, branch, labels), mouth, length, 1e-3 * cube * static_cast<double>(branch.voxels.size())
-      };
+      branch.length = LengthOf(region, branch);
+      if (branch.length >= (longest ? longest->length : leastLength))
+      {
+        longest = std::move(branch);
+      }
     }
   }
   return longest;
+}
+
+/** The longest branch behind the slit of an open valve, unless it is too wide for an ileum. */
+std::optional<Branch>
+BranchBehindSlit(const CecalRegion & region, const CurveSet & centerline, const IleocecalValve & valve)
+{
+  const auto branch = LongestBranch(region, LumenWithoutSlit(region, valve), centerline, valve);
+  const auto toWall = ToWall(region, distendedRadius + CecalRegion::Step);
+  const auto isWide = [&](std::size_t voxel) { return toWall[voxel] > distendedRadius * distendedRadius; };
+  return branch && std::none_of(branch->voxels.begin(), branch->voxels.end(), isWide) ? branch : std::nullopt;
+}
+} // namespace
+
+std::optional<TerminalIleum>
+FindTerminalIleum(const LumenMask * labels, const CurveSet & centerline, const IleocecalValve & valve)
+{
+  const CecalRegion     region(labels, nullptr, centerline, margin);
+  std::optional<Branch> branch =
+    LongestBranch(region, NarrowLumen(region, ilealRadius, leftWithColon), centerline, valve);
+  if (!branch)
+  {
+    branch = BranchBehindSlit(region, centerline, valve);
+  }
+  if (!branch)
+  {
+    return std::nullopt;
+  }
+  const double cube = CecalRegion::Step * CecalRegion::Step * CecalRegion::Step;
+  return TerminalIleum{ MaskOf(region, *branch, labels),
+                        MiddleOfMouth(region, *branch),
+                        branch->length,
+                        1e-3 * cube * static_cast<double>(branch->voxels.size()) };
 }
 
 template <typename TImage>

@@ -283,7 +283,9 @@ TEST(ColonWall, MakesTheDiscSmallerWhereItIsNone)
   // mm.
   const Points axis = Line({ 0, 0, 0 }, { 0, 0, 20 });
   const auto   closed = shapeton::ExtractWall(Occupancy(Tube({ axis.front(), axis.back() }, 5), BoxOf(axis, 5)));
-  const auto   open = shapeton::OpenColonEnds(closed, Centerline(axis));
+  shapeton::OpenEndsOptions options;
+  options.radius = 20.0;
+  const auto open = shapeton::OpenColonEnds(closed, Centerline(axis), options);
   EXPECT_EQ(20.0, open.rectumRadius);
   EXPECT_GT(20.0, open.cecumRadius);
   ExpectOpenEnds(open.mesh, 0);
@@ -292,7 +294,7 @@ TEST(ColonWall, MakesTheDiscSmallerWhereItIsNone)
   const auto  handle = shapeton::ExtractWall(
     Occupancy(Union(lumen, Torus({ 6, 0, -4 }, 5, 1.5)), BoxOf({ { 0, 0, 0 }, { 0, 0, 50 } }, 14), {}, 1.0));
   const int  genus = shapeton::SurfaceConnectivity(handle).Components().front().genus.value();
-  const auto cut = shapeton::OpenColonEnds(handle, Centerline(Line({ 0, 0, 0 }, { 0, 0, 50 })));
+  const auto cut = shapeton::OpenColonEnds(handle, Centerline(Line({ 0, 0, 0 }, { 0, 0, 50 })), options);
   EXPECT_LT(0, genus);
   ExpectOpenEnds(cut.mesh, genus);
 }
@@ -471,6 +473,7 @@ TEST(ColonWall, TheChainOnAMask)
 {
   shapeton::ColonWallSettings options;
   options.faces = 3000;
+  options.ends.radius = 20.0; // without the poles, where the stairs of a mask are wide
   const auto wall =
     shapeton::BuildColonWallFromMask(MaskOf(TubeOccupancy(ObliqueGrid(true)), 2), Centerline(TubeAxis), options);
   const Depth tube = Tube({ TubeAxis.front(), TubeAxis.back() }, TubeRadius);

@@ -144,25 +144,50 @@ LineThroughValve(double lengthOfColon, double radiusOfSlit)
   return line;
 }
 
-TEST(IleumBehindValve, IsCutOffWhereTheLinePassesTheValve)
+/** An open valve of two lips, and an ileum to the border of the image behind the slit. \param ml volume of the ileum.
+ */
+cecalscene::Images
+OpenValve(double radiusOfSlit, double radiusOfIleum, double & ml)
 {
   cecalscene::Scene scene;
   scene.hasTwoLips = true;
   const auto images = cecalscene::Draw(scene);
-  // The ileum begins at the slit.
-  std::size_t voxels = 0;
+  ml = 0.0;
   basetest::ForVoxels(images.lumen, [&](const auto & index, const auto & point) {
     const double fromAxis = std::hypot(point[1], point[2] - cecalscene::valveBase.z());
-    const bool   isIleum = point[0] >= cecalscene::radius && fromAxis < 7.0;
-    const bool   isSlit = point[0] > 0.0 && point[0] < cecalscene::radius && fromAxis < 1.6;
-    voxels += isIleum ? 1 : 0;
+    const bool   isIleum = point[0] >= cecalscene::radius && fromAxis < radiusOfIleum;
+    const bool   isSlit = point[0] > 0.0 && point[0] < cecalscene::radius && fromAxis < radiusOfSlit;
+    ml += isIleum ? 1e-3 * 1.5 * 1.5 * 1.5 : 0.0;
     images.lumen->SetPixel(index, isIleum || isSlit ? 1 : images.lumen->GetPixel(index));
   });
+  return images;
+}
+
+TEST(TerminalIleum, MayBeWideBehindASlit)
+{
+  cecalscene::Scene scene;
+  scene.hasTwoLips = true;
+  const auto find = [&](double radiusOfSlit, double radiusOfIleum, double & ml) {
+    return Find(scene, OpenValve(radiusOfSlit, radiusOfIleum, ml));
+  };
+  double     ml = 0.0;
+  const auto ileum = find(1.6, 12.0, ml);
+  ASSERT_TRUE(ileum);
+  EXPECT_NEAR(ileum->volume, ml, 0.05 * ml);
+  EXPECT_LT((ileum->mouth - cecalscene::valveBase).norm(), 10.0);
+  EXPECT_FALSE(find(1.6, 17.0, ml)) << "wider than an ileum";
+  EXPECT_FALSE(find(6.0, 12.0, ml)) << "no slit";
+}
+
+TEST(IleumBehindValve, IsCutOffWhereTheLinePassesTheValve)
+{
+  double     ml = 0.0;
+  const auto images = OpenValve(1.6, 7.0, ml);
   const auto ileum = shapeton::FindIleumBehindValve(images.lumen, images.ct, LineThroughValve(700.0, 2.0));
   ASSERT_TRUE(ileum);
   EXPECT_NEAR(ileum->length, 160.0, 3.0); // with the slit between the lips
   EXPECT_LT((ileum->mouth - cecalscene::valveBase).norm(), 15.0);
-  EXPECT_NEAR(ileum->volume, 1e-3 * 1.5 * 1.5 * 1.5 * static_cast<double>(voxels), 1.0);
+  EXPECT_NEAR(ileum->volume, ml, 1.0);
   EXPECT_FALSE(shapeton::FindIleumBehindValve(images.lumen, images.ct, LineThroughValve(700.0, 5.0))) << "no slit";
   EXPECT_FALSE(shapeton::FindIleumBehindValve(images.lumen, images.ct, LineThroughValve(500.0, 2.0))) << "no colon";
   const auto plain = cecalscene::Draw({ false });

@@ -107,6 +107,8 @@ struct PolypLesion
   int second{ 0 };
   /** The larger of their stated sizes, mm; see StatedSize(). */
   double size{ 0.0 };
+  /** The larger of their scores. */
+  double score{ 0.0 };
   /** Whether only one of its two candidates is listed as a possible polyp. */
   bool isDisputed{ false };
 };
@@ -124,9 +126,10 @@ AreSameLesion(const PolypCandidate & first, const PolypCandidate & second);
 ShapetonPolypCandidates_EXPORT std::vector<PolypLesion>
 LesionsOfPositions(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second);
 
-/** "If confirmed: 2 of 10 mm and more, 0 of 6 to 9 mm": counts the lesions of two positions, or the possible polyps of
- * one position, by PolypLesion::size. Disputed lesions are not counted. The C-RADS category (Zalis et al., Radiology
- * 2005) is the reader's decision. \ingroup ShapetonPolypCandidates */
+/** "If confirmed: 2 of 10 mm and more (1 likely), 0 of 6 to 9 mm (0 likely)": counts the lesions of two positions, or
+ * the possible polyps of one position, by PolypLesion::size; likely are those with a score of at least .5. Disputed
+ * lesions are not counted. The C-RADS category (Zalis et al., Radiology 2005) is the reader's decision. \ingroup
+ * ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
 SizesIfConfirmed(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second = {});
 

@@ -362,6 +362,7 @@ LesionsOfPositions(const std::vector<PolypCandidate> & first, const std::vector<
     lesion.first = one ? one->number : 0;
     lesion.second = other ? other->number : 0;
     lesion.size = StatedSize(std::max(one ? one->diameter : 0.0, other ? other->diameter : 0.0));
+    lesion.score = std::max(one ? one->score : 0.0, other ? other->score : 0.0);
     lesion.isDisputed = one && other && IsListedAsPolyp(*one) != IsListedAsPolyp(*other);
     lesions.push_back(lesion);
   };
@@ -391,13 +392,19 @@ LesionsOfPositions(const std::vector<PolypCandidate> & first, const std::vector<
 std::string
 SizesIfConfirmed(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second)
 {
-  int large = 0, medium = 0;
+  constexpr double   likely = 0.5; // score
+  std::array<int, 4> all{}, probable{};
   for (const PolypLesion & lesion : LesionsOfPositions(first, second))
   {
-    const PolypSize size = SizeOf(lesion.size);
-    medium += !lesion.isDisputed && size == PolypSize::From6To9 ? 1 : 0;
-    large += !lesion.isDisputed && size >= PolypSize::From10 ? 1 : 0;
+    const auto size = static_cast<std::size_t>(std::min(SizeOf(lesion.size), PolypSize::From10));
+    all[size] += lesion.isDisputed ? 0 : 1;
+    probable[size] += !lesion.isDisputed && lesion.score >= likely ? 1 : 0;
   }
-  return "If confirmed: " + std::to_string(large) + " of 10 mm and more, " + std::to_string(medium) + " of 6 to 9 mm";
+  const auto number = [&](PolypSize size, const std::string & range) {
+    const auto i = static_cast<std::size_t>(size);
+    return std::to_string(all[i]) + range + " (" + std::to_string(probable[i]) + " likely)";
+  };
+  return "If confirmed: " + number(PolypSize::From10, " of 10 mm and more") + ", " +
+         number(PolypSize::From6To9, " of 6 to 9 mm");
 }
 } // namespace shapeton

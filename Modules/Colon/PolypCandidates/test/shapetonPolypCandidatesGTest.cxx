@@ -630,9 +630,12 @@ TEST(PolypCandidates, SizesIfConfirmedLeaveOutWhatIsNamed)
   PolypCandidate medium, large;
   medium.diameter = 7.0;
   large.diameter = 12.0;
+  large.score = 0.5;
+  medium.score = 0.49;
   const auto confirmed = [](int ofLarge, int ofMedium) {
-    return "If confirmed: " + std::to_string(ofLarge) + " of 10 mm and more, " + std::to_string(ofMedium) +
-           " of 6 to 9 mm";
+    const std::string large = std::to_string(ofLarge), medium = std::to_string(ofMedium);
+    return "If confirmed: " + large + " of 10 mm and more (" + large + " likely), " + medium +
+           " of 6 to 9 mm (0 likely)";
   };
   EXPECT_EQ(shapeton::SizesIfConfirmed({}), confirmed(0, 0));
   medium.number = 1;
@@ -667,7 +670,12 @@ TEST(PolypCandidates, LesionsOfTwoPositionsCountOnce)
     lesions += one.letter + std::to_string(one.first) + std::to_string(one.second) + (one.isDisputed ? "? " : " ");
   }
   EXPECT_EQ(lesions, "A12 B20 C30 D01 E43? ");
-  EXPECT_EQ(shapeton::SizesIfConfirmed(first, second), "If confirmed: 2 of 10 mm and more, 2 of 6 to 9 mm");
+  EXPECT_EQ(shapeton::SizesIfConfirmed(first, second),
+            "If confirmed: 2 of 10 mm and more (0 likely), 2 of 6 to 9 mm (0 likely)");
+  second[0].score = 0.6; // of D, smaller than 10 mm
+  second[1].score = 0.7; // of A
+  EXPECT_EQ(shapeton::SizesIfConfirmed(first, second),
+            "If confirmed: 2 of 10 mm and more (1 likely), 2 of 6 to 9 mm (1 likely)");
   EXPECT_EQ(shapeton::LesionsOfPositions(std::vector<PolypCandidate>(28), {}).back().letter, "AB");
 }
 

@@ -241,6 +241,13 @@ AddLandmarks(HtmlReport & html, const ColonoscopyResults & results)
     return;
   }
   html.AddTable(FlexureTable(results).WithoutEmptyColumns(), "Flexures; confidence from 0 to 1");
+  const Json valve = results.quality.value("/ileocecalValve/position"_json_pointer, Json());
+  if (results.IsDone(colonoscopystage::viewer) && valve.is_array())
+  {
+    const auto place = valve.get<std::array<double, 3>>();
+    html.AddLink(viewerPage + AnchorOfPlace({ place[0], place[1], place[2] }),
+                 "Show the ileocecal valve in the viewer");
+  }
 }
 
 void

@@ -48,6 +48,7 @@ export class Exam {
     await pause();
     this.normals = vertexNormals(this.points, this.faces, (i) => this.source[i]);
     for (const c of info.candidates) this.placeCandidate(c);
+    this.valve = info.valve ? { xyz: info.valve, uv: this.fromXyz(info.valve, false).uv } : null;
     this.colors = new Uint8Array((4 * this.points.length) / 3);
     if (painter.gl) this.mesh = painter.mesh(this.points, this.normals, this.colors, this.faces);
     return this;

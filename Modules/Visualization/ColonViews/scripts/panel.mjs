@@ -189,8 +189,12 @@ export class Panel {
     g.fillStyle = '#7cfc00';
     for (const p of ends) if (p) g.fillRect(p[0] - 3, p[1] - 3, 6, 6);
     if (ends.length < 2 || !ends[0] || !ends[1]) return;
+    const [x, y] = ends[0][0] > ends[1][0] ? ends[0] : ends[1]; // numbers of candidates are above their middles
     g.font = '13px sans-serif';
-    g.fillText(text, (ends[0][0] + ends[1][0]) / 2 + 6, (ends[0][1] + ends[1][1]) / 2 - 6);
+    g.lineWidth = 3;
+    g.strokeStyle = '#000c';
+    g.strokeText(text, x + 6, y + 16);
+    g.fillText(text, x + 6, y + 16);
   }
 
   describe() {

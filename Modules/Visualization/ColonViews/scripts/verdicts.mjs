@@ -5,6 +5,7 @@ const VERDICTS = ['unread', 'polyp', 'not a polyp', 'unsure'], ACCEPTED = 'polyp
 const MORPHOLOGIES = ['', 'flat', 'sessile', 'pedunculated'];
 const VERSIONS = [1, 2];
 const AT_LESION = 40; // mm; the ends of a caliper are not farther from the center of a lesion
+const AT_VALVE = 6;   // mm; the valve is marked on slices up to this distance
 const SAME = 6;       // mm from the surface of a candidate; a finding nearer than this may be the same lesion
 
 const wordOf = (words, word) => (words.includes(word) ? word : words[0]);
@@ -38,8 +39,11 @@ export class Verdicts {
     this.list();
   }
 
-  // What the reader sees: a second reader asks for the candidates.
-  get all() { return [...(this.isRevealed ? this.entries : []), ...this.findings]; }
+  // What the reader sees, in the order of the list: a second reader asks for the candidates.
+  get all() {
+    const entries = this.isRevealed ? this.entries : [], isPolyp = (e) => !isOther(e);
+    return [...entries.filter(isPolyp), ...this.findings, ...entries.filter(isOther)];
+  }
 
   changed() {
     this.isSaved = false;
@@ -68,7 +72,11 @@ export class Verdicts {
     return shown.map((e) => ({ ends: e.caliper, text: `${(e.candidate ? e.size : e.diameter).toFixed(1)} mm` }));
   }
 
-  marks(position) { return this.all.filter((e) => e.position === position).map((e) => this.markOf(e)); }
+  // The valve is marked, too, if it is known.
+  marks(position) {
+    const { valve } = this.exams[position], marks = this.all.filter((e) => e.position === position).map((e) => this.markOf(e));
+    return valve ? [...marks, { text: 'valve', ...valve, depth: AT_VALVE, chosen: false }] : marks;
+  }
 
   // Selects the next or previous entry.
   step(by) {
@@ -90,11 +98,8 @@ export class Verdicts {
 
   itemOf(entry) { return [...this.root.children].find((item) => item.dataset.id === entry.id); }
 
-  // Changes the chosen entry to its next verdict.
-  nextVerdict() {
-    if (!this.chosen?.candidate) return;
-    this.setVerdict(this.chosen, VERDICTS[(VERDICTS.indexOf(this.chosen.verdict) + 1) % VERDICTS.length]);
-  }
+  // Gives the chosen candidate a verdict.
+  give(verdict) { if (this.chosen?.candidate) this.setVerdict(this.chosen, verdict); }
 
   // One verdict for the candidates of a lesion in both positions.
   setVerdict(entry, verdict) {
@@ -162,8 +167,8 @@ export class Verdicts {
     const part = (title, all, remark = '') => (all.length ? [this.heading(title, remark), ...all.map((e) => this.item(e))] : []);
     this.root.replaceChildren(
       ...(this.isRevealed ? part(`Candidates, ${order}`, polyps, 'Scores are calibrated on synthetic patients.') : []),
-      ...(this.isRevealed ? part('Recognized as something else, or parts of another candidate', others) : []),
       ...part('Reader findings', this.findings),
+      ...(this.isRevealed ? part('Recognized as something else, or parts of another candidate', others) : []),
     );
     this.markChosen();
   }

@@ -151,7 +151,7 @@ class Viewer {
   nextPanel() { this.current = (this.current + 1) % this.panels.length; this.notify(); }
   turnOutside(yaw) { this.panel.outside.turn(yaw, 0); }
   stepEntry(by) { this.verdicts.step(by); }
-  nextVerdict() { this.verdicts.nextVerdict(); }
+  giveVerdict(verdict) { this.verdicts.give(verdict); }
   writeNote() { this.verdicts.write('note'); }
   writeSize() { this.verdicts.write('size'); }
   addFinding() { this.verdicts.addFinding(this.current, this.panel.place); }

@@ -4,6 +4,7 @@
 #include "shapetonFileBytes.h"
 #include "shapetonHtmlReport.h"
 #include "shapetonPolypSearch.h"
+#include "shapetonRegistrationFolder.h"
 #include "shapetonReaderVerdicts.h"
 #include "shapetonScriptPage.h"
 #include "shapetonViewerPosition.h"
@@ -136,6 +137,20 @@ NameLesions(const ColonExamination & exam, Json & positions)
   }
 }
 
+/** The valve decided from both positions, if they were registered. */
+void
+PlaceValves(const std::string & registration, Json & positions)
+{
+  for (std::size_t k = 0; k < positions.size(); ++k)
+  {
+    if (const auto search = ValveOfRegistration(registration, static_cast<int>(k)); search && search->valve)
+    {
+      const Eigen::Vector3d & place = search->valve->position;
+      positions[k]["valve"] = { place.x(), place.y(), place.z() };
+    }
+  }
+}
+
 /** Adds both maps; false if there are none. */
 bool
 PutMaps(PageBlocks & blocks, const std::vector<ExaminationFolder> & positions, const std::string & registration)
@@ -176,7 +191,12 @@ WriteColonViewer(const std::string &        folderOfExam,
   info["isSecondReader"] = options.isSecondReader;
   info["warnings"] = WarningsForPage(options.warnings);
   info["stated"] = StatedBy(options.second.empty() ? exam.GetPositions() : std::vector<ExaminationFolder>(), positions);
-  info["hasMap"] = PutMaps(blocks, exam.GetPositions(), RegistrationOf(exam.GetPositions().front(), options));
+  const std::string registration = RegistrationOf(exam.GetPositions().front(), options);
+  info["hasMap"] = PutMaps(blocks, exam.GetPositions(), registration);
+  if (info["hasMap"].get<bool>())
+  {
+    PlaceValves(registration, positions);
+  }
   if (!options.verdicts.empty())
   {
     const ReaderVerdicts verdicts = ReadReaderVerdicts(options.verdicts, exam);

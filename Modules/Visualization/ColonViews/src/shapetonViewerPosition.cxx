@@ -361,6 +361,7 @@ PutViewerPosition(PageBlocks &               blocks,
   info["seriesUID"] = SeriesOfQuality(quality);
   info["patient"] = PatientOf(exam, quality);
   info["gravity"] = IsPositionKnown(quality) ? quality.value("/lumen/gravity"_json_pointer, Json()) : Json();
+  info["valve"] = quality.value("/ileocecalValve/position"_json_pointer, Json());
   PutCenterline(blocks, prefix, exam);
   const auto         lumen = exam.ReadLumen();
   const ViewerVolume volume = ReadViewerVolume(exam, *lumen, missing);
