@@ -131,8 +131,17 @@ InnerPointsOf(const SurfaceMesh &                                               
   return points;
 }
 
-constexpr double blur = 1.2; // mm: half a voxel and the blur of a scan
-constexpr long   fewest = 5; // samples that are enough for a median
+constexpr long fewest = 5; // samples that are enough for a median
+
+/** Distance (mm) from the lumen up to which it affects a value: half a voxel of 0.8 mm and the blur of a scan, or a voxel
+ * if that is larger. */
+double
+ReachOfLumen(const itk::Image<float, 3> * ct)
+{
+  constexpr double blur = 1.2; // mm
+  const auto       spacing = ct->GetSpacing();
+  return std::max({ blur, spacing[0], spacing[1], spacing[2] });
+}
 
 /** Number of samples at least this far from the lumen. */
 long
@@ -175,22 +184,22 @@ MeanOf(const std::vector<double> & values)
 /** Sorted HU inside a head where the lumen does not affect them, and below the film of contrast medium, if there is
  * one. */
 std::vector<double>
-ValuesInside(const std::vector<InnerPoint> & points)
+ValuesInside(const std::vector<InnerPoint> & points, double reach)
 {
-  constexpr double          filmDepth = 1.8; // mm: 1 mm of contrast and its blur
-  const std::vector<double> inside = ValuesAwayFromLumen(points, blur);
+  constexpr double          film = 0.6; // mm of contrast
+  const std::vector<double> inside = ValuesAwayFromLumen(points, reach);
   if (TissueOf(Quantile(inside, 0.5)) != PolypTissue::Tagged)
   {
     return inside;
   }
-  const std::vector<double> core = ValuesAwayFromLumen(points, filmDepth);
+  const std::vector<double> core = ValuesAwayFromLumen(points, reach + film);
   return TissueOf(Quantile(core, 0.5)) == PolypTissue::Soft ? core : inside;
 }
 
 void
-MeasureAttenuation(const std::vector<InnerPoint> & points, PolypCandidate & candidate)
+MeasureAttenuation(const std::vector<InnerPoint> & points, double reach, PolypCandidate & candidate)
 {
-  const std::vector<double> values = ValuesInside(points);
+  const std::vector<double> values = ValuesInside(points, reach);
   constexpr double          low = 0.05, high = 0.95; // quantiles of the report
   constexpr double          leastOfFat = -200.0;     // HU: fat of -100 HU and twice a noise of 50 HU
   candidate.attenuation = Quantile(values, 0.5);
@@ -201,7 +210,7 @@ MeasureAttenuation(const std::vector<InnerPoint> & points, PolypCandidate & cand
   candidate.lookalike = candidate.tissue == PolypTissue::Gas      ? PolypLookalike::Gas
                         : candidate.tissue == PolypTissue::Tagged ? PolypLookalike::Tagged
                                                                   : PolypLookalike::None;
-  if (candidate.lookalike == PolypLookalike::None && NumberAway(points, blur) < fewest)
+  if (candidate.lookalike == PolypLookalike::None && NumberAway(points, reach) < fewest)
   {
     candidate.tissue = PolypTissue::Unknown; // a mixture with gas or fluid
   }
@@ -331,9 +340,10 @@ MeasureContent(const SurfaceMesh &           wall,
   const auto interpolator = itk::LinearInterpolateImageFunction<itk::Image<float, 3>, double>::New();
   interpolator->SetInputImage(ct);
   const LumenAt lumenAt(lumen);
+  const double  reach = ReachOfLumen(ct);
   for (PolypCandidate & candidate : candidates)
   {
-    MeasureAttenuation(InnerPointsOf(wall, candidate, *interpolator, lumenAt), candidate);
+    MeasureAttenuation(InnerPointsOf(wall, candidate, *interpolator, lumenAt), reach, candidate);
     candidate.submergedShare = SubmergedShare(wall, candidate, lumenAt);
     candidate.filmShare = FilmShare(wall, candidate, *interpolator, lumenAt);
     candidate.remark = RemarkOn(candidate);
@@ -354,7 +364,8 @@ NoteResidue(const SurfaceMesh &           wall,
   const LumenAt lumenAt(lumen);
   for (PolypCandidate & candidate : candidates)
   {
-    const std::vector<double> before = ValuesInside(InnerPointsOf(wall, candidate, *interpolator, lumenAt));
+    const std::vector<double> before =
+      ValuesInside(InnerPointsOf(wall, candidate, *interpolator, lumenAt), ReachOfLumen(original));
     candidate.uncleansedAttenuation = MeanOf(before);
     const bool isResidue = Quantile(before, 0.5) >= leastOfFluid || IsWafer(candidate);
     if (candidate.lookalike == PolypLookalike::None && isResidue)

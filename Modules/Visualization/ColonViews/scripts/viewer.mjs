@@ -43,7 +43,7 @@ const PAGE = `
 <aside>
   <div id="notices" role="alert"></div>
   <p><button id="save">Save verdicts</button> <button id="open">Open</button><input type="file" id="file" accept=".json" hidden>
-  <span id="unsaved"></span></p>
+  <span id="unsaved"></span><br><small>ColonViewer --verdicts verdicts.json writes the reader's report.</small></p>
   <div id="notes"></div>
   <div id="assessment"></div>
   <ol id="entries"></ol>
