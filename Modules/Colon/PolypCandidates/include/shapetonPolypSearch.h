@@ -128,8 +128,8 @@ LesionsOfPositions(const std::vector<PolypCandidate> & first, const std::vector<
 
 /** "If confirmed: 2 of 10 mm and more (1 likely), 0 of 6 to 9 mm (0 likely)": counts the lesions of two positions, or
  * the possible polyps of one position, by PolypLesion::size; likely are those with a score of at least .5. Disputed
- * lesions are not counted. The C-RADS category (Zalis et al., Radiology 2005) is the reader's decision. \ingroup
- * ShapetonPolypCandidates */
+ * lesions are not counted. The C-RADS category (Zalis et al., Radiology 2005) is the reader's decision.
+ * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
 SizesIfConfirmed(const std::vector<PolypCandidate> & first, const std::vector<PolypCandidate> & second = {});
 

@@ -133,8 +133,8 @@ InnerPointsOf(const SurfaceMesh &                                               
 
 constexpr long fewest = 5; // samples that are enough for a median
 
-/** Distance (mm) from the lumen up to which it affects a value: half a voxel of 0.8 mm and the blur of a scan, or a voxel
- * if that is larger. */
+/** Distance (mm) from the lumen up to which it affects a value: half a voxel of 0.8 mm and the blur of a scan, or a
+ * voxel if that is larger. */
 double
 ReachOfLumen(const itk::Image<float, 3> * ct)
 {
