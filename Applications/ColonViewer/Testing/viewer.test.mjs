@@ -203,12 +203,15 @@ test('each layer changes a view, and hiding it restores the view', async () => {
   const names = await page.evaluate(() => [...document.querySelectorAll('#layers input')].map((e) => e.name));
   const isCleansed = await page.evaluate(() => Boolean(viewer.exams[0].volume.changes));
   await press('n');
+  const flip = (name) => clickOn(`#layers input[name=${name}]`);
   for (const name of names) {
+    if (name === 'centerline') await flip('through');
     const old = await print();
-    await clickOn(`#layers input[name=${name}]`);
+    await flip(name);
     const changed = await print();
-    await clickOn(`#layers input[name=${name}]`);
+    await flip(name);
     assert.equal(await print(), old, name);
+    if (name === 'centerline') await flip('through');
     const isPlain = ['hindered', 'trust', 'coated'].includes(name) || (name === 'seams' && !isCleansed); // not in a good examination
     assert.ok(changed !== old || isPlain, `${name} changes nothing`);
   }
@@ -617,6 +620,11 @@ test('verdicts, assessment, findings and bookmarks are saved, reopened, and reje
     return texts;
   });
   assert.deepEqual(outside.map(([flag]) => flag), [true, false], 'a finding can be outside the colon');
+  await page.evaluate(() => viewer.verdicts.choose(viewer.verdicts.entries[0]));
+  await press('z');
+  await page.key('9');
+  await press('s', CTRL);
+  assert.equal(JSON.parse(await saved()).candidates[0].size, 7.4, 'what is being typed, 7.39, is saved');
   assert.match(outside[0][1], /^F1.* extracolonic · /);
   assert.match(outside[1][1], / cm from the anal verge/);
   const isRefused = await page.evaluate(() => {

@@ -63,10 +63,10 @@ ShapetonColonModel_EXPORT ValveSearch
 FindIleocecalValve(const LumenMask * labels, const itk::Image<float, 3> * ct, const CurveSet & centerline);
 
 /** Decides the valve in two scans of one colon together. Candidates within 20 mm of each other are the same place,
- * and the place takes the greater of their odds. The odds are not multiplied, because both scans show the same shape,
- * and one of them may show it poorly, for example with flattened lips. \param first, second candidates of the scans,
- * see ValveSearch::candidates. \param firstInSecond the places of the first ones in the second scan.
- * \ingroup ShapetonColonModel */
+ * and the place takes a geometric mean of their odds in which the greater one weighs .8. The odds are not multiplied,
+ * because both scans show the same shape, and one of them may show it poorly, for example with flattened lips. \param
+ * first, second candidates of the scans, see ValveSearch::candidates. \param firstInSecond the places of the first ones
+ * in the second scan. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT std::array<ValveSearch, 2>
                           FindValveInBoth(std::vector<IleocecalValve>          first,
                                           std::vector<IleocecalValve>          second,

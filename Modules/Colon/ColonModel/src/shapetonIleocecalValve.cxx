@@ -224,18 +224,20 @@ FindValveInBoth(std::vector<IleocecalValve>          first,
   const std::vector<int> partners = PartnersOf(firstInSecond, second);
   std::vector<double>    ofFirst = OddsOf(first);
   std::vector<double>    ofSecond = OddsOf(second);
+  constexpr double weightOfBetter = 0.8; // chosen: a scan where the lips are flat hardly counts, but decides a tie
   // The odds of all places, each counted once, and of no place.
   double sum = 1.0 + std::accumulate(ofSecond.begin(), ofSecond.end(), 0.0);
   for (std::size_t i = 0; i < first.size(); ++i)
   {
-    if (partners[i] == -1)
+    if (partners[i] != -1)
     {
-      sum += ofFirst[i];
-      continue;
+      double & other = ofSecond[partners[i]];
+      sum -= other;
+      const auto [worse, better] = std::minmax(ofFirst[i], other);
+      const double both = std::pow(better, weightOfBetter) * std::pow(worse, 1.0 - weightOfBetter);
+      ofFirst[i] = other = both;
     }
-    double & other = ofSecond[partners[i]];
-    sum += std::max(0.0, ofFirst[i] - other);
-    ofFirst[i] = other = std::max(ofFirst[i], other);
+    sum += ofFirst[i];
   }
   const auto normalize = [sum](const std::vector<double> & odds, std::vector<IleocecalValve> & candidates) {
     std::transform(

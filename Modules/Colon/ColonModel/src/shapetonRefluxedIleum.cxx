@@ -34,8 +34,10 @@ constexpr double LeastPouchDepth = 21.0;
 constexpr double CecumBegin = 3.0;
 /** Minimum volume (ml) of the part of a cecum beyond the line. The short cecum of a phantom has a volume of 1.4 ml. */
 constexpr double LeastPouchMl = 1.0;
-/** Maximum lengths (mm) of the line from the pouch through the cecum to the valve, and through the valve. */
+/** Lengths (mm) of the line: from the pouch through the cecum to the valve, at most if it turns in the cecum (120 in a
+ * real patient), and through the valve. */
 constexpr double ValveReach = 60.0;
+constexpr double TurningReach = 180.0;
 constexpr double ValveLength = 30.0;
 constexpr double WiderThanIleum = 1.3; // radius of the cecum relative to the median of the ileum
 constexpr double PlaceStep = 5.0;      // mm between tried places
@@ -114,15 +116,19 @@ public:
     return places;
   }
 
-  /** The valve: the narrowest place after the last place near the pouch that is wider than an ileum. A gap in the line
-   * is a closed valve. */
+  /** The valve: the narrowest place after the last place near the pouch that is wider than an ileum, or after those
+   * that follow it without a narrow stretch. A gap in the line is a closed valve. */
   double
   ValveAfter(double arcLength) const
   {
-    const double last = std::min(arcLength + ValveReach, this->End() - LeastIleum);
+    const double end = this->End() - LeastIleum;
+    const double last = std::min(arcLength + ValveReach, end);
+    const double farthest = std::min(arcLength + TurningReach, end);
     const double wide = WiderThanIleum * LowerQuantile(this->Radii(last, this->End()), 0.5);
     Eigen::Index cecum = this->PointAt(arcLength);
-    for (Eigen::Index i = cecum; m_ArcLengths[i] < last; ++i)
+    for (Eigen::Index i = cecum;
+         m_ArcLengths[i] < std::max(last, std::min(m_ArcLengths[cecum] + ValveLength, farthest));
+         ++i)
     {
       cecum = m_Radii[i] >= wide ? i : cecum;
     }

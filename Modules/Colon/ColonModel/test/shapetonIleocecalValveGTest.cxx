@@ -187,11 +187,22 @@ TEST(IleocecalValve, TheScanThatShowsItBetterDecides)
   ASSERT_TRUE(both[0].valve && both[1].valve);
   EXPECT_EQ(both[0].valve->position.z(), 80.0);
   EXPECT_EQ(both[1].valve->position.z(), 85.0);
-  // Odds of 8 for the valve, and of 0.5 / 0.49 for the polyp.
-  EXPECT_NEAR(both[1].valve->confidence, 8.0 / (1.0 + 8.0 + 0.5 / 0.49), 1e-12);
+  // Odds of 8 and 0.01 / 0.49 for the valve, and of 1 and 0.5 / 0.49 for the polyp.
+  const double valve = std::pow(8.0, 0.8) * std::pow(0.01 / 0.49, 0.2), polyp = std::pow(0.5 / 0.49, 0.8);
+  EXPECT_NEAR(both[1].valve->confidence, valve / (1.0 + valve + polyp), 1e-12);
   ASSERT_EQ(both[1].candidates.size(), 2U);
   EXPECT_EQ(both[1].candidates[1].position.z(), 45.0); // stays an alternative
   EXPECT_EQ(both[0].candidates[1].confidence, both[1].candidates[1].confidence);
+}
+
+TEST(IleocecalValve, TheOtherScanDecidesATie)
+{
+  const auto alone = InBoth({ { 80.0, 0.47 }, { 40.0, 0.42 } }, {});
+  EXPECT_FALSE(alone[0].valve);
+  const auto both = InBoth({ { 80.0, 0.47 }, { 40.0, 0.42 } }, { { 80.0, 0.67 }, { 40.0, 0.03 } });
+  ASSERT_TRUE(both[0].valve && both[1].valve);
+  EXPECT_EQ(both[0].valve->position.z(), 80.0);
+  EXPECT_GT(both[0].valve->confidence, 0.55);
 }
 
 TEST(IleocecalValve, TwoPlacesThatDoNotAgreeAreDoubted)

@@ -51,11 +51,13 @@ TEST(TerminalIleum, IsNoHaustrumAndNoColon)
   EXPECT_FALSE(Find(scene, cecalscene::Draw(scene)));
 }
 
-/** A line through the colon to the height of the ileum and then through the ileum to its end, or to the pole if there
- * is no ileum; the radii are those of inscribed balls. */
+/** A line through the colon to the height of the ileum, to and fro in the cecum, and then through the ileum to its end,
+ * or to the pole if there is no ileum; the radii are those of inscribed balls. \param turns 48 mm each. */
 shapeton::CurveSet
-LineThroughIleum(const cecalscene::Scene & scene)
+LineThroughIleum(const cecalscene::Scene & scene, int turns = 0)
 {
+  constexpr double reach = 12.0; // mm
+
   lumenshapes::Points points;
   std::vector<double> radii;
   const double        turn = scene.ileumLength > 0.0 ? 145.0 : cecalscene::end - 5.0;
@@ -63,6 +65,12 @@ LineThroughIleum(const cecalscene::Scene & scene)
   {
     points.emplace_back(scene.turn * Eigen::Vector3d(0.0, 0.0, z));
     radii.push_back(std::min(cecalscene::radius, cecalscene::end - z));
+  }
+  for (int mm = 0; mm < 48 * turns; ++mm)
+  {
+    const double y = std::abs(std::remainder(mm - reach, 4.0 * reach)) - reach; // a triangle wave, from 0
+    points.emplace_back(scene.turn * Eigen::Vector3d(0.0, y, turn));
+    radii.push_back(cecalscene::radius - std::abs(y));
   }
   for (double x = 0.0; x < cecalscene::radius + scene.ileumLength - 2.0; x += 1.0)
   {
@@ -100,6 +108,18 @@ TEST(RefluxedIleum, IsCutOffTheEndOfTheLine)
     });
     EXPECT_EQ(0U, removed) << "voxels of the colon";
   }
+}
+
+TEST(RefluxedIleum, BeginsWhereTheLineLeavesTheCecumAfterTurns)
+{
+  cecalscene::Scene scene;
+  scene.hasValve = false;
+  scene.ileumRadius = 7.0;
+  scene.ileumLength = 90.0;
+  const auto ileum = shapeton::FindRefluxedIleum(cecalscene::Draw(scene).lumen, LineThroughIleum(scene, 4));
+  ASSERT_TRUE(ileum);
+  EXPECT_NEAR(ileum->length, 90.0, 3.0);
+  EXPECT_NEAR(ileum->mouth.x(), cecalscene::radius, 3.0);
 }
 
 TEST(RefluxedIleum, MayBeWideFarFromTheValve)

@@ -122,8 +122,8 @@ struct PolypInOtherPosition
   int candidate{ 0 };
   /** Whether a similar candidate (likeness of at least 0.1) was found. */
   bool isSeen{ false };
-  /** Whether the wall at the point is collapsed, bridged or not imaged in one of the positions, so that no conclusion
-   * is possible. */
+  /** Whether the wall at the point is collapsed, bridged or not imaged in one of the positions, or the confidence of
+   * the map is below .3 there, so that no conclusion is possible. */
   bool isExcluded{ false };
   /** Local confidence of the registration, 0 to 1. */
   double confidence{ 0.0 };

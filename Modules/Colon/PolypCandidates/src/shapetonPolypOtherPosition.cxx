@@ -12,6 +12,7 @@ namespace shapeton
 {
 namespace
 {
+constexpr double leastConfidence = 0.3;  // of the map at a place, 0 to 1; chosen: the viewer dims the place below it
 constexpr double farthestFromMap = 10.0; // mm, mean; chosen: farther candidates are of another colon
 
 const SurfaceArray &
@@ -156,6 +157,7 @@ FindInOtherPosition(const SurfaceMesh &                      map,
       place.confidence += weights[k] * confidence.values(vertex, 0);
       place.isExcluded = place.isExcluded || excluded.values(vertex, 0) != 0.0;
     }
+    place.isExcluded = place.isExcluded || place.confidence < leastConfidence;
     FindMostAlike(candidate, others, place);
     candidate.other = place;
   }
@@ -179,7 +181,10 @@ WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates
     candidate.score = confidence * weighed + (1.0 - confidence) * candidate.score;
     // No remark for a valve or a bubble, or if the registration is unreliable.
     const bool isTold = ofTissue > 0.5 && confidence >= LeastRegistrationConfidence;
-    AddRemark(isTold && !other.isSeen ? "no similar candidate in the other position: most stool moves" : "", candidate);
+    AddRemark(isTold && !other.isSeen
+                ? "no similar candidate in the other position: look at the place there; most stool moves"
+                : "",
+              candidate);
   }
   SortByScore(candidates);
 }

@@ -591,6 +591,10 @@ TEST(PolypCandidates, OtherPositionIsFoundThroughTheMap)
   shapeton::FindInOtherPosition(map, "map", { { 7, there + Vector3d(0.0, 80.0, 0.0), diameter, 1.0 } }, candidates);
   EXPECT_FALSE(candidates.front().other->isSeen);
   EXPECT_EQ(candidates.front().other->candidate, 7); // the nearest, if none is similar
+  map.pointArrays[1].values.setConstant(0.29);
+  shapeton::FindInOtherPosition(map, "map", {}, candidates);
+  EXPECT_TRUE(candidates.front().other->isExcluded);
+  map.pointArrays[1].values.setConstant(0.75);
   map.pointArrays[2].values.setOnes();
   shapeton::FindInOtherPosition(map, "map", { { 1, there, diameter, 1.0 } }, candidates);
   EXPECT_TRUE(candidates.front().other->isExcluded);

@@ -118,9 +118,10 @@ QualityTable(const ColonoscopyQuality & quality)
   };
   if (!quality.either.empty())
   {
-    columns.insert(columns.begin() + 6,
-                   { { "Other position", [](const Segment & one) { return WholePercent(one.otherShare); } },
-                     { "Either position", [](const Segment & one) { return WholePercent(one.eitherShare); } } });
+    columns.insert(
+      columns.begin() + 6,
+      { { "Visible length, other position", [](const Segment & one) { return WholePercent(one.otherShare); } },
+        { "Visible length, either position", [](const Segment & one) { return WholePercent(one.eitherShare); } } });
   }
   return TableOf(quality.segments, columns);
 }

@@ -288,6 +288,10 @@ WriteColonoscopyReport(const ColonoscopyReportContent & content,
                  "Read this examination: virtual dissection, wall in space, endoluminal view and slices with a linked "
                  "crosshair");
   }
+  if (results.isSecond)
+  {
+    html.AddLink("../report.html", "Report of the first position, with the viewer of both");
+  }
   AddFirstPage(html, content);
   if (results.IsDone(colonoscopystage::polyps))
   {

@@ -29,7 +29,7 @@ OtherPosition(const PolypCandidate & candidate)
     return "";
   }
   const PolypInOtherPosition & other = *candidate.other;
-  return other.isExcluded ? "not imaged" : other.isSeen ? "no. " + std::to_string(other.candidate) : "no candidate";
+  return other.isExcluded ? "not comparable" : other.isSeen ? "no. " + std::to_string(other.candidate) : "no candidate";
 }
 
 /** "soft tissue"; "mixed" if parts of the head are something else. */

@@ -7,7 +7,7 @@ export const layerList = [
   ['taeniae', 'taeniae', true],
   ['flexures', 'flexures', true],
   ['segments', 'segments', false],
-  ['centerline', 'centerline', true],
+  ['centerline', 'centerline, if transparent', true],
   ['hindered', 'not evaluable', true],
   ['coated', 'tagged residue', true],
   ['seams', 'seams of cleansing', true],

@@ -161,7 +161,10 @@ class Viewer {
   }
 
   reveal() { this.verdicts.reveal(); this.repaint(); }
-  save() { this.verdicts.save(); }
+  save() {
+    document.activeElement?.blur(); // takes what is being typed
+    this.verdicts.save();
+  }
   openFile() { $('file').click(); }
   toggleHelp() { toggle($('keys')); }
   setWindow(window) { this.panels.forEach((p) => p.setWindow(window)); }
