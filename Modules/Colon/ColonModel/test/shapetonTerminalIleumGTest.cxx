@@ -51,8 +51,8 @@ TEST(TerminalIleum, IsNoHaustrumAndNoColon)
   EXPECT_FALSE(Find(scene, cecalscene::Draw(scene)));
 }
 
-/** A line through the colon to the height of the ileum, to and fro in the cecum, and then through the ileum to its end,
- * or to the pole if there is no ileum; the radii are those of inscribed balls. \param turns 48 mm each. */
+/** A line through the colon to the height of the ileum, back and forth in the cecum, and then through the ileum to its
+ * end, or to the pole if there is no ileum; the radii are those of inscribed balls. \param turns 48 mm each. */
 shapeton::CurveSet
 LineThroughIleum(const cecalscene::Scene & scene, int turns = 0)
 {
