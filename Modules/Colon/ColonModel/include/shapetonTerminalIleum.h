@@ -47,8 +47,8 @@ FindTerminalIleum(const LumenMask * labels, const CurveSet & centerline, const I
 ShapetonColonModel_EXPORT std::optional<TerminalIleum>
                           FindRefluxedIleum(const LumenMask * labels, const CurveSet & centerline);
 
-/** Finds an ileum that contains the end of the line although the cecum is no pouch beside the line: the valve is near
- * the pole. The line passes a place with a radius of at most 4 mm, or a gap, within 15 mm of a valve that
+/** Finds an ileum at the end of the line if the valve is near the pole, so that the cecum forms no pouch beside the
+ * line. The line passes a place with a radius of at most 4 mm, or a gap, within 15 mm of a valve that
  * FindIleocecalValve() finds with a confidence of at least .9 if the line ends there. Behind it, it continues for at
  * least 120 mm, longer than a cecum, and narrow as for FindRefluxedIleum(). Empty if not found; fast if the line does
  * not have a narrow end. \param ct HU, cleansed, or null; the other parameters are as for FindRefluxedIleum().

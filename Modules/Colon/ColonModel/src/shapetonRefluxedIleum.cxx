@@ -1,4 +1,5 @@
 #include "shapetonArcLengthField.h"
+#include "shapetonIlealCaliber.h"
 #include "shapetonMappedImage.h"
 #include "shapetonPaddedVoxels.h"
 #include "shapetonQuantiles.h"
@@ -13,9 +14,8 @@ namespace shapeton
 namespace
 {
 /** Maximum radius (mm) of half of an ileum, which is 10 to 25 mm wide, and of half of its first stretch (length in mm);
- * maximum radius (mm) of a fraction of its length: small bowel of more than 30 mm is dilated. */
+ * fraction of its length that is not wider than DistendedIleum. */
 constexpr double WidestIleum = 12.5;
-constexpr double DilatedIleum = 15.0;
 constexpr double MostOfIleum = 0.75;
 constexpr double FirstStretch = 100.0;
 /** Maximum ratio of the median radius of the ileum to that of the colon; it is 0.53 in one real patient. A spastic
@@ -42,10 +42,9 @@ constexpr double ValveLength = 30.0;
 constexpr double WiderThanIleum = 1.3; // radius of the cecum relative to the median of the ileum
 constexpr double PlaceStep = 5.0;      // mm between tried places
 /** For an ileum behind a valve that is found: minimum length (mm), longer than a cecum, and minimum length (mm) of the
- * colon before it; maximum radius (mm) of the open valve and its distance (mm) from the found one; confidence. */
+ * colon before it; maximum distance (mm) of the narrow place from the valve; minimum confidence. */
 constexpr double LeastIleumAtValve = 120.0;
 constexpr double LeastColon = 600.0;
-constexpr double OpenValve = 4.0;
 constexpr double NearValve = 15.0;
 constexpr double LeastValveConfidence = 0.9;
 
@@ -85,7 +84,7 @@ public:
       return false;
     }
     const double ileum = std::max(LowerQuantile(first, 0.5), LowerQuantile(after, 0.5));
-    return LowerQuantile(after, MostOfIleum) <= DilatedIleum && ileum <= WidestIleum &&
+    return LowerQuantile(after, MostOfIleum) <= DistendedIleum && ileum <= WidestIleum &&
            ileum <= NarrowerThanColon * LowerQuantile(before, 0.5);
   }
 

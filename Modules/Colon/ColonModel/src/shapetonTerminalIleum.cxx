@@ -1,6 +1,7 @@
 #include "shapetonTerminalIleum.h"
 
 #include "shapetonCecalRegion.h"
+#include "shapetonIlealCaliber.h"
 #include "shapetonMappedImage.h"
 #include "shapetonSquaredDistances.h"
 
@@ -23,10 +24,6 @@ constexpr double margin = 110.0;
 constexpr double fromValve = 25.0;
 /** Minimum length, mm; corners of haustra are shallower. */
 constexpr double leastLength = 30.0;
-/** Maximum radius (mm) of an open valve, and maximum inscribed radius (mm) of a distended ileum behind it: small bowel
- * of more than 30 mm is dilated. */
-constexpr double openValve = 4.0;
-constexpr double distendedRadius = 15.0;
 
 /** Squared distances (mm^2) of lumen to the wall, up to `most`. */
 VoxelValues
@@ -62,7 +59,7 @@ std::vector<unsigned char>
 LumenWithoutSlit(const CecalRegion & region, const IleocecalValve & valve)
 {
   constexpr double           reach = fromValve - CecalRegion::Step; // mm; the mouth is beside the slit
-  std::vector<unsigned char> lumen = NarrowLumen(region, openValve, 0.0);
+  std::vector<unsigned char> lumen = NarrowLumen(region, OpenValve, 0.0);
   for (std::size_t voxel = 0; voxel < lumen.size(); ++voxel)
   {
     const bool isSlit = lumen[voxel] != 0 && (region.PointOf(voxel) - valve.position).norm() <= reach;
@@ -227,10 +224,17 @@ LongestBranch(const CecalRegion &                region,
 std::optional<Branch>
 BranchBehindSlit(const CecalRegion & region, const CurveSet & centerline, const IleocecalValve & valve)
 {
-  const auto branch = LongestBranch(region, LumenWithoutSlit(region, valve), centerline, valve);
-  const auto toWall = ToWall(region, distendedRadius + CecalRegion::Step);
-  const auto isWide = [&](std::size_t voxel) { return toWall[voxel] > distendedRadius * distendedRadius; };
-  return branch && std::none_of(branch->voxels.begin(), branch->voxels.end(), isWide) ? branch : std::nullopt;
+  auto branch = LongestBranch(region, LumenWithoutSlit(region, valve), centerline, valve);
+  if (branch)
+  {
+    const auto toWall = ToWall(region, DistendedIleum + CecalRegion::Step);
+    const auto isWide = [&](std::size_t voxel) { return toWall[voxel] > DistendedIleum * DistendedIleum; };
+    if (std::any_of(branch->voxels.begin(), branch->voxels.end(), isWide))
+    {
+      branch.reset();
+    }
+  }
+  return branch;
 }
 } // namespace
 

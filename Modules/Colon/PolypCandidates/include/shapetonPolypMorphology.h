@@ -23,7 +23,7 @@ MeasureMorphology(const SurfaceMesh &                                  wall,
                   std::vector<PolypCandidate> &                        candidates);
 
 /** Sets mainCandidate of candidates whose heads are within 4 mm of the head of a candidate with a higher score: they
- * are fragments of one structure. A candidate that may be a polyp is no fragment of a lookalike. \pre Sorted by
+ * are fragments of one structure. A possible polyp is never a fragment of a lookalike. \pre Sorted by
  * descending score. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
 JoinFragments(const SurfaceMesh & wall, std::vector<PolypCandidate> & candidates);

@@ -4,8 +4,8 @@
 #include "shapetonFileBytes.h"
 #include "shapetonHtmlReport.h"
 #include "shapetonPolypSearch.h"
-#include "shapetonRegistrationFolder.h"
 #include "shapetonReaderVerdicts.h"
+#include "shapetonRegistrationFolder.h"
 #include "shapetonScriptPage.h"
 #include "shapetonViewerPosition.h"
 #include "shapetonWarningKinds.h"
@@ -137,16 +137,17 @@ NameLesions(const ColonExamination & exam, Json & positions)
   }
 }
 
-/** The valve decided from both positions, if they were registered. */
+/** The valve decided from both positions, as in the report: it may be unknown although one position shows a place. */
 void
 PlaceValves(const std::string & registration, Json & positions)
 {
   for (std::size_t k = 0; k < positions.size(); ++k)
   {
-    if (const auto search = ValveOfRegistration(registration, static_cast<int>(k)); search && search->valve)
+    if (const auto search = ValveOfRegistration(registration, static_cast<int>(k)))
     {
-      const Eigen::Vector3d & place = search->valve->position;
-      positions[k]["valve"] = { place.x(), place.y(), place.z() };
+      const auto & valve = search->valve;
+      positions[k]["valve"] =
+        valve ? Json{ valve->position.x(), valve->position.y(), valve->position.z() } : Json(nullptr);
     }
   }
 }
