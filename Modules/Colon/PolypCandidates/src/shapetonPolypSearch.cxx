@@ -111,7 +111,10 @@ SearchPolyps(const PolypColon & colon, const PolypSearchSettings & options)
     RankValveLast(*valve, candidates);
   }
   NoteIleocecalValve(ValveCandidatesOf(colon.centerline), candidates);
-  NoteAnalCanal(colon.centerline, candidates);
+  if (!colon.centerline.curves.empty())
+  {
+    NoteAnalCanal(colon.centerline, candidates);
+  }
   if (TellsHindrances(colon.centerline))
   {
     NoteHindrances(colon.centerline, candidates);
