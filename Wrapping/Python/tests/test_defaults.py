@@ -85,6 +85,7 @@ OPTIONS_ALONE = {
     ("ColonFolds", "publishedHigh"): "scheme \"published\" with fixed values",
     ("ColonFolds", "publishedLow"): "scheme \"published\" with fixed values",
     ("ColonLandmarks", "split"): "split_colon",
+    ("ColonPhantom", "anatomicalTaeniae"): "a parameter of the tool",
     ("ColonPhantom", "center"): "the field of view of the tool",
     ("ColonPhantom", "contents"): "organs of the tool",
     ("ColonPhantom", "direction"): "Image.from_affine",

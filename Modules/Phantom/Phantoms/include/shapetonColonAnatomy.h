@@ -120,7 +120,8 @@ public:
   CurveSet
   Centerline() const;
 
-  /** Three curves on the wall with the point arrays arcLength and materialId, and the cell array taenia. */
+  /** Three curves on the wall with the point arrays arcLength and materialId, and the cell arrays taenia and name: 1
+   * libera, 2 mesocolica, 3 omentalis, or 0 without anatomicalTaeniae. */
   CurveSet
   Taeniae() const;
 

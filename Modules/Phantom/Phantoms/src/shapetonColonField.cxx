@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace shapeton
 {
@@ -52,6 +53,82 @@ EllipsoidDistance(const Vector3d & point, const PolypBody & polyp)
   return { (k - 1.0) / length, slope / length };
 }
 
+// The mesentery holds the colon: angle, about frames without twist, of the direction of the taenia libera in each step;
+// empty where the colon runs along it. In front of descending and ascending colon, below the transverse colon and a
+// little behind (Gray's Anatomy).
+std::vector<std::optional<double>>
+AnglesOfLibera(const ColonCurve & curve, const ColonPlan & plan)
+{
+  constexpr double                   leastSine = 0.3; // of the angle between colon and direction; chosen
+  const Vector3d                     front(0.0, -1.0, 0.0);
+  const Vector3d                     below = Vector3d(0.0, 0.5, -std::sqrt(0.75)); // 30 degrees backward
+  std::vector<std::optional<double>> angles;
+  for (int k = 0; k <= curve.GetNumberOfSteps(); ++k)
+  {
+    constexpr int  descending = 3;
+    constexpr int  transverse = 4;
+    const int      segment = plan.SegmentAt(k * curve.GetStep());
+    const Vector3d tangent = curve.At(k).first.normalized();
+    const Vector3d normal = curve.NormalAt(k, tangent);
+    const Vector3d way = segment == transverse ? below : front;
+    const Vector3d across = way - way.dot(tangent) * tangent;
+    angles.emplace_back();
+    if (segment >= descending && across.norm() > leastSine)
+    {
+      angles.back() = std::atan2(across.dot(tangent.cross(normal)), across.dot(normal));
+    }
+  }
+  return angles;
+}
+
+// Unwrapped and constant beyond the first and last angle, then smoothed.
+std::vector<double>
+ContinuedAngles(const std::vector<std::optional<double>> & angles, double step)
+{
+  constexpr double    reach = 60.0; // mm; chosen: about a flexure
+  std::vector<double> continued;
+  const auto          first = std::find_if(angles.begin(), angles.end(), [](const auto & a) { return a.has_value(); });
+  double              last = first == angles.end() ? 0.0 : **first;
+  for (const std::optional<double> & angle : angles)
+  {
+    last += angle ? WrapAngle(*angle - last) : 0.0;
+    continued.push_back(last);
+  }
+  const int           width = std::max(1, static_cast<int>(reach / step));
+  const int           size = static_cast<int>(continued.size());
+  std::vector<double> smooth;
+  for (int k = 0; k < size; ++k)
+  {
+    double sum = 0.0;
+    for (int i = -width; i <= width; ++i)
+    {
+      sum += continued[std::clamp(k + i, 0, size - 1)];
+    }
+    smooth.push_back(sum / (2 * width + 1));
+  }
+  return smooth;
+}
+
+// Adds the twist that turns taenia 0 to where anatomy has the libera.
+std::vector<double>
+AnatomicalTwist(const ColonPath & path, const ColonPlan & plan, std::vector<double> twist)
+{
+  const ColonCurve          curve(path, std::vector<double>(twist.size(), 0.0));
+  const std::vector<double> angles = ContinuedAngles(AnglesOfLibera(curve, plan), curve.GetStep());
+  for (std::size_t k = 0; k < twist.size(); ++k)
+  {
+    twist[k] += angles[k] - plan.StartOfTaeniae();
+  }
+  return twist;
+}
+
+std::vector<double>
+TwistOf(const ColonPath & path, const ColonPlan & plan, const ColonPhantomParameters & parameters)
+{
+  const std::vector<double> twist = ColonTwist(plan, parameters);
+  return parameters.anatomicalTaeniae ? AnatomicalTwist(path, plan, twist) : twist;
+}
+
 // The ileum fixes the valve: at the valve, the rotation of the right colon in a position is limited to half a radian.
 std::vector<double>
 HeldTwist(const ColonPath & path, const ColonPlan & plan, std::vector<double> twist)
@@ -87,7 +164,7 @@ ColonField::ColonField(const ColonPath &              path,
                        const ColonPlan &              plan,
                        const ColonPhantomParameters & parameters,
                        double                         reach)
-  : m_Curve(path, HeldTwist(path, plan, ColonTwist(plan, parameters)))
+  : m_Curve(path, HeldTwist(path, plan, TwistOf(path, plan, parameters)))
   , m_Relief(plan, parameters, &m_Curve)
   , m_Reach(reach)
   , m_BetweenFolds(KeepsPublishedVoxels(parameters) ? 0.0 : c_BetweenFolds)

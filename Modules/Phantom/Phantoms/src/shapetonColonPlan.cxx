@@ -126,7 +126,7 @@ ColonPlan::ColonPlan(const ColonPath & rest, const ColonPhantomParameters & para
   m_SegmentBegin.push_back(m_Length);
   const int count = static_cast<int>(m_Length / c_TableStep) + 2;
   m_Radius = RestRadius(rest, parameters, count);
-  this->PlanTaeniae(parameters.seed);
+  this->PlanTaeniae(rest, parameters);
   this->PlanFolds(parameters.seed);
   this->PlanValve(rest, parameters);
   this->PlanPolyps(parameters.seed, parameters.polyps);
@@ -201,17 +201,24 @@ ColonPlan::HaustraStrength(double material) const
 }
 
 void
-ColonPlan::PlanTaeniae(unsigned seed)
+ColonPlan::PlanTaeniae(const ColonPath & rest, const ColonPhantomParameters & parameters)
 {
-  ColonRandom       random(seed, ColonStream::Taeniae);
-  const double      start = random.Uniform(-Pi, Pi);
+  ColonRandom random(parameters.seed, ColonStream::Taeniae);
+  m_StartOfTaeniae = random.Uniform(-Pi, Pi);
+  if (parameters.anatomicalTaeniae)
+  {
+    // The valve is medial, a quarter of a turn from the libera.
+    const ColonCurve curve(rest, std::vector<double>(ColonCurve::NumberOfSteps(m_Length) + 1, 0.0));
+    m_StartOfTaeniae = AngleTowards(curve, m_SegmentBegin[5] / curve.GetStep(), Eigen::Vector3d::UnitX()) + 0.5 * Pi;
+  }
   const SmoothNoise drift(random, m_Length, 220.0);
   for (int taenia = 0; taenia < 3; ++taenia)
   {
     const SmoothNoise own(random, m_Length, 80.0);
     for (double m = 0; m < m_Length + 2 * c_TableStep; m += c_TableStep)
     {
-      m_Taenia[taenia].push_back(start + taenia * TwoPi / 3 + c_CommonDrift * drift(m) + c_OwnDrift * own(m));
+      m_Taenia[taenia].push_back(m_StartOfTaeniae + taenia * TwoPi / 3 + c_CommonDrift * drift(m) +
+                                 c_OwnDrift * own(m));
     }
   }
 }

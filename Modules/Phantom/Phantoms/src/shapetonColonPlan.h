@@ -83,6 +83,13 @@ public:
   double
   TaeniaAngle(int taenia, double material) const;
 
+  /** Angle of taenia 0 without drift. */
+  double
+  StartOfTaeniae() const
+  {
+    return m_StartOfTaeniae;
+  }
+
   /** Prominence of the three taeniae coli and the haustra in between, 0 to 1. */
   double
   HaustraStrength(double material) const;
@@ -104,7 +111,7 @@ public:
 
 private:
   void
-  PlanTaeniae(unsigned seed);
+  PlanTaeniae(const ColonPath & rest, const ColonPhantomParameters & parameters);
   void
   PlanFolds(unsigned seed);
   void
@@ -128,6 +135,7 @@ private:
   std::vector<double>                m_SegmentBegin; ///< start of the six segments, then the length
   std::vector<double>                m_Radius;
   std::array<std::vector<double>, 3> m_Taenia; ///< every 2 mm
+  double                             m_StartOfTaeniae{ 0.0 };
 };
 
 /** Places up to `count` diverticula, as space permits, in rows next to the taeniae coli, away from the folds, the

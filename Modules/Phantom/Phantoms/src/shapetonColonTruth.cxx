@@ -211,10 +211,11 @@ ColonAnatomy::Taeniae() const
   const ColonField & field = m_Data->field;
   const ColonCurve & curve = field.GetCurve();
   const MaterialGrid grid(plan);
-  CurveWriter        writer({ "arcLength", "materialId" }, { "taenia" });
+  CurveWriter        writer({ "arcLength", "materialId" }, { "taenia", "name" });
   for (int taenia = 0; taenia < 3; ++taenia)
   {
-    writer.BeginCurve({ 1.0 * taenia });
+    constexpr std::array<double, 3> names{ { 1.0, 3.0, 2.0 } };
+    writer.BeginCurve({ 1.0 * taenia, m_Data->parameters.anatomicalTaeniae ? names[taenia] : 0.0 });
     for (int row = 0; row < grid.Rows(); ++row)
     {
       const double material = MaterialGrid::MaterialOf(row);

@@ -133,6 +133,39 @@ TEST(ColonAnatomy, SegmentsFollowInOrder)
   EXPECT_EQ(shapeton::ColonAnatomy::SegmentName(6), "cecum");
 }
 
+/** In both positions, within torsion and drift; the valve stays medial. */
+TEST(ColonAnatomy, AnatomicalTaeniaeAreWhereTheirNamesSay)
+{
+  for (const char * const position : { "supine", "prone" })
+  {
+    shapeton::ColonPhantomParameters parameters = shapeton::ColonPhantomPreset("realistic");
+    parameters.seed = 3;
+    parameters.position = position;
+    parameters.anatomicalTaeniae = true;
+    const shapeton::ColonAnatomy anatomy(parameters);
+    const shapeton::CurveSet     taeniae = anatomy.Taeniae();
+    const shapeton::CurveSet     line = anatomy.Centerline();
+    const Eigen::VectorXd        segment = PointValues(line, "segment", "the truth");
+    const auto &                 names = FindSurfaceArray(taeniae.cellArrays, "name")->values;
+    ASSERT_EQ(names(0, 0), 1.0);
+    ASSERT_EQ(names(1, 0), 3.0);
+    ASSERT_EQ(names(2, 0), 2.0);
+    std::array<double, 7> front{};
+    std::array<double, 7> below{};
+    for (const int vertex : taeniae.curves[0])
+    {
+      Eigen::Index nearest = 0;
+      (line.V.rowwise() - taeniae.V.row(vertex)).rowwise().squaredNorm().minCoeff(&nearest);
+      const Eigen::Vector3d way = (taeniae.V.row(vertex) - line.V.row(nearest)).transpose();
+      front[static_cast<int>(segment[nearest])] -= way.y();
+      below[static_cast<int>(segment[nearest])] -= way.z();
+    }
+    EXPECT_GT(front[3], 0.0) << position;
+    EXPECT_GT(front[5], 0.0) << position;
+    EXPECT_GT(below[4], 0.0) << position;
+  }
+}
+
 TEST(ColonAnatomy, PairsOfPointsAreTheSameWallOutsideCollapse)
 {
   shapeton::CurveSet a, b;

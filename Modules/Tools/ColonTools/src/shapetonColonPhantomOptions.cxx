@@ -67,6 +67,10 @@ ReadColonPhantomParameters(CommandLine & commandLine)
   auto parameters = ColonPhantomPreset(commandLine.GetString("preset"));
   ColonPatientOptions::VisitOptions(
     parameters, [&](const OptionInfo & info, auto & option) { OverrideOption(commandLine, info, option); });
+  if (!commandLine.IsGiven("anatomicalTaeniae")) // newer than the published series
+  {
+    commandLine.LeaveOutOfProvenance("anatomicalTaeniae");
+  }
   ColonStructureOptions::VisitOptions(parameters, [&](const OptionInfo & info, auto & option) {
     OverrideOption(commandLine, info, option);
     const std::string name = info.GetName();
