@@ -22,6 +22,10 @@ SettingsOf(CommandLine & commandLine)
   {
     settings.markers = ReadTaeniaMarkers(commandLine, "markers");
   }
+  if (commandLine.IsGiven("registration"))
+  {
+    settings.taeniaNumbers = ReadTaeniaNumbers(commandLine, "registration");
+  }
   if (commandLine.IsGiven("volume"))
   {
     commandLine.Progress("Finding the pelvis", 0.0);

@@ -6,6 +6,7 @@
 #include "shapetonHeatDiffusionMetric.h"
 #include "shapetonJson.h"
 #include "shapetonReadOptions.h"
+#include "shapetonSurfaceReader.h"
 #include "shapetonToolSurfaces.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonExceptions.h"
@@ -56,6 +57,15 @@ MapOf(CommandLine & commandLine, const SurfaceMesh & mesh)
   return MapConformally(mesh, options, commandLine.GetString("inputSurface"));
 }
 
+/** Whether the surface was cut open to become this rectangle; repair would join the sides of the cut. */
+bool
+IsCutOpen(const CommandLine & commandLine)
+{
+  return commandLine.GetString("domain") == "rectangle" &&
+         FindSurfaceArray(ReadSurfaceFile(commandLine.GetString("inputSurface")).mesh.fieldArrays, CutCorners) !=
+           nullptr;
+}
+
 void
 Flatten(CommandLine & commandLine)
 {
@@ -67,7 +77,8 @@ Flatten(CommandLine & commandLine)
   SurfaceReadOptions options;
   options.anyExtent = true; // angles have no unit
   options.takesOneComponent = true;
-  const Surface surface = ReadRepairedSurface(commandLine, "inputSurface", options);
+  const Surface surface = IsCutOpen(commandLine) ? ReadSurface(commandLine, "inputSurface")
+                                                 : ReadRepairedSurface(commandLine, "inputSurface", options);
   commandLine.Progress("Mapping", 0.1);
   const ConformalMap map = MapOf(commandLine, surface.mesh);
   commandLine.Warn(map.warnings);

@@ -1,5 +1,6 @@
 #include "RegistrationTrial.h"
 
+#include "Tables.h"
 #include "Times.h"
 
 #include "shapetonColonLandmarks.h"
@@ -36,9 +37,13 @@ TrueFlexures(const LandmarkExam & exam)
 }
 
 void
-AddFoundLandmarks(const LandmarkExam & exam, ColonPosition & position)
+AddFoundLandmarks(const LandmarkExam & exam, ColonPosition & position, TaeniaNames * names)
 {
   const ColonLandmarks landmarks = FindColonLandmarks(*position.flat, exam.centerline);
+  if (names != nullptr)
+  {
+    *names = landmarks.taeniaNames;
+  }
   position.taeniae = TaeniaCurves(landmarks.taeniae);
   for (std::size_t k = 0; k < landmarks.flexures.flexures.size(); ++k)
   {
@@ -49,13 +54,6 @@ AddFoundLandmarks(const LandmarkExam & exam, ColonPosition & position)
       position.flexureConfidence[k] = flexure.confidence;
     }
   }
-}
-
-bool
-IsBorderPoint(const FlatColonGrid & grid, const Eigen::Vector2d & uv)
-{
-  constexpr double close = 15.0; // mm
-  return std::min(uv.y(), grid.Circumference() - uv.y()) <= close;
 }
 
 /** True folds of a phantom, to identify detected ones. */
@@ -119,89 +117,218 @@ private:
   Eigen::VectorXd m_Height;
 };
 
-/** Sets `outcome` of each fold of the source. */
-void
-CountPoints(const ColonPosition &                   source,
-            const TrueFolds &                       truth,
-            const std::vector<int> &                foldOf,
-            const std::vector<FeaturePointCounts> & outcome,
-            RegistrationScore &                     score)
+/** A position with the true number of each detected fold (-1 for false positives), and whether it is visible. */
+struct KnownFolds
 {
-  for (std::size_t i = 0; i < source.folds.size(); ++i)
+  KnownFolds(const ColonPosition & one, const ColonAnatomy & anatomy) : position(one), truth(anatomy)
   {
-    const int segment = foldOf[i] >= 0 ? truth.SegmentOf(foldOf[i]) : 0;
-    for (const Eigen::Vector2d & uv : source.folds[i].endUv)
+    for (const HaustralFold & fold : position.folds)
     {
-      for (const int row : { 0, segment })
+      const int index = truth.NearestTo(fold.center);
+      number.push_back(index >= 0 ? truth.NumberOf(index) : -1);
+      isSeen.push_back(position.isExcluded.empty() ||
+                       !position.isExcluded[position.flat->Grid().PixelOfUv(fold.centerUv).column]);
+    }
+  }
+
+  const ColonPosition & position;
+  TrueFolds             truth;
+  std::vector<int>      number;
+  std::vector<char>     isSeen;
+};
+
+/** Adds to the row of a true fold and to that of the whole colon. */
+void
+AddPoints(const KnownFolds & folds, int fold, const FeaturePointCounts & counts, FeaturePointTable & table)
+{
+  const int segment = folds.number[fold] >= 0 ? folds.truth.SegmentOf(folds.number[fold]) : 0;
+  table[0].Add(counts);
+  if (segment > 0)
+  {
+    table[segment].Add(counts);
+  }
+}
+
+/** Whether both landmarks are whole folds or ends on the same side of their fold. */
+bool
+AreOnOneSide(const KnownFolds &              source,
+             const KnownFolds &              target,
+             const FoldMatch &               match,
+             const SupineProneRegistration & registration)
+{
+  const auto side = [](const ColonCylinder & cylinder, const KnownFolds & folds, const FoldLandmark & landmark) {
+    const double center = cylinder.PlaceOfUv(folds.position.folds[landmark.fold].centerUv).turn;
+    return TurnDifference(cylinder.PlaceOfUv(landmark.Uv(folds.position.folds)).turn, center) > 0.0;
+  };
+  return match.source.end < 0 ||
+         side(*registration.source, source, match.source) == side(*registration.target, target, match.target);
+}
+
+/** Counts the ends of visible folds, and those that are matched; a fold is counted as two ends. */
+FeaturePointTable
+CountPoints(const KnownFolds & source, const KnownFolds & target, const SupineProneRegistration & registration)
+{
+  FeaturePointTable table;
+  const auto        endsOf = [](const FoldLandmark & landmark) { return landmark.end < 0 ? 2 : 1; };
+  for (const FoldLandmark & landmark : registration.sourceLandmarks)
+  {
+    AddPoints(source, landmark.fold, { source.isSeen[landmark.fold] ? endsOf(landmark) : 0, 0, 0, 0 }, table);
+  }
+  for (const FoldLandmark & landmark : registration.targetLandmarks)
+  {
+    AddPoints(target, landmark.fold, { 0, target.isSeen[landmark.fold] ? endsOf(landmark) : 0, 0, 0 }, table);
+  }
+  for (const FoldMatch & match : registration.matches)
+  {
+    const int from = match.source.fold;
+    const int to = match.target.fold;
+    if (source.isSeen[from] && target.isSeen[to])
+    {
+      const bool isRight = source.number[from] >= 0 && source.number[from] == target.number[to] &&
+                           AreOnOneSide(source, target, match, registration);
+      const int ends = endsOf(match.source);
+      AddPoints(source, from, { 0, 0, isRight ? ends : 0, isRight ? 0 : ends }, table);
+    }
+  }
+  return table;
+}
+
+/** Number of visible folds of the source that are also seen in the target. */
+int
+CommonFolds(const KnownFolds & source, const KnownFolds & target)
+{
+  std::map<int, int> seenInTarget;
+  for (std::size_t j = 0; j < target.number.size(); ++j)
+  {
+    seenInTarget[target.number[j]] += target.isSeen[j];
+  }
+  int common = 0;
+  for (std::size_t i = 0; i < source.number.size(); ++i)
+  {
+    common += source.isSeen[i] && source.number[i] >= 0 && seenInTarget[source.number[i]] > 0;
+  }
+  return common;
+}
+
+void
+MeasureMatches(const KnownFolds &              source,
+               const KnownFolds &              target,
+               const SupineProneRegistration & registration,
+               RegistrationScore &             score)
+{
+  score.points = CountPoints(source, target, registration);
+  score.right = score.points[0].correct / 2;
+  score.pairs = score.right + score.points[0].wrong / 2;
+  score.common = CommonFolds(source, target);
+}
+
+/** The true taenia (0 to 2) at each point of the found ones; -1 in the rectum, which has none. */
+class KnownTaeniae
+{
+public:
+  KnownTaeniae(const CurveSet & found, const ColonAnatomy & anatomy)
+    : m_Arc(PointValues(found, "arcLength", "the taeniae")), m_Curves(found.curves), m_True(found.V.rows())
+  {
+    const CurveSet truth = anatomy.Taeniae();
+    m_Names = FindSurfaceArray(truth.cellArrays, "name")->values;
+    for (Eigen::Index point = 0; point < found.V.rows(); ++point)
+    {
+      constexpr double reach = 30.0; // mm; taeniae are at most 25 mm from one of the true ones
+      double           least = reach * reach;
+      m_True[point] = -1;
+      for (std::size_t curve = 0; curve < truth.curves.size(); ++curve)
       {
-        score.allPoints[row].Add(outcome[i]);
-        if (IsBorderPoint(source.flat->Grid(), uv))
+        for (const int vertex : truth.curves[curve])
         {
-          score.borderPoints[row].Add(outcome[i]);
-        }
-        if (segment == 0)
-        {
-          break;
+          const double square = (truth.V.row(vertex) - found.V.row(point)).squaredNorm();
+          m_True[point] = square < least ? static_cast<int>(curve) : m_True[point];
+          least = std::min(least, square);
         }
       }
     }
   }
-}
 
-bool
-IsSeen(const ColonPosition & position, const HaustralFold & fold)
-{
-  return position.isExcluded.empty() || !position.isExcluded[position.flat->Grid().PixelOfUv(fold.centerUv).column];
-}
-
-/** True fold of each detected one; -1 for false positives. */
-std::vector<int>
-FoldsSeen(const ColonPosition & position, const TrueFolds & truth, std::vector<char> & isSeen)
-{
-  std::vector<int> folds;
-  for (const HaustralFold & fold : position.folds)
+  const std::vector<int> &
+  PointsOf(int curve) const
   {
-    const int index = truth.NearestTo(fold.center);
-    folds.push_back(index >= 0 ? truth.NumberOf(index) : -1);
-    isSeen.push_back(IsSeen(position, fold) ? 1 : 0);
+    return m_Curves[curve];
   }
-  return folds;
-}
-
-void
-MeasureMatches(const ColonPosition &           source,
-               const ColonPosition &           target,
-               const TrueFolds &               sourceTruth,
-               const TrueFolds &               targetTruth,
-               const SupineProneRegistration & registration,
-               RegistrationScore &             score)
-{
-  std::vector<char>      isSourceSeen;
-  std::vector<char>      isTargetSeen;
-  const std::vector<int> ofSource = FoldsSeen(source, sourceTruth, isSourceSeen);
-  const std::vector<int> ofTarget = FoldsSeen(target, targetTruth, isTargetSeen);
-  std::map<int, int>     seenInTarget;
-  for (std::size_t j = 0; j < ofTarget.size(); ++j)
+  double
+  ArcOf(int point) const
   {
-    seenInTarget[ofTarget[j]] += isTargetSeen[j];
+    return m_Arc[point];
   }
-  std::vector<FeaturePointCounts> outcome(source.folds.size());
-  for (std::size_t i = 0; i < ofSource.size(); ++i)
+  int
+  TrueAt(int point) const
   {
-    outcome[i].unmatched = isSourceSeen[i];
-    score.common += isSourceSeen[i] && ofSource[i] >= 0 && seenInTarget[ofSource[i]] > 0;
+    return m_True[point];
   }
-  for (const FoldMatch & match : registration.matches)
+  int
+  TrueAt(int curve, double s) const
   {
-    if (isSourceSeen[match.source] && isTargetSeen[match.target])
+    const std::vector<int> & points = m_Curves[curve];
+    return m_True[*std::min_element(
+      points.begin(), points.end(), [&](int a, int b) { return std::abs(m_Arc[a] - s) < std::abs(m_Arc[b] - s); })];
+  }
+  /** Along most of the curve. */
+  int
+  TrueOf(int curve) const
+  {
+    std::array<int, 3> points{};
+    for (const int point : m_Curves[curve])
     {
-      const bool isRight = ofSource[match.source] >= 0 && ofSource[match.source] == ofTarget[match.target];
-      outcome[match.source] = { isRight ? 1 : 0, isRight ? 0 : 1, 0 };
-      score.right += isRight;
-      ++score.pairs;
+      points[std::max(m_True[point], 0)] += m_True[point] >= 0;
+    }
+    return static_cast<int>(std::max_element(points.begin(), points.end()) - points.begin());
+  }
+
+  /** The true name along most of the curve. */
+  TaeniaName
+  NameOf(int curve) const
+  {
+    return static_cast<TaeniaName>(std::lround(m_Names(this->TrueOf(curve), 0)));
+  }
+
+private:
+  Eigen::VectorXd               m_Arc;
+  std::vector<std::vector<int>> m_Curves;
+  std::vector<int>              m_True;
+  SurfaceArray::ValueMatrix     m_Names;
+};
+
+TaeniaNameScore
+ScoreOfNames(const TaeniaNames & names, const KnownTaeniae & truth)
+{
+  TaeniaNameScore score{ names.AreKnown(), names.AreKnown(), names.reason };
+  for (int curve = 0; names.AreKnown() && curve < 3; ++curve)
+  {
+    score.areRight = score.areRight && names.names[curve] == truth.NameOf(curve);
+  }
+  return score;
+}
+
+TaeniaScore
+ScoreOfTaeniae(const KnownTaeniae & source, const KnownTaeniae & target, const SupineProneRegistration & registration)
+{
+  const CommonTaeniae & common = registration.taeniae;
+  TaeniaScore           score{ common.AreKnown(), common.AreKnown(), common.probability, 0.0 };
+  int                   same = 0;
+  int                   all = 0;
+  for (int curve = 0; common.AreKnown() && curve < 3; ++curve)
+  {
+    score.areRight = score.areRight && source.TrueOf(curve) == target.TrueOf(common.target[curve]);
+    for (const int point : source.PointsOf(curve))
+    {
+      const CylinderPlace place{ source.ArcOf(point), 0.0 };
+      if (source.TrueAt(point) >= 0 && !IsExcludedAt(registration, place))
+      {
+        same += source.TrueAt(point) == target.TrueAt(common.target[curve], registration.map.Forward(place).s);
+        ++all;
+      }
     }
   }
-  CountPoints(source, sourceTruth, ofSource, outcome, score);
+  score.share = ShareOf(same, all);
+  return score;
 }
 
 Reliability
@@ -219,8 +346,8 @@ ReliabilityOf(const std::vector<PointError> & errors)
 }
 
 void
-CompareSchemes(const ColonPosition &           source,
-               const ColonPosition &           target,
+CompareSchemes(const KnownFolds &              source,
+               const KnownFolds &              target,
                const SupineProneRegistration & registration,
                const std::vector<PointPair> &  pairs,
                RegistrationScore &             score)
@@ -230,24 +357,31 @@ CompareSchemes(const ColonPosition &           source,
     { RegistrationScheme::Centerline, "2 centerlines, one rotation" },
     { RegistrationScheme::Landmarks, "3 flexures and taeniae" },
     { RegistrationScheme::Warping, "4 cylindrical warping" },
-    { RegistrationScheme::Published, "6 published: quasi-conformal through flexures, a taenia and folds" },
     { RegistrationScheme::QuasiConformal, "7 quasi-conformal through the matched folds" }
   };
   for (const auto & [scheme, name] : schemes)
   {
-    const CylinderMap map = MapOfScheme(scheme, source, target, registration);
+    const CylinderMap map = MapOfScheme(scheme, source.position, target.position, registration);
     score.schemes[name] = { SummaryOf(ErrorsOfPoints(registration, map, pairs)), map.Flips() };
   }
   score.schemes["5 cylindrical warping with folds, robust (the result)"] = { score.errors, score.flips };
+  SupineProneSettings options;
+  options.map = SupineProneMap::Published;
+  const SupineProneRegistration published = RegisterColonPositions(source.position, target.position, options);
+  score.publishedPoints = CountPoints(source, target, published);
+  score.schemes["6 published: quasi-conformal through flexures, a taenia and ends of folds near it"] = {
+    SummaryOf(ErrorsOfPoints(published, published.map, pairs)), published.figures.flips
+  };
 }
 } // namespace
 
 void
 FeaturePointCounts::Add(const FeaturePointCounts & other)
 {
+  source += other.source;
+  target += other.target;
   correct += other.correct;
   wrong += other.wrong;
-  unmatched += other.unmatched;
 }
 
 std::vector<PointPair>
@@ -277,7 +411,7 @@ TruePairs(const ColonAnatomy & source, const ColonAnatomy & target)
 }
 
 ColonPosition
-MakeColonPosition(const LandmarkExam & exam, const std::string & name, bool hasTrueLandmarks)
+MakeColonPosition(const LandmarkExam & exam, const std::string & name, bool hasTrueLandmarks, TaeniaNames * names)
 {
   ColonPosition position;
   position.name = name;
@@ -292,7 +426,7 @@ MakeColonPosition(const LandmarkExam & exam, const std::string & name, bool hasT
   }
   else
   {
-    AddFoundLandmarks(exam, position);
+    AddFoundLandmarks(exam, position, names);
   }
   return position;
 }
@@ -303,9 +437,10 @@ TryRegistration(const LandmarkExam & first, const LandmarkExam & second, bool ha
   RegistrationScore score;
   try
   {
-    const ColonPosition           source = MakeColonPosition(first, "the first position", hasTrueLandmarks);
-    const ColonPosition           target = MakeColonPosition(second, "the second position", hasTrueLandmarks);
-    const Stopwatch               watch;
+    std::array<TaeniaNames, 2> names;
+    const ColonPosition        source = MakeColonPosition(first, "the first position", hasTrueLandmarks, &names[0]);
+    const ColonPosition        target = MakeColonPosition(second, "the second position", hasTrueLandmarks, &names[1]);
+    const Stopwatch            watch;
     const SupineProneRegistration registration = RegisterColonPositions(source, target);
     score.seconds = watch.Seconds();
     const std::vector<PointPair>  pairs = TruePairs(*first.anatomy, *second.anatomy);
@@ -316,10 +451,16 @@ TryRegistration(const LandmarkExam & first, const LandmarkExam & second, bool ha
     score.flips = registration.figures.flips;
     score.isFlagged = registration.confidence.isFlagged;
     score.confidence = registration.confidence.whole;
-    MeasureMatches(source, target, TrueFolds(*first.anatomy), TrueFolds(*second.anatomy), registration, score);
+    const KnownFolds ofSource(source, *first.anatomy);
+    const KnownFolds ofTarget(target, *second.anatomy);
+    MeasureMatches(ofSource, ofTarget, registration, score);
+    const KnownTaeniae ofFirst(source.taeniae, *first.anatomy);
+    const KnownTaeniae ofSecond(target.taeniae, *second.anatomy);
+    score.taeniae = ScoreOfTaeniae(ofFirst, ofSecond, registration);
+    score.names = { ScoreOfNames(names[0], ofFirst), ScoreOfNames(names[1], ofSecond) };
     if (comparesSchemes)
     {
-      CompareSchemes(source, target, registration, pairs, score);
+      CompareSchemes(ofSource, ofTarget, registration, pairs, score);
     }
   }
   catch (const Exception & error)

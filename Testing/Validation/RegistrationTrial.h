@@ -10,13 +10,14 @@
 #include <array>
 #include <map>
 
-/** Number of feature points (ends of visible folds) in one segment of the source whose folds are matched correctly,
- * wrongly or not at all (Table 4.1 of the dissertation, which counts unmatched points as incorrect). */
+/** Number of feature points (ends of visible folds) in one segment, and of those of the source that are matched
+ * correctly, wrongly or not at all (Table 4.1 of the dissertation, which counts unmatched points as incorrect). */
 struct FeaturePointCounts
 {
+  int source{ 0 };
+  int target{ 0 };
   int correct{ 0 };
   int wrong{ 0 };
-  int unmatched{ 0 };
 
   void
   Add(const FeaturePointCounts & other);
@@ -27,6 +28,26 @@ using FeaturePointTable = std::array<FeaturePointCounts, 7>;
 
 /** Classes of the local confidence, which is mostly high. */
 inline const std::vector<double> LocalClasses{ 0.0, 0.2, 0.4, 0.6, 0.8, 0.9, 0.95, 1.0 };
+
+/** Common numbers of taeniae compared with the truth. */
+struct TaeniaScore
+{
+  bool areKnown{ false };
+  /** Whether each taenia of the source and its partner follow the same true taenia along most of their length. */
+  bool   areRight{ false };
+  double probability{ 0.0 };
+  /** Fraction of the source taeniae that are at the same true taenia as their partner at the mapped place. */
+  double share{ 0.0 };
+};
+
+/** Names of the taeniae of one position compared with those of a phantom with anatomicalTaeniae. */
+struct TaeniaNameScore
+{
+  bool areKnown{ false };
+  bool areRight{ false };
+  /** Why they are unknown. */
+  std::string reason;
+};
 
 /** Result of one registration scheme. */
 struct SchemeScore
@@ -48,20 +69,28 @@ struct RegistrationScore
   bool                               isFlagged{ false };
   double                             confidence{ 0.0 };
   double                             seconds{ 0.0 };
+  /** Common numbers of the taeniae. */
+  TaeniaScore                    taeniae;
+  std::array<TaeniaNameScore, 2> names; ///< of the first and second exam
   /** Numbers of correct fold pairs, all pairs, and folds visible in both positions. */
   int right{ 0 };
   int pairs{ 0 };
   int common{ 0 };
-  /** Fold ends within 15 mm of the border of the flat map, and all fold ends. */
-  FeaturePointTable borderPoints;
-  FeaturePointTable allPoints;
+  /** Ends of all folds, matched together with their folds; and ends near the main taenia, matched by the published
+   * method. */
+  FeaturePointTable points;
+  FeaturePointTable publishedPoints;
   /** Empty, or the reason why the map is missing. */
   std::string failure;
 };
 
-/** Creates the registration input of an exam, with landmarks from ColonLandmarks or true landmarks. */
+/** Creates the registration input of an exam, with landmarks from ColonLandmarks or true landmarks. `names` receives
+ * the names of the taeniae that were found. */
 shapeton::ColonPosition
-MakeColonPosition(const LandmarkExam & exam, const std::string & name, bool hasTrueLandmarks);
+MakeColonPosition(const LandmarkExam &    exam,
+                  const std::string &     name,
+                  bool                    hasTrueLandmarks,
+                  shapeton::TaeniaNames * names = nullptr);
 
 /** Wall points visible in both positions, outside of truly collapsed sections. */
 std::vector<shapeton::PointPair>

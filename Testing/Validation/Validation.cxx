@@ -92,6 +92,7 @@ const std::vector<Part> parts = {
     ValidateColonRegistrationFromCt,
     isLong },
   { "colon-registration", "colon-pairs", "Confidence of pairs of positions", ValidateReliabilityOfPairs, isLong },
+  { "colon-registration", "colon-taeniae", "Numbers and names of taeniae", ValidateTaeniae, isLong },
   { "colon-polyps", "colon-polyps", "Polyp candidates of synthetic colons", ValidateColonPolyps },
   { "colon-polyps", "colon-polyps-ct", "Polyp candidates from CT", ValidateColonPolypsFromCt, isLong },
   { "colon-polyps", "colon-polyps-published", "Polyp candidates by shapetons", ValidatePublishedPolyps, isLong },

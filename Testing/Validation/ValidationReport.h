@@ -133,8 +133,8 @@ ValidationOfPart ValidateAccuracyOfHeat, ValidateHeatOfShapes, ValidateFiguresOf
   ValidateAccuracyOfMetric, ValidateAccuracyOfFlattening, ValidateDistancesOfHands, ValidateSlitMapsOfFace,
   ValidatePotWithHandle, ValidateFlatColonWithHandles, ValidateQualityOfMetric, ValidateTopologyOfWalls,
   ValidateColonSurfaces, ValidateColonLandmarks, ValidateColonLandmarksFromCt, ValidateColonRegistration,
-  ValidateColonRegistrationFromCt, ValidateColonCatheters, ValidateReliabilityOfPairs, ValidateColonPolyps,
-  ValidateColonPolypsFromCt, ValidatePublishedPolyps, ValidateColonNoise, ValidateColonSurfacesFine,
-  ValidatePublishedResults, ValidateGraphEmbedding;
+  ValidateColonRegistrationFromCt, ValidateColonCatheters, ValidateReliabilityOfPairs, ValidateTaeniae,
+  ValidateColonPolyps, ValidateColonPolypsFromCt, ValidatePublishedPolyps, ValidateColonNoise,
+  ValidateColonSurfacesFine, ValidatePublishedResults, ValidateGraphEmbedding;
 
 #endif

@@ -6,6 +6,7 @@
 #include "shapetonIleocecalValve.h"
 #include "shapetonRegistrationResults.h"
 
+#include <array>
 #include <optional>
 
 namespace shapeton
@@ -35,6 +36,11 @@ ReadRegistrationResults(const std::string & folder);
  * if the JSON file does not state it. */
 ShapetonColonExamination_EXPORT double
 ConfidenceOfRegistration(const std::string & folder);
+
+/** The prone numbers of the supine taeniae 1 to 3 in a file registration.json; see CommonTaeniae. None if they are
+ * unknown, or the file does not state them. Throws InputError as ConfidenceOfRegistration(). */
+ShapetonColonExamination_EXPORT std::optional<std::array<int, 3>>
+                                TaeniaNumbersOfRegistration(const std::string & path);
 
 /** The valve that was decided from both positions, of the supine (0) or prone (1) one. None if the registration is
  * unreliable, or was written before it stated the valve. Throws InputError as ConfidenceOfRegistration(). */

@@ -252,6 +252,18 @@ ConfidenceOfRegistration(const std::string & folder)
   return ConfidenceIn(ReadJson(path), path);
 }
 
+std::optional<std::array<int, 3>>
+TaeniaNumbersOfRegistration(const std::string & path)
+{
+  const Json document = ReadJson(path);
+  if (ConfidenceIn(document, path) < LeastRegistrationConfidence || !document.contains("taeniae") ||
+      !document["taeniae"]["proneOfSupine"].is_array())
+  {
+    return std::nullopt;
+  }
+  return document["taeniae"]["proneOfSupine"].get<std::array<int, 3>>();
+}
+
 std::optional<ValveSearch>
 ValveOfRegistration(const std::string & folder, int position)
 {

@@ -9,9 +9,11 @@
 #include "shapetonColonTaeniae.h"
 #include "shapetonIleocecalValve.h"
 #include "shapetonSurfaceFolds.h"
+#include "shapetonTaeniaNames.h"
 
 #include "shapetonJsonForward.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -26,6 +28,8 @@ struct ColonLandmarkSettings : ColonLandmarkOptions
   std::optional<Pelvis> pelvis;
   /** Called with the stage and the completed fraction, 0 to 1. */
   Progress progress;
+  /** Order of the found taeniae (1 to 3), for the same numbers as in another position; see CommonTaeniae. */
+  std::array<int, 3> taeniaNumbers{ { 1, 2, 3 } };
 };
 
 /** The landmarks of a colon. \ingroup ShapetonColonLandmarks */
@@ -43,6 +47,7 @@ struct ColonLandmarks
   Eigen::Vector2d valveUv{ Eigen::Vector2d::Zero() };
   SurfaceFolds    folds;
   ColonTaeniae    taeniae;
+  TaeniaNames     taeniaNames;
   /** Stretches where the wall is not visible; empty if the array notAssessable is missing. */
   std::optional<std::vector<HinderedStretch>> hindered;
   /** End of the centerline, mm. */

@@ -13,7 +13,7 @@ struct ColonPiece
   int         segment{ 0 };
   std::string name;
   /** Surface with `uv` (mm): a rectangle from (0, 0) with u starting at the rectal end; the taenia forms both sides v =
-   * const. See ConformalMap::flat. */
+   * const. The field array CutCorners keeps the cut in files. See ConformalMap::flat. */
   SurfaceMesh flat;
   /** Lower and upper bounds on the ratio of height to width of the rectangle (dissertation 4.3, Figure 4.6). */
   double modulusU{ 0.0 };

@@ -1,5 +1,7 @@
 #include "shapetonColonLandmarks.h"
 
+#include "shapetonExceptions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,6 +30,25 @@ SetArray(std::vector<SurfaceArray> & arrays, const SurfaceArray & array)
     arrays.end());
   arrays.push_back(array);
 }
+/** The taenia of number numbers[i] becomes taenia i + 1. */
+void
+Renumber(const std::array<int, 3> & numbers, ColonTaeniae & found)
+{
+  auto sorted = numbers;
+  std::sort(sorted.begin(), sorted.end());
+  RequireParameter(sorted == (std::array<int, 3>{ { 1, 2, 3 } }), "the taenia numbers must be 1, 2 and 3 in any order");
+  const ColonTaeniae before = found;
+  for (std::size_t i = 0; i < found.taeniae.size(); ++i)
+  {
+    found.taeniae[i] = before.taeniae[numbers[i] - 1];
+    for (std::size_t m = 0; m < before.markers.size(); ++m)
+    {
+      found.markers[m].taenia =
+        before.markers[m].taenia == numbers[i] ? static_cast<int>(i + 1) : found.markers[m].taenia;
+    }
+  }
+}
+
 /** Adds a remark for each segment that cannot be evaluated completely. */
 void
 WarnOfHindrances(ColonLandmarks & landmarks)
@@ -98,6 +119,13 @@ FindColonLandmarks(const FlatColon & flat, const CurveSet & centerline, const Co
   taeniaOptions.markers = options.markers;
   taeniaOptions.progress = options.progress.Part("Finding taeniae", 0.4, 1.0);
   result.taeniae = FindColonTaeniae(flat, *tube, taeniaOptions);
+  Renumber(options.taeniaNumbers, result.taeniae);
+  result.taeniaNames = NameTaeniae(result.taeniae, centerline, result.segments);
+  if (result.flexures.isMirrored)
+  {
+    result.taeniaNames.names.fill(TaeniaName::Unknown);
+    result.taeniaNames.reason = "left and right of the colon are exchanged";
+  }
   AppendRemarks(result.warnings, result.taeniae.warnings);
   AddHindrances(centerline, result);
   options.progress("Finding taeniae", 1.0);

@@ -216,7 +216,27 @@ SegmentsToJson(const ColonLandmarks & landmarks)
 }
 
 Json
-TaeniaeToJson(const ColonTaeniae & taeniae)
+NamesToJson(const TaeniaNames & names)
+{
+  Json json{ { "found", names.AreKnown() } };
+  if (!names.AreKnown())
+  {
+    json["reason"] = names.reason;
+  }
+  json["agreement"] = Json::array();
+  for (const TaeniaNameEvidence & one : names.evidence)
+  {
+    json["agreement"].push_back(
+      { { "segment", NameOfSegment(one.segment) },
+        { "libera",
+          Json::array(
+            { RoundedJson(one.agreement[0]), RoundedJson(one.agreement[1]), RoundedJson(one.agreement[2]) }) } });
+  }
+  return json;
+}
+
+Json
+TaeniaeToJson(const ColonTaeniae & taeniae, const TaeniaNames & names)
 {
   Json json;
   json["rule"] = NameOf(taeniae.rule);
@@ -243,9 +263,12 @@ TaeniaeToJson(const ColonTaeniae & taeniae)
       length += i > 0 ? (taenia.points[i] - taenia.points[i - 1]).norm() : 0.0;
       confidence += taenia.confidence[i] / static_cast<double>(taenia.points.size());
     }
-    json["taeniae"].push_back(
-      { { "taenia", t + 1 }, { "length", RoundedJson(length) }, { "meanConfidence", RoundedJson(confidence) } });
+    json["taeniae"].push_back({ { "taenia", t + 1 },
+                                { "name", NameOf(names.names[t]) },
+                                { "length", RoundedJson(length) },
+                                { "meanConfidence", RoundedJson(confidence) } });
   }
+  json["names"] = NamesToJson(names);
   json["markers"] = Json::array();
   for (const UsedMarker & marker : taeniae.markers)
   {
@@ -278,7 +301,7 @@ ColonLandmarksToJson(const ColonLandmarks & landmarks)
   json["surfaceFolds"] = { { "number", landmarks.folds.number },
                            { "leastCurvature", RoundedJson(landmarks.folds.leastCurvature) },
                            { "area", RoundedJson(landmarks.folds.area) } };
-  json["taeniae"] = TaeniaeToJson(landmarks.taeniae);
+  json["taeniae"] = TaeniaeToJson(landmarks.taeniae, landmarks.taeniaNames);
   return json;
 }
 } // namespace shapeton

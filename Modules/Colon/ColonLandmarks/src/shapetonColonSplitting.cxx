@@ -191,6 +191,12 @@ MakePiece(const SurfaceMesh & tube, const ColonTaenia & taenia, int segment, con
   piece.width = std::sqrt(piece.area / std::sqrt(map.modulusU * map.modulusV));
   piece.height = piece.area / piece.width;
   piece.flat = std::move(map.flat);
+  SurfaceArray corners{ CutCorners, SurfaceArray::ValueMatrix(4, 1), true };
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    corners.values(corner, 0) = map.corners[corner];
+  }
+  piece.flat.fieldArrays.push_back(corners);
   return piece;
 }
 } // namespace

@@ -57,11 +57,23 @@ struct FoldMatchingOptions
   ///@}
 };
 
+/** A feature point of MatchFeaturePoints(), with coordinates as in FoldFeature.
+ * \ingroup ShapetonSupineProne */
+struct FeaturePoint
+{
+  double x{ 0.0 };
+  double y{ 0.0 };
+  /** Distance (mm) from the center of the flat segment, |q| of the printed energy. */
+  double fromCenter{ 0.0 };
+  /** Points of different groups are never matched. */
+  int group{ 0 };
+};
+
 /** Matched pairs of folds, and a bound on the optimal energy. See MatchFolds().
  * \ingroup ShapetonSupineProne */
 struct FoldMatching
 {
-  /** Fold indices in the source (ascending) and in the target. */
+  /** Indices in the source (ascending) and in the target. */
   std::vector<std::pair<int, int>> pairs;
   /** Cost of each pair, excluding neighbor terms. */
   std::vector<double> costs;
@@ -83,16 +95,27 @@ struct FoldMatching
  * differences in position, log length and log area, each divided by its variance; the cost of an unmatched fold is
  * `alone`. DualDecomposition adds the truncated squared difference between the displacements of neighboring folds.
  *
- * The objective printed in 4.3.1 lacks a pairwise term, so the Hungarian method is exact; its term for unmatched
- * features, |q|^2, is a distance to the origin, here replaced by a constant. Dual decomposition (Torresani, Kolmogorov,
- * Rother 2008) uses one assignment subproblem, one subproblem per pair of neighbors, and multipliers updated by
- * subgradients.
+ * Dual decomposition (Torresani, Kolmogorov, Rother 2008) uses one assignment subproblem, one subproblem per pair of
+ * neighbors, and multipliers updated by subgradients. MatchFeaturePoints() has the energy that the dissertation prints.
  * \param turn circumference of the plane, mm. \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT FoldMatching
 MatchFolds(const std::vector<FoldFeature> & source,
            const std::vector<FoldFeature> & target,
            double                           turn,
            const FoldMatchingOptions &      options = {});
+
+/** Matching with the energy printed in 4.3.1 of the dissertation, minimized exactly:
+ * E = lambda sum |p - phi(p)|^2 over matched p + (1 - lambda) sum |q|^2 over unmatched q.
+ *
+ * The source states neither the origin of q nor the size of the neighborhood of p. The origin is the center of the
+ * segment, so that unmatched points near its border cost most, as the text asks; the neighborhood is that of
+ * FoldMatchingOptions. Without pairwise terms, dual decomposition is its assignment subproblem.
+ * \param lambda weight of the distances, in (0, 1). \ingroup ShapetonSupineProne */
+ShapetonSupineProne_EXPORT FoldMatching
+MatchFeaturePoints(const std::vector<FeaturePoint> & source,
+                   const std::vector<FeaturePoint> & target,
+                   double                            turn,
+                   double                            lambda);
 } // namespace shapeton
 
 #endif

@@ -14,7 +14,7 @@ namespace shapeton
  * \ingroup ShapetonSupineProne */
 ///@{
 
-/** Verdict on a pair of folds, or on a supine fold, based on points with known correspondence. */
+/** Verdict on a pair of folds or on a supine fold, or on ends of folds, based on points with known correspondence. */
 enum class FoldVerdict
 {
   /** No point is nearby, or the true partner was not detected. */
@@ -29,13 +29,13 @@ enum class FoldVerdict
 ShapetonSupineProne_EXPORT std::string
                            NameOf(FoldVerdict verdict);
 
-/** A matched pair of folds: a row of the table. */
+/** A matched pair of folds, or of ends of folds for the published map: a row of the table. */
 struct MatchedFolds
 {
   /** HaustralFold::label. */
   int             supineFold{ 0 };
   int             proneFold{ 0 };
-  Eigen::Vector3d supinePoint{ Eigen::Vector3d::Zero() }; ///< fold centers, LPS, mm
+  Eigen::Vector3d supinePoint{ Eigen::Vector3d::Zero() }; ///< centers or ends, LPS, mm
   Eigen::Vector3d pronePoint{ Eigen::Vector3d::Zero() };
   /** mm along the centerlines. */
   double supineArcLength{ 0.0 };
@@ -58,7 +58,8 @@ struct MatchedFolds
 };
 
 /** Counts of folds and matches in a segment of the colon, as in Table 4.1 of the dissertation, but with separate counts
- * of unmatched folds and wrong pairs. Prone folds are assigned to segments by the prone landmarks. */
+ * of unmatched folds and wrong pairs. For the published map, the ends of folds near the main taenia are counted instead
+ * of folds. The prone ones are assigned to segments by the prone landmarks. */
 struct SegmentMatches
 {
   std::string segment;

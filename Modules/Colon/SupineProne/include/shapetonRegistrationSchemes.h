@@ -16,10 +16,8 @@ enum class RegistrationScheme
   Landmarks,
   /** SupineProneRegistration::warp, before fold matching. */
   Warping,
-  /** SupineProneMap::Published. */
-  Published,
-  /** The quasi-conformal map of Published, but constrained only by the ends of the colon and the consistent fold pairs
-   * of the registration. */
+  /** The quasi-conformal map of SupineProneMap::Published, but constrained only by the ends of the colon and the
+   * consistent fold pairs of the registration. */
   QuasiConformal
 };
 

@@ -10,7 +10,8 @@
 
 namespace shapeton
 {
-/** Settings of RegisterColonPositions(). `refine` and `segmentWise` apply to the default map only.
+/** Settings of RegisterColonPositions(). `refine`, `segmentWise` and `matching` apply to the default
+ * map only, `distanceWeight` and `border` to the published one.
  * \ingroup ShapetonSupineProne */
 struct SupineProneSettings : SupineProneOptions
 {
@@ -18,14 +19,33 @@ struct SupineProneSettings : SupineProneOptions
   Progress progress;
 };
 
-/** A matched pair of folds. \ingroup ShapetonSupineProne */
+/** A feature that is matched: a fold, or one of its ends. \ingroup ShapetonSupineProne */
+struct FoldLandmark
+{
+  /** Index into ColonPosition::folds. */
+  int fold{ 0 };
+  /** 0 or 1; -1: the whole fold, located at its center. */
+  int end{ -1 };
+
+  const Eigen::Vector2d &
+  Uv(const std::vector<HaustralFold> & folds) const
+  {
+    return end < 0 ? folds[fold].centerUv : folds[fold].endUv[end];
+  }
+  const Eigen::Vector3d &
+  Point(const std::vector<HaustralFold> & folds) const
+  {
+    return end < 0 ? folds[fold].center : folds[fold].ends[end];
+  }
+};
+
+/** A matched pair of folds, or of ends of folds. \ingroup ShapetonSupineProne */
 struct FoldMatch
 {
-  /** Indices into ColonPosition::folds. */
-  int    source{ 0 };
-  int    target{ 0 };
-  double cost{ 0.0 };
-  /** Distance (mm) between the center of the source fold under the final map and the center of the target fold. */
+  FoldLandmark source;
+  FoldLandmark target;
+  double       cost{ 0.0 };
+  /** Distance (mm) between the source landmark under the final map and the target landmark. */
   double residual{ 0.0 };
   /** Final weight of the pair in the map, 0 to 1; below 0.5 the pair contradicts its neighbors. */
   double weight{ 0.0 };
@@ -77,6 +97,22 @@ struct RegistrationConfidence
   ProbabilityOfOnePatient() const;
 };
 
+/** Which taeniae of both positions are the same band. \ingroup ShapetonSupineProne */
+struct CommonTaeniae
+{
+  /** For each curve of ColonPosition::taeniae of the source, the index of that of the target; -1 if unknown. */
+  std::array<int, 3> target{ { -1, -1, -1 } };
+  /** Expected fraction of the colon visible in both positions along which these pairs are the same band, 0 to 1. The
+   * pairs are unknown below 0.5. */
+  double probability{ 0.0 };
+
+  bool
+  AreKnown() const
+  {
+    return target[0] >= 0;
+  }
+};
+
 /** Measurements during registration. \ingroup ShapetonSupineProne */
 struct RegistrationFigures
 {
@@ -106,9 +142,14 @@ struct SupineProneRegistration
   /** The map from warping, before fold matching. */
   CylinderMap            warp;
   std::vector<FoldMatch> matches;
-  FoldMatching           matching;
-  RegistrationConfidence confidence;
-  RegistrationFigures    figures;
+  /** Its pairs are indices into the landmarks. */
+  FoldMatching matching;
+  /** What can be matched: all folds, or for the published map the ends near the main taenia. */
+  std::vector<FoldLandmark> sourceLandmarks;
+  std::vector<FoldLandmark> targetLandmarks;
+  RegistrationConfidence    confidence;
+  CommonTaeniae             taeniae;
+  RegistrationFigures       figures;
   /** Distances of the flexures used along source and target, mm. */
   std::vector<std::pair<double, double>> flexures;
   /** Whether the wall at each node is not visible in one of the positions. */

@@ -30,18 +30,29 @@ AddMatches(const ColonPair & pair, const std::vector<double> & weights, SupinePr
   for (std::size_t k = 0; k < registration.matching.pairs.size(); ++k)
   {
     const auto [i, j] = registration.matching.pairs[k];
-    const CylinderPlace from = pair.sourceCylinder->PlaceOfUv(pair.source.folds[i].centerUv);
-    const CylinderPlace to = pair.targetCylinder->PlaceOfUv(pair.target.folds[j].centerUv);
+    FoldMatch match;
+    match.source = registration.sourceLandmarks[i];
+    match.target = registration.targetLandmarks[j];
+    const CylinderPlace from = pair.sourceCylinder->PlaceOfUv(match.source.Uv(pair.source.folds));
+    const CylinderPlace to = pair.targetCylinder->PlaceOfUv(match.target.Uv(pair.target.folds));
     const CylinderPlace mapped = registration.map.Forward(from);
-    FoldMatch           match;
-    match.source = i;
-    match.target = j;
     match.cost = registration.matching.costs[k];
     match.residual = std::hypot(mapped.s - to.s, TurnDifference(mapped.turn, to.turn) * pair.Around());
     match.weight = weights[k];
     match.segment = SegmentOf(registration, from.s);
     registration.matches.push_back(match);
   }
+}
+
+std::vector<FoldLandmark>
+WholeFolds(const ColonPosition & position)
+{
+  std::vector<FoldLandmark> landmarks;
+  for (int fold = 0; fold < static_cast<int>(position.folds.size()); ++fold)
+  {
+    landmarks.push_back({ fold, -1 });
+  }
+  return landmarks;
 }
 
 void
@@ -108,6 +119,8 @@ ProjectMap(const ColonPair &         pair,
   options.progress = progress;
   const BeltramiProjection projection =
     ProjectToBijection(NodesOf(pair, corrected.Map(pair)), pair.sourceCylinder->Around(), pair.Around(), options);
+  registration.sourceLandmarks = WholeFolds(pair.source);
+  registration.targetLandmarks = WholeFolds(pair.target);
   registration.matching = corrected.matching;
   registration.figures.flipsBeforeProjection = projection.flipsBefore;
   registration.figures.greatestDilatation = projection.greatest;
@@ -115,13 +128,14 @@ ProjectMap(const ColonPair &         pair,
 }
 
 void
-MapAsPublished(const ColonPair &         pair,
-               FoldMatchingMethod        method,
-               double                    greatestDilatation,
-               SupineProneRegistration & registration,
-               const Progress &          progress)
+MapAsPublished(const ColonPair &          pair,
+               const SupineProneOptions & options,
+               SupineProneRegistration &  registration,
+               const Progress &           progress)
 {
-  const PublishedMap published = FindPublishedMap(pair, registration.frame, method, greatestDilatation, progress);
+  const PublishedMap published = FindPublishedMap(pair, registration.frame, options, progress);
+  registration.sourceLandmarks = published.sourceLandmarks;
+  registration.targetLandmarks = published.targetLandmarks;
   registration.matching = published.matching;
   registration.figures.greatestDilatation = published.greatestDilatation;
   registration.figures.solves = published.solves;

@@ -21,11 +21,10 @@ ProjectMap(const ColonPair &         pair,
 /** Sets the same members using FindPublishedMap() about the frame of the registration; warns about flipped
  * triangles. */
 void
-MapAsPublished(const ColonPair &         pair,
-               FoldMatchingMethod        method,
-               double                    greatestDilatation,
-               SupineProneRegistration & registration,
-               const Progress &          progress);
+MapAsPublished(const ColonPair &          pair,
+               const SupineProneOptions & options,
+               SupineProneRegistration &  registration,
+               const Progress &           progress);
 } // namespace shapeton
 
 #endif

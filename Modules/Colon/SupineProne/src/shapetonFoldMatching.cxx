@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 namespace shapeton
@@ -98,6 +99,44 @@ Neighbors(const std::vector<FoldFeature> & folds, double turn, int number)
   return pairs;
 }
 
+/** Energy of the matching without pairs, minus its energy. */
+double
+SavedEnergy(const AssignmentProblem & problem, double energy)
+{
+  const auto sum = [](const std::vector<double> & costs) { return std::accumulate(costs.begin(), costs.end(), 0.0); };
+  return sum(problem.rowAlone) + sum(problem.columnAlone) - energy;
+}
+
+FoldMatching
+MatchingOf(const AssignmentProblem & problem, const PairedAssignment & solved)
+{
+  FoldMatching matching;
+  matching.primal = solved.assignment.cost;
+  matching.bound = solved.bound;
+  matching.iterations = solved.iterations;
+  matching.savable = SavedEnergy(problem, matching.primal);
+  for (std::size_t i = 0; i < problem.candidates.size(); ++i)
+  {
+    const int choice = solved.assignment.choice[i];
+    if (choice >= 0)
+    {
+      matching.pairs.emplace_back(static_cast<int>(i), problem.candidates[i][choice].column);
+      matching.costs.push_back(problem.candidates[i][choice].cost);
+    }
+  }
+  return matching;
+}
+
+FoldMatching
+SolveWithoutPairs(const AssignmentProblem & problem)
+{
+  PairedAssignment solved;
+  solved.assignment = SolveAssignment(problem);
+  solved.bound = solved.assignment.cost;
+  solved.iterations = 1;
+  return MatchingOf(problem, solved);
+}
+
 std::vector<PairTerm>
 MakePairs(const AssignmentProblem &        problem,
           const std::vector<FoldFeature> & source,
@@ -137,31 +176,42 @@ MatchFolds(const std::vector<FoldFeature> & source,
 {
   RequireValid(options, turn);
   const AssignmentProblem problem = MakeProblem(source, target, turn, options);
-  PairedAssignment        solved;
   if (options.method == FoldMatchingMethod::DualDecomposition)
   {
-    solved = SolvePairedAssignment(problem, MakePairs(problem, source, target, turn, options), options.iterations);
+    return MatchingOf(
+      problem, SolvePairedAssignment(problem, MakePairs(problem, source, target, turn, options), options.iterations));
   }
-  else
+  return SolveWithoutPairs(problem);
+}
+
+FoldMatching
+MatchFeaturePoints(const std::vector<FeaturePoint> & source,
+                   const std::vector<FeaturePoint> & target,
+                   double                            turn,
+                   double                            lambda)
+{
+  RequireParameter(turn > 0.0 && lambda > 0.0 && lambda < 1.0, "lambda must be between 0 and 1, and a turn positive");
+  const FoldMatchingOptions neighborhood;
+  AssignmentProblem         problem;
+  problem.rowAlone.assign(source.size(), 0.0);
+  for (const FeaturePoint & q : target)
   {
-    solved.assignment = SolveAssignment(problem);
-    solved.bound = solved.assignment.cost;
-    solved.iterations = 1;
+    problem.columnAlone.push_back((1.0 - lambda) * Square(q.fromCenter));
   }
-  FoldMatching matching;
-  matching.primal = solved.assignment.cost;
-  matching.bound = solved.bound;
-  matching.iterations = solved.iterations;
-  matching.savable = options.alone * static_cast<double>(source.size() + target.size()) - matching.primal;
-  for (std::size_t i = 0; i < source.size(); ++i)
+  for (const FeaturePoint & p : source)
   {
-    const int choice = solved.assignment.choice[i];
-    if (choice >= 0)
+    problem.candidates.emplace_back();
+    for (std::size_t j = 0; j < target.size(); ++j)
     {
-      matching.pairs.emplace_back(static_cast<int>(i), problem.candidates[i][choice].column);
-      matching.costs.push_back(problem.candidates[i][choice].cost);
+      const double along = target[j].x - p.x;
+      const double around = Around(target[j].y, p.y, turn);
+      if (p.group == target[j].group && std::abs(along) < neighborhood.reachAlong &&
+          std::abs(around) < neighborhood.reachAround)
+      {
+        problem.candidates.back().push_back({ static_cast<int>(j), lambda * (Square(along) + Square(around)) });
+      }
     }
   }
-  return matching;
+  return SolveWithoutPairs(problem);
 }
 } // namespace shapeton

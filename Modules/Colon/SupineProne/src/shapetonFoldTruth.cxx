@@ -88,10 +88,10 @@ DistanceToLine(const Eigen::Vector2d & place, const Eigen::Vector2d & a, const E
 }
 
 /** End, center and end of a crest in the plane, mm. */
-using Crest = std::array<Eigen::Vector2d, 3>;
+using PlanarCrest = std::array<Eigen::Vector2d, 3>;
 
 double
-MeanDistance(const Crest & from, const Crest & to)
+MeanDistance(const PlanarCrest & from, const PlanarCrest & to)
 {
   const std::array<Eigen::Vector2d, 5> places{
     { from[0], 0.5 * (from[0] + from[1]), from[1], 0.5 * (from[1] + from[2]), from[2] }
@@ -134,38 +134,67 @@ MovedCrest(const std::array<CylinderPlace, 3> & crest, const std::vector<PlacePa
 }
 
 /** Fold crest projected to the plane, relative to a position. */
-Crest
+PlanarCrest
 Unrolled(const std::array<CylinderPlace, 3> & crest, const CylinderPlace & about, double around)
 {
   return { { Way(about, crest[0], around), Way(about, crest[1], around), Way(about, crest[2], around) } };
 }
 } // namespace
 
+int
+IndexOf(const std::vector<FoldLandmark> & landmarks, const FoldLandmark & landmark)
+{
+  const auto found = std::find_if(landmarks.begin(), landmarks.end(), [&](const FoldLandmark & one) {
+    return one.fold == landmark.fold && one.end == landmark.end;
+  });
+  return static_cast<int>(found - landmarks.begin());
+}
+
 FoldTruth::FoldTruth(const ColonPositionFiles &      supine,
                      const ColonPositionFiles &      prone,
                      const SupineProneRegistration & registration,
                      const std::vector<PointPair> &  points)
-  : m_IsKnown(supine.position.folds.size(), 0), m_Same(supine.position.folds.size())
+  : m_Registration(registration)
+  , m_IsKnown(registration.sourceLandmarks.size(), 0)
+  , m_Same(registration.sourceLandmarks.size())
 {
-  constexpr double             greatest = 8.0; // mm; see the header
-  const double                 around = registration.target->Around();
   const std::vector<PlacePair> places = PlacesOf(registration, points);
   for (std::size_t i = 0; i < m_Same.size(); ++i)
   {
-    const auto moved =
-      MovedCrest(PlacesOfCrest(supine.position.folds[i], *registration.source), places, registration.source->Around());
+    const FoldLandmark & from = registration.sourceLandmarks[i];
+    const auto           moved = MovedCrest(
+      PlacesOfCrest(supine.position.folds[from.fold], *registration.source), places, registration.source->Around());
     m_IsKnown[i] = moved.has_value();
-    for (std::size_t j = 0; moved && j < prone.position.folds.size(); ++j)
+    for (std::size_t j = 0; moved && j < registration.targetLandmarks.size(); ++j)
     {
-      const CylinderPlace & about = (*moved)[1];
-      const Crest           own = Unrolled(*moved, about, around);
-      const Crest other = Unrolled(PlacesOfCrest(prone.position.folds[j], *registration.target), about, around);
-      if (std::min(MeanDistance(own, other), MeanDistance(other, own)) < greatest)
+      const FoldLandmark & to = registration.targetLandmarks[j];
+      const HaustralFold & fold = prone.position.folds[to.fold];
+      if (this->IsSameFold(*moved, fold) && (from.end < 0 || this->IsSameEnd(*moved, from.end, fold, to.end)))
       {
         m_Same[i].push_back(static_cast<int>(j));
       }
     }
   }
+}
+
+bool
+FoldTruth::IsSameFold(const Crest & moved, const HaustralFold & fold) const
+{
+  constexpr double  greatest = 8.0; // mm; see the header
+  const double      around = m_Registration.target->Around();
+  const PlanarCrest own = Unrolled(moved, moved[1], around);
+  const PlanarCrest other = Unrolled(PlacesOfCrest(fold, *m_Registration.target), moved[1], around);
+  return std::min(MeanDistance(own, other), MeanDistance(other, own)) < greatest;
+}
+
+bool
+FoldTruth::IsSameEnd(const Crest & moved, int supineEnd, const HaustralFold & fold, int end) const
+{
+  const CylinderPlace & from = moved[supineEnd == 0 ? 0 : 2];
+  const auto            distance = [&](int other) {
+    return Way(from, m_Registration.target->PlaceOfUv(fold.endUv[other]), m_Registration.target->Around()).norm();
+  };
+  return distance(end) <= distance(1 - end);
 }
 
 std::vector<FoldVerdict>
@@ -176,15 +205,17 @@ FoldTruth::Judge(const std::vector<FoldMatch> & matches) const
   std::set<int>            taken;
   for (const FoldMatch & match : matches)
   {
-    const std::vector<int> & same = m_Same[match.source];
-    isAlone[match.source] = 0;
-    if (m_IsKnown[match.source])
+    const int                source = IndexOf(m_Registration.sourceLandmarks, match.source);
+    const int                target = IndexOf(m_Registration.targetLandmarks, match.target);
+    const std::vector<int> & same = m_Same[source];
+    isAlone[source] = 0;
+    if (m_IsKnown[source])
     {
-      const bool isCorrect = std::find(same.begin(), same.end(), match.target) != same.end();
-      verdicts[match.source] = isCorrect ? FoldVerdict::Correct : FoldVerdict::Wrong;
+      const bool isCorrect = std::find(same.begin(), same.end(), target) != same.end();
+      verdicts[source] = isCorrect ? FoldVerdict::Correct : FoldVerdict::Wrong;
       if (isCorrect)
       {
-        taken.insert(match.target);
+        taken.insert(target);
       }
     }
   }

@@ -11,18 +11,15 @@ namespace
 {
 constexpr double followed = 0.5; ///< minimum weight of a consistent pair
 
-bool
-IsFoldSeen(const ColonCylinder & cylinder, const ColonPosition & position, const HaustralFold & fold)
-{
-  const int column = cylinder.Grid().PixelOfUv(fold.centerUv).column;
-  return position.isExcluded.empty() || !position.isExcluded[column];
-}
-
+/** Number of landmarks outside excluded columns. */
 int
-SeenFolds(const ColonCylinder & cylinder, const ColonPosition & position)
+SeenLandmarks(const ColonCylinder &             cylinder,
+              const ColonPosition &             position,
+              const std::vector<FoldLandmark> & landmarks)
 {
-  return static_cast<int>(std::count_if(position.folds.begin(), position.folds.end(), [&](const HaustralFold & fold) {
-    return IsFoldSeen(cylinder, position, fold);
+  return static_cast<int>(std::count_if(landmarks.begin(), landmarks.end(), [&](const FoldLandmark & landmark) {
+    const int column = cylinder.Grid().PixelOfUv(landmark.Uv(position.folds)).column;
+    return position.isExcluded.empty() || !position.isExcluded[column];
   }));
 }
 
@@ -40,7 +37,8 @@ CountMatches(const ColonPosition & source, const ColonPosition & target, SupineP
       squares += match.residual * match.residual;
     }
   }
-  const int  seen = std::min(SeenFolds(*registration.source, source), SeenFolds(*registration.target, target));
+  const int  seen = std::min(SeenLandmarks(*registration.source, source, registration.sourceLandmarks),
+                            SeenLandmarks(*registration.target, target, registration.targetLandmarks));
   const auto pairs = static_cast<double>(registration.matches.size());
   confidence.matchedShare = seen > 0 ? std::min(1.0, followedPairs / static_cast<double>(seen)) : 0.0;
   confidence.contradictedShare = pairs > 0.0 ? 1.0 - followedPairs / pairs : 1.0;
@@ -62,7 +60,7 @@ public:
   {
     for (const FoldMatch & match : registration.matches)
     {
-      m_Residuals.push_back({ registration.source->PlaceOfUv(source.folds[match.source].centerUv), match.residual });
+      m_Residuals.push_back({ registration.source->PlaceOfUv(match.source.Uv(source.folds)), match.residual });
     }
   }
 

@@ -106,6 +106,17 @@ ErrorsToJson(const RegistrationErrors & errors)
 }
 
 Json
+TaeniaeToJson(const CommonTaeniae & taeniae)
+{
+  Json json{ { "proneOfSupine", nullptr }, { "probability", RoundedJson(taeniae.probability) } };
+  if (taeniae.AreKnown())
+  {
+    json["proneOfSupine"] = { taeniae.target[0] + 1, taeniae.target[1] + 1, taeniae.target[2] + 1 };
+  }
+  return json;
+}
+
+Json
 FiguresToJson(const RegistrationFigures & figures)
 {
   Json json;
@@ -135,6 +146,7 @@ DocumentOf(const SupineProneRegistration & registration,
   {
     json["flexures"].push_back({ { "supine", RoundedJson(supine) }, { "prone", RoundedJson(prone) } });
   }
+  json["taeniae"] = TaeniaeToJson(registration.taeniae);
   json["matches"] = MatchesToJson(registration, results);
   json["segments"] = Json::array();
   for (const SegmentMatches & row : results.segments)

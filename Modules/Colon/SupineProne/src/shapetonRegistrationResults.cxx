@@ -156,15 +156,15 @@ private:
   }
 
   double
-  SupineArc(const HaustralFold & fold) const
+  SupineArc(const FoldLandmark & landmark) const
   {
-    return m_Registration.source->PlaceOfUv(fold.centerUv).s;
+    return m_Registration.source->PlaceOfUv(landmark.Uv(m_Supine.position.folds)).s;
   }
 
   double
-  ProneArc(const HaustralFold & fold) const
+  ProneArc(const FoldLandmark & landmark) const
   {
-    return m_Registration.target->PlaceOfUv(fold.centerUv).s;
+    return m_Registration.target->PlaceOfUv(landmark.Uv(m_Prone.position.folds)).s;
   }
 
   void
@@ -174,20 +174,18 @@ private:
     const std::vector<HaustralFold> & prone = m_Prone.position.folds;
     for (const FoldMatch & match : m_Registration.matches)
     {
-      const HaustralFold & from = supine[match.source];
-      const HaustralFold & to = prone[match.target];
-      MatchedFolds         row;
-      row.supineFold = from.label;
-      row.proneFold = to.label;
-      row.supinePoint = from.center;
-      row.pronePoint = to.center;
-      row.supineArcLength = this->SupineArc(from);
-      row.proneArcLength = this->ProneArc(to);
+      MatchedFolds row;
+      row.supineFold = supine[match.source.fold].label;
+      row.proneFold = prone[match.target.fold].label;
+      row.supinePoint = match.source.Point(supine);
+      row.pronePoint = match.target.Point(prone);
+      row.supineArcLength = this->SupineArc(match.source);
+      row.proneArcLength = this->ProneArc(match.target);
       row.segment = SegmentAt(m_Supine.segments, row.supineArcLength);
       row.cost = match.cost;
       row.residual = match.residual;
       row.weight = match.weight;
-      row.verdict = m_Verdicts[match.source];
+      row.verdict = m_Verdicts[IndexOf(m_Registration.sourceLandmarks, match.source)];
       m_Results.matches.push_back(row);
     }
   }
@@ -215,9 +213,10 @@ private:
     {
       this->RowOf(segment.name);
     }
-    for (std::size_t i = 0; i < m_Supine.position.folds.size(); ++i)
+    for (std::size_t i = 0; i < m_Verdicts.size(); ++i)
     {
-      SegmentMatches & row = this->RowOf(SegmentAt(m_Supine.segments, this->SupineArc(m_Supine.position.folds[i])));
+      const FoldLandmark & landmark = m_Registration.sourceLandmarks[i];
+      SegmentMatches &     row = this->RowOf(SegmentAt(m_Supine.segments, this->SupineArc(landmark)));
       ++row.supineFolds;
       row.correct += m_Verdicts[i] == FoldVerdict::Correct;
       row.wrong += m_Verdicts[i] == FoldVerdict::Wrong;
@@ -239,14 +238,15 @@ private:
   void
   CountProne()
   {
-    std::vector<char> isMatched(m_Prone.position.folds.size(), 0);
+    const std::vector<FoldLandmark> & landmarks = m_Registration.targetLandmarks;
+    std::vector<char>                 isMatched(landmarks.size(), 0);
     for (const FoldMatch & match : m_Registration.matches)
     {
-      isMatched[match.target] = 1;
+      isMatched[IndexOf(landmarks, match.target)] = 1;
     }
-    for (std::size_t j = 0; j < isMatched.size(); ++j)
+    for (std::size_t j = 0; j < landmarks.size(); ++j)
     {
-      SegmentMatches & row = this->RowOf(SegmentAt(m_Prone.segments, this->ProneArc(m_Prone.position.folds[j])));
+      SegmentMatches & row = this->RowOf(SegmentAt(m_Prone.segments, this->ProneArc(landmarks[j])));
       ++row.proneFolds;
       row.proneAlone += !isMatched[j];
     }
@@ -276,7 +276,7 @@ private:
   const ColonPositionFiles &      m_Supine;
   const ColonPositionFiles &      m_Prone;
   const SupineProneRegistration & m_Registration;
-  std::vector<FoldVerdict>        m_Verdicts; ///< verdicts of the supine folds
+  std::vector<FoldVerdict>        m_Verdicts; ///< verdicts of the supine landmarks
   RegistrationResults             m_Results;
 };
 } // namespace

@@ -77,7 +77,7 @@ FollowedPairs(const SupineProneRegistration & registration)
   {
     if (match.weight >= 0.5)
     {
-      followed.pairs.emplace_back(match.source, match.target);
+      followed.pairs.emplace_back(match.source.fold, match.target.fold);
     }
   }
   return followed;
@@ -90,7 +90,6 @@ MapOfScheme(RegistrationScheme              scheme,
             const ColonPosition &           target,
             const SupineProneRegistration & registration)
 {
-  const double             greatestDilatation = SupineProneOptions().greatestDilatation;
   ColonPair                pair(source, target);
   std::vector<std::string> warnings; // already reported by the registration
   FindFrame(pair, false, warnings);
@@ -102,10 +101,9 @@ MapOfScheme(RegistrationScheme              scheme,
       return MapOfFrame(pair, EndFrame(pair.frame));
     case RegistrationScheme::Warping:
       return registration.warp;
-    case RegistrationScheme::Published:
-      return FindPublishedMap(pair, registration.frame, FoldMatchingMethod::Hungarian, greatestDilatation).map;
     case RegistrationScheme::QuasiConformal:
-      return QuasiConformalMapThrough(pair, registration.map, FollowedPairs(registration), greatestDilatation);
+      return QuasiConformalMapThrough(
+        pair, registration.map, FollowedPairs(registration), SupineProneOptions().greatestDilatation);
     default:
       return registration.frame;
   }

@@ -240,7 +240,8 @@ AnglesOfTaeniae(const ColonPosition & position, const ColonCylinder & cylinder, 
     turns.push_back(Resampled(samples, angles.begin, angles.step, number));
   }
   const bool isSwapped = MedianOffset(turns[2], turns[0]) < MedianOffset(turns[1], turns[0]);
-  angles.turns = { turns[0], turns[isSwapped ? 2 : 1], turns[isSwapped ? 1 : 2] };
+  angles.curves = { 0, isSwapped ? 2 : 1, isSwapped ? 1 : 2 };
+  angles.turns = { turns[0], turns[angles.curves[1]], turns[angles.curves[2]] };
   angles.isKnown = true;
   return angles;
 }

@@ -48,7 +48,9 @@ struct TaeniaAngles
   double                             begin{ 0.0 };
   double                             step{ 3.0 };
   std::array<std::vector<double>, 3> turns;
-  bool                               isKnown{ false };
+  /** Index of each in ColonPosition::taeniae. */
+  std::array<int, 3> curves{ { 0, 1, 2 } };
+  bool               isKnown{ false };
 
   double
   At(int taenia, double s) const;

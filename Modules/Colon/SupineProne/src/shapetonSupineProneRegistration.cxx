@@ -1,6 +1,7 @@
 #include "shapetonSupineProneRegistration.h"
 
 #include "shapetonColonSense.h"
+#include "shapetonCommonTaeniae.h"
 #include "shapetonFinalMap.h"
 #include "shapetonRegistrationConfidence.h"
 #include "shapetonExceptions.h"
@@ -39,6 +40,22 @@ RequireUsable(const ColonPosition & position)
                    position.name + ": the number of excluded columns must match the grid");
 }
 
+/** Refuses parameters of the other map. */
+void
+RequireParametersOf(const SupineProneOptions & options)
+{
+  const SupineProneOptions usual;
+  const bool               isPublished = options.map == SupineProneMap::Published;
+  RequireParameter(
+    !isPublished || !(options.refine || options.segmentWise || options.matching != usual.matching),
+    "the published map supports none of the parameter \"refine\", the parameter \"segmentWise\" and the parameter "
+    "\"matching\": it is always segment-wise, never refined, and has its own energy");
+  RequireParameter(
+    isPublished || (options.distanceWeight == usual.distanceWeight && options.border == usual.border),
+    "the parameter \"distanceWeight\" and the parameter \"border\" belong to the published map; set the parameter "
+    "\"map\" to \"published\", or leave them out");
+}
+
 /** The node nearest to a position. */
 std::pair<int, int>
 NearestNode(const CylinderNodes & nodes, const CylinderPlace & place)
@@ -56,10 +73,7 @@ RegisterColonPositions(const ColonPosition & source, const ColonPosition & targe
   RequireUsable(target);
   CheckOptions(options);
   const bool isPublished = options.map == SupineProneMap::Published;
-  RequireParameter(
-    !isPublished || !(options.refine || options.segmentWise),
-    "the published map supports neither the parameter \"refine\" nor the parameter \"segmentWise\": it is always "
-    "segment-wise and never refined");
+  RequireParametersOf(options);
   options.progress("Describing folds", 0.0);
   ColonPair               pair(source, target);
   SupineProneRegistration result;
@@ -88,13 +102,14 @@ RegisterColonPositions(const ColonPosition & source, const ColonPosition & targe
   progress(0.0);
   if (isPublished)
   {
-    MapAsPublished(pair, options.matching, options.greatestDilatation, result, progress);
+    MapAsPublished(pair, options, result, progress);
   }
   else
   {
     ProjectMap(pair, choice.best, options.greatestDilatation, result, progress);
   }
   JudgeRegistration(pair, result);
+  result.taeniae = FindCommonTaeniae(pair, result);
   progress(1.0);
   return result;
 }

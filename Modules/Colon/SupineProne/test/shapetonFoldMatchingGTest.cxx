@@ -48,24 +48,26 @@ PairCost(const shapeton::FoldFeature &         a,
          std::pow(std::log(a.area / b.area) / options.deviationArea, 2);
 }
 
-/** Brute force. */
+/** Minimum over all one-to-one matchings of `sources` to `targets`, by brute force. */
 double
-LeastCost(const std::vector<shapeton::FoldFeature> & a,
-          const std::vector<shapeton::FoldFeature> & b,
-          const shapeton::FoldMatchingOptions &      options)
+LeastCost(std::size_t                                                  sources,
+          std::size_t                                                  targets,
+          const std::function<double(std::size_t, std::size_t)> &      pairCost,
+          const std::function<double(std::size_t)> &                   sourceAlone,
+          const std::function<double(const std::set<std::size_t> &)> & targetsAlone)
 {
   std::function<double(std::size_t, std::set<std::size_t> &)> least = [&](std::size_t             i,
                                                                           std::set<std::size_t> & taken) {
-    if (i == a.size())
+    if (i == sources)
     {
-      return options.alone * static_cast<double>(b.size() - taken.size());
+      return targetsAlone(taken);
     }
-    double best = options.alone + least(i + 1, taken);
-    for (std::size_t j = 0; j < b.size(); ++j)
+    double best = sourceAlone(i) + least(i + 1, taken);
+    for (std::size_t j = 0; j < targets; ++j)
     {
       if (taken.insert(j).second)
       {
-        best = std::min(best, PairCost(a[i], b[j], options) + least(i + 1, taken));
+        best = std::min(best, pairCost(i, j) + least(i + 1, taken));
         taken.erase(j);
       }
     }
@@ -73,6 +75,60 @@ LeastCost(const std::vector<shapeton::FoldFeature> & a,
   };
   std::set<std::size_t> taken;
   return least(0, taken);
+}
+
+double
+LeastCost(const std::vector<shapeton::FoldFeature> & a,
+          const std::vector<shapeton::FoldFeature> & b,
+          const shapeton::FoldMatchingOptions &      options)
+{
+  return LeastCost(
+    a.size(),
+    b.size(),
+    [&](std::size_t i, std::size_t j) { return PairCost(a[i], b[j], options); },
+    [&](std::size_t) { return options.alone; },
+    [&](const std::set<std::size_t> & taken) { return options.alone * static_cast<double>(b.size() - taken.size()); });
+}
+
+/** The energy printed in 4.3.1, within the neighborhood of FoldMatchingOptions. */
+double
+LeastPrintedEnergy(const std::vector<shapeton::FeaturePoint> & a,
+                   const std::vector<shapeton::FeaturePoint> & b,
+                   double                                      lambda)
+{
+  const shapeton::FoldMatchingOptions options;
+  const auto                          pairCost = [&](std::size_t i, std::size_t j) {
+    double around = std::fmod(std::abs(a[i].y - b[j].y), turn);
+    around = std::min(around, turn - around);
+    const double along = std::abs(a[i].x - b[j].x);
+    const bool   isNear = along < options.reachAlong && around < options.reachAround;
+    return isNear ? lambda * (along * along + around * around) : 1e9;
+  };
+  return LeastCost(
+    a.size(),
+    b.size(),
+    pairCost,
+    [](std::size_t) { return 0.0; },
+    [&](const std::set<std::size_t> & taken) {
+      double sum = 0.0;
+      for (std::size_t j = 0; j < b.size(); ++j)
+      {
+        sum += taken.count(j) == 0 ? (1.0 - lambda) * b[j].fromCenter * b[j].fromCenter : 0.0;
+      }
+      return sum;
+    });
+}
+
+std::vector<shapeton::FeaturePoint>
+SomePoints(int number, int seed)
+{
+  std::vector<shapeton::FeaturePoint> points;
+  for (int i = 0; i < number; ++i)
+  {
+    const int k = 5 * i + 1000 * seed;
+    points.push_back({ 60.0 * Uneven(k), turn * Uneven(k + 1), 70.0 * Uneven(k + 2), 0 });
+  }
+  return points;
 }
 } // namespace
 
@@ -88,6 +144,28 @@ TEST(FoldMatching, HungarianFindsTheLeastCost)
     EXPECT_NEAR(matching.primal, LeastCost(a, b, options), 1e-9) << seed;
     EXPECT_EQ(matching.primal, matching.bound);
   }
+}
+
+TEST(FoldMatching, ThePrintedEnergyIsMinimized)
+{
+  for (int seed = 0; seed < 20; ++seed)
+  {
+    const auto   a = SomePoints(5, seed);
+    const auto   b = SomePoints(6, seed + 100);
+    const double lambda = 0.5 + 0.02 * seed;
+    const auto   matching = shapeton::MatchFeaturePoints(a, b, turn, lambda);
+    EXPECT_NEAR(matching.primal, LeastPrintedEnergy(a, b, lambda), 1e-9) << seed;
+  }
+}
+
+/** Two points are at the same distance from a third: the one near the border is matched. */
+TEST(FoldMatching, ThePrintedEnergyFavorsTheBorder)
+{
+  const std::vector<shapeton::FeaturePoint> a{ { 10.0, 30.0, 30.0, 0 } };
+  const std::vector<shapeton::FeaturePoint> b{ { 10.0, 35.0, 25.0, 0 }, { 10.0, 25.0, 35.0, 0 } };
+  const auto                                matching = shapeton::MatchFeaturePoints(a, b, turn, 0.9);
+  ASSERT_EQ(matching.pairs.size(), 1U);
+  EXPECT_EQ(matching.pairs[0].second, 1);
 }
 
 TEST(FoldMatching, DualDecompositionWithoutPairTermsIsHungarian)

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 namespace
@@ -133,7 +134,7 @@ TEST(SupineProneRegistration, FindsAKnownMovementWithConfidence)
   EXPECT_FALSE(registration.confidence.isFlagged);
   for (const shapeton::FoldMatch & match : registration.matches)
   {
-    EXPECT_EQ(match.source, match.target);
+    EXPECT_EQ(match.source.fold, match.target.fold);
   }
   EXPECT_GT(registration.matches.size(), 0.9 * FoldsOfPatient(1).size());
   // The margin tells the right third, and the local confidence of uneven folds is high.
@@ -226,30 +227,30 @@ TEST(SupineProneRegistration, EvidenceOfOnePatientAddsUp)
   EXPECT_LT(probability(0.6, 0.2, 0.05, 0.2), 0.5);
 }
 
-/** As in the dissertation: constraints hold, and the figures report flips and dilatation. */
-TEST(SupineProneRegistration, ThePublishedMapGoesThroughItsLandmarks)
+/** As in the dissertation: the constraints hold, and the figures report flips and dilatation. */
+TEST(SupineProneRegistration, ThePublishedMapGoesThroughTheEndsNearTheMainTaenia)
 {
   const shapeton::ColonPosition supine = MakePosition("supine", 1, {});
   const shapeton::ColonPosition prone = MakePosition("prone", 1, SomeMovement());
   shapeton::SupineProneSettings options;
   options.map = shapeton::SupineProneMap::Published;
   const auto registration = shapeton::RegisterColonPositions(supine, prone, options);
-  EXPECT_LT(GreatestError(registration, SomeMovement()), 4.0);
+  EXPECT_LT(GreatestError(registration, SomeMovement()), 5.0);
   EXPECT_LT(registration.figures.greatestMiss, 1e-3);
   EXPECT_EQ(registration.figures.flips, registration.map.Flips());
-  EXPECT_GT(registration.matches.size(), 0.9 * FoldsOfPatient(1).size());
+  // One of three taeniae, each with as many ends, is the main one.
+  EXPECT_NEAR(registration.sourceLandmarks.size(), 2.0 / 3.0 * FoldsOfPatient(1).size(), 4.0);
+  EXPECT_GT(registration.matches.size(), 0.9 * registration.sourceLandmarks.size());
   for (const shapeton::FoldMatch & match : registration.matches)
   {
-    const auto & ends = prone.folds[match.target].endUv;
-    for (const Eigen::Vector2d & uv : supine.folds[match.source].endUv)
-    {
-      const shapeton::CylinderPlace mapped = registration.map.Forward(registration.source->PlaceOfUv(uv));
-      const auto                    missOf = [&](const Eigen::Vector2d & other) {
-        const shapeton::CylinderPlace to = registration.target->PlaceOfUv(other);
-        return std::hypot(mapped.s - to.s, 2.0 * pi * radius * shapeton::TurnDifference(mapped.turn, to.turn));
-      };
-      EXPECT_LT(std::min(missOf(ends[0]), missOf(ends[1])), 1e-3);
-    }
+    EXPECT_EQ(match.source.fold, match.target.fold);
+    EXPECT_EQ(match.source.end, match.target.end);
+    const auto from = registration.source->PlaceOfUv(match.source.Uv(supine.folds));
+    const auto to = registration.target->PlaceOfUv(match.target.Uv(prone.folds));
+    EXPECT_LE(std::abs(shapeton::TurnDifference(from.turn, 0.0)) * 2.0 * pi * radius, options.border);
+    const shapeton::CylinderPlace mapped = registration.map.Forward(from);
+    EXPECT_NEAR(mapped.s, to.s, 1e-3);
+    EXPECT_NEAR(shapeton::TurnDifference(mapped.turn, to.turn) * 2.0 * pi * radius, 0.0, 1e-3);
   }
   for (double s = 40.0; s < length - 40.0; s += 9.0)
   {
@@ -262,13 +263,65 @@ TEST(SupineProneRegistration, ThePublishedMapGoesThroughItsLandmarks)
   }
 }
 
-TEST(SupineProneRegistration, OptionsOfTheDefaultMapAreRefusedForThePublishedOne)
+/** A border as wide as half the colon leaves nothing in the middle. */
+TEST(SupineProneRegistration, AWideBorderConstrainsThePublishedMapByAllEnds)
 {
   shapeton::SupineProneSettings options;
   options.map = shapeton::SupineProneMap::Published;
-  options.refine = true;
-  EXPECT_THROW(shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, {}), options),
-               shapeton::ParameterError);
+  options.border = pi * radius + 1.0;
+  const auto registration =
+    shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, SomeMovement()), options);
+  EXPECT_EQ(registration.sourceLandmarks.size(), 2 * FoldsOfPatient(1).size());
+  EXPECT_LT(GreatestError(registration, SomeMovement()), 4.0);
+}
+
+TEST(SupineProneRegistration, TaeniaeGetCommonNumbers)
+{
+  const shapeton::ColonPosition supine = MakePosition("supine", 1, {});
+  shapeton::ColonPosition       prone = MakePosition("prone", 1, SomeMovement());
+  const auto                    same = shapeton::RegisterColonPositions(supine, prone).taeniae;
+  EXPECT_EQ(same.target, (std::array<int, 3>{ { 0, 1, 2 } }));
+  EXPECT_GT(same.probability, 0.8);
+  std::rotate(prone.taeniae.curves.begin(), prone.taeniae.curves.begin() + 1, prone.taeniae.curves.end());
+  EXPECT_EQ(shapeton::RegisterColonPositions(supine, prone).taeniae.target, (std::array<int, 3>{ { 2, 0, 1 } }));
+  std::swap(prone.taeniae.curves[0], prone.taeniae.curves[1]);
+  EXPECT_EQ(shapeton::RegisterColonPositions(supine, prone).taeniae.target, (std::array<int, 3>{ { 2, 1, 0 } }));
+  prone.taeniae = {};
+  const auto unknown = shapeton::RegisterColonPositions(supine, prone).taeniae;
+  EXPECT_FALSE(unknown.AreKnown());
+  EXPECT_EQ(unknown.probability, 0.0);
+}
+
+TEST(SupineProneRegistration, OptionsOfTheOtherMapAreRefused)
+{
+  using Settings = shapeton::SupineProneSettings;
+  const auto expectRefusal = [](const std::function<void(Settings &)> & change) {
+    Settings options;
+    change(options);
+    EXPECT_THROW(shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, {}), options),
+                 shapeton::ParameterError);
+  };
+  constexpr auto published = shapeton::SupineProneMap::Published;
+  expectRefusal([](Settings & options) {
+    options.map = published;
+    options.refine = true;
+  });
+  expectRefusal([](Settings & options) {
+    options.map = published;
+    options.matching = shapeton::FoldMatchingMethod::DualDecomposition;
+  });
+  expectRefusal([](Settings & options) { options.distanceWeight = 0.5; });
+  expectRefusal([](Settings & options) { options.border = 5.0; });
+}
+
+TEST(SupineProneRegistration, ThePublishedMapNeedsTaeniae)
+{
+  shapeton::ColonPosition prone = MakePosition("prone", 1, SomeMovement());
+  prone.taeniae = {};
+  shapeton::SupineProneSettings options;
+  options.map = shapeton::SupineProneMap::Published;
+  EXPECT_TRUE(basetest::Refuses(
+    [&] { shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), prone, options); }, "needs the taeniae"));
 }
 
 TEST(SupineProneRegistration, AColonThatRunsTheOtherWayIsRefused)
@@ -317,14 +370,13 @@ TEST(SupineProneRegistration, SimplerSchemesFindWhatTheyCanExpress)
     return GreatestError(registration, shapeton::MapOfScheme(scheme, supine, prone, registration), movement);
   };
   const Movement turned{ 0.375, 0.0 }; // one of the 48 rotations tested by the schemes
-  for (const Scheme scheme : { Scheme::Rectangles, Scheme::Centerline, Scheme::Landmarks, Scheme::Published })
+  for (const Scheme scheme : { Scheme::Rectangles, Scheme::Centerline, Scheme::Landmarks })
   {
     EXPECT_LT(errorOf(scheme, turned), 3.0) << static_cast<int>(scheme);
   }
   const Movement both = SomeMovement();
   EXPECT_GT(errorOf(Scheme::Centerline, both), 7.0); // cannot follow 8 mm of stretch
   EXPECT_LT(errorOf(Scheme::Warping, both), 5.0);
-  EXPECT_LT(errorOf(Scheme::Published, both), 4.0);
   EXPECT_LT(errorOf(Scheme::QuasiConformal, both), 4.0);
 }
 

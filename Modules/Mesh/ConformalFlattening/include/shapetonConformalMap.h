@@ -20,6 +20,10 @@ struct ConformalMapSettings : ConformalMapOptions
   Progress progress;
 };
 
+/** Name of a field array with the four corners (vertices) of a surface that was cut open to become a rectangle; used if
+ * no corners are given. \ingroup ShapetonConformalFlattening */
+constexpr char CutCorners[] = "corners";
+
 /** A conformal map of a surface to the plane, with its distortion. \ingroup ShapetonConformalFlattening */
 struct ConformalMap
 {

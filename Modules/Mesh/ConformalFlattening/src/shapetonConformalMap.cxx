@@ -84,11 +84,19 @@ ChooseBoundaries(const ConformalMapSettings & options, ConformalMap & map)
 }
 
 std::array<int, 4>
-CornersOf(const ConformalMapSettings & options, const BoundaryLoop & boundary, const VertexMatrix & V)
+CornersOf(const ConformalMapSettings & options, const BoundaryLoop & boundary, const SurfaceMesh & mesh)
 {
+  const SurfaceArray * const own = FindSurfaceArray(mesh.fieldArrays, CutCorners);
+  if (options.corners.empty() && own != nullptr && own->values.size() == 4)
+  {
+    const auto & values = own->values;
+    return {
+      static_cast<int>(values(0)), static_cast<int>(values(1)), static_cast<int>(values(2)), static_cast<int>(values(3))
+    };
+  }
   if (options.corners.empty())
   {
-    return SpreadCorners(boundary, V);
+    return SpreadCorners(boundary, mesh.V);
   }
   if (options.corners.size() != 4)
   {
@@ -106,7 +114,7 @@ MapToRectangle(const SurfaceMesh &          mesh,
                const Progress &             progress,
                ConformalMap &               map)
 {
-  const auto             corners = CornersOf(options, map.loops[0], mesh.V);
+  const auto             corners = CornersOf(options, map.loops[0], mesh);
   const QuadrilateralMap quadrilateral =
     MapQuadrilateral(connectivity, lengths, map.loops[0], corners, weightLevels, progress);
   map.corners.assign(quadrilateral.corners.begin(), quadrilateral.corners.end());

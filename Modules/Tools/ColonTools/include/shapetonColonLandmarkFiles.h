@@ -6,6 +6,8 @@
 #include "shapetonSceneFiles.h"
 #include "shapetonSlicerMarkups.h"
 
+#include <array>
+
 namespace shapeton
 {
 class CommandLine;
@@ -50,6 +52,11 @@ private:
   std::string   m_Folder;
   SceneFiles    m_Scene;
 };
+
+/** Reads numbers of taeniae from registration.json of ColonRegistration, for its prone position. Throws InputError if
+ * they are unknown. \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT std::array<int, 3>
+                          ReadTaeniaNumbers(CommandLine & commandLine, const std::string & parameter);
 
 /** Reads markers for taeniae: points and vertices of a VTP file or of 3D Slicer markups; LPS, mm.
  * Throws InputError for a file without points, ParameterError for an unsupported extension. \ingroup ShapetonColonTools

@@ -5,6 +5,8 @@
 #include "shapetonCommandLine.h"
 #include "shapetonExaminationFiles.h"
 #include "shapetonJson.h"
+#include "shapetonRegistrationFolder.h"
+#include "shapetonSha256.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonExceptions.h"
 
@@ -185,6 +187,23 @@ ColonLandmarkFiles::Write(const SurfaceMesh & flat, const ColonLandmarks & landm
   this->WriteValveMarkup(landmarks.valve);
   this->WritePieces(pieces);
   this->WriteDocument(landmarks, pieces);
+}
+
+std::array<int, 3>
+ReadTaeniaNumbers(CommandLine & commandLine, const std::string & parameter)
+{
+  const std::string path = commandLine.GetString(parameter);
+  commandLine.AddInput(parameter, "sha256:" + Sha256OfFile(path));
+  const auto numbers = TaeniaNumbersOfRegistration(path);
+  if (!numbers)
+  {
+    throw InputError(
+      '"' + path +
+      "\" does not tell which taeniae of both positions are the same (taeniae.proneOfSupine); leave out the option "
+      "--" +
+      parameter + ", and both positions keep their own numbers");
+  }
+  return *numbers;
 }
 
 std::vector<Eigen::Vector3d>

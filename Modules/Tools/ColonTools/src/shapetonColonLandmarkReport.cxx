@@ -60,9 +60,9 @@ ValveInWords(const ColonLandmarks & landmarks)
 }
 
 CsvTable
-TaeniaTable(const ColonTaeniae & taeniae)
+TaeniaTable(const ColonTaeniae & taeniae, const TaeniaNames & names)
 {
-  CsvTable table({ "Taenia", "Length on the wall (cm)", "Mean confidence", "Markers" });
+  CsvTable table({ "Taenia", "Name", "Length on the wall (cm)", "Mean confidence", "Markers" });
   for (std::size_t t = 0; t < taeniae.taeniae.size(); ++t)
   {
     const ColonTaenia & taenia = taeniae.taeniae[t];
@@ -78,8 +78,11 @@ TaeniaTable(const ColonTaeniae & taeniae)
     {
       markers += marker.taenia == static_cast<int>(t) + 1 ? 1 : 0;
     }
-    table.AddRow(
-      { std::to_string(t + 1), NumberOfCentimeters(length), ProbabilityInWords(confidence), std::to_string(markers) });
+    table.AddRow({ std::to_string(t + 1),
+                   NameOf(names.names[t]),
+                   NumberOfCentimeters(length),
+                   ProbabilityInWords(confidence),
+                   std::to_string(markers) });
   }
   return table;
 }
@@ -100,7 +103,15 @@ PieceTable(const ColonPieces & pieces)
 }
 
 std::string
-HowTaeniaeWereFound(const ColonTaeniae & taeniae)
+HowTaeniaeWereNamed(const TaeniaNames & names)
+{
+  return names.AreKnown() ? " The names follow from the directions of the taeniae in descending, transverse and "
+                            "ascending colon."
+                          : " The taeniae have no names: " + names.reason + ".";
+}
+
+std::string
+HowTaeniaeWereFound(const ColonTaeniae & taeniae, const TaeniaNames & names)
 {
   if (!taeniae.reason.empty())
   {
@@ -109,7 +120,8 @@ HowTaeniaeWereFound(const ColonTaeniae & taeniae)
   return "Rule " + NameOf(taeniae.rule) + ", kept: " + taeniae.kept + ". Energy of the joint optimization " +
          CsvTable::Rounded(taeniae.jointEnergy, 4) + ", of fuzzy C-means " + CsvTable::Rounded(taeniae.fuzzyEnergy, 4) +
          " (lower is better). They are " + CsvTable::Rounded(taeniae.meanDisagreement, 3) +
-         " mm apart on average, more than 10 mm along " + WholePercent(taeniae.disagreeingShare) + " of the colon.";
+         " mm apart on average, more than 10 mm along " + WholePercent(taeniae.disagreeingShare) + " of the colon." +
+         HowTaeniaeWereNamed(names);
 }
 } // namespace
 
@@ -143,8 +155,8 @@ WriteColonLandmarkReport(CommandLine &          commandLine,
   report.AddParagraph(ValveInWords(landmarks));
   report.AddHeading("Flat colon");
   report.AddPicture(pictures[2].path, "Taeniae and flexures on the flat colon; hatched parts are not evaluable");
-  report.AddParagraph(HowTaeniaeWereFound(landmarks.taeniae));
-  report.AddTable(TaeniaTable(landmarks.taeniae), "Taeniae");
+  report.AddParagraph(HowTaeniaeWereFound(landmarks.taeniae, landmarks.taeniaNames));
+  report.AddTable(TaeniaTable(landmarks.taeniae, landmarks.taeniaNames), "Taeniae");
   report.AddHeading("Folds on the surface");
   report.AddPicture(pictures[3].path, "Folds found without the flat map");
   if (pieces != nullptr)

@@ -81,6 +81,19 @@ ErrorFacts(const Json & errors, const Json & document)
              Rounded(document["errorsOfFrame"]["mean"]) + ", " + Rounded(document["frameOverMap"], 2) +
                " times that of the map" } };
 }
+
+std::string
+TaeniaeInWords(const Json & taeniae)
+{
+  const Json & numbers = taeniae["proneOfSupine"];
+  if (!numbers.is_array())
+  {
+    return "not known which are the same in both positions";
+  }
+  return "1, 2, 3 of the supine position are " + Rounded(numbers[0], 9) + ", " + Rounded(numbers[1], 9) + ", " +
+         Rounded(numbers[2], 9) + " of the prone position (along " + Percent(taeniae["probability"]) +
+         " of the visible colon)";
+}
 } // namespace
 
 Facts
@@ -100,6 +113,10 @@ RegistrationFacts(const RegistrationParts & parts)
              Percent(map["excludedShareOfSupine"]) + " supine, " + Percent(map["excludedShareOfProne"]) + " prone" },
     { "Triangles turned over in the map", Rounded(map["flips"], 9) }
   };
+  if (document.contains("taeniae"))
+  {
+    facts.emplace_back("Taeniae", TaeniaeInWords(document["taeniae"]));
+  }
   if (document.contains("errors"))
   {
     facts.emplace_back("Mean error of known points (mm)", Rounded(document["errors"]["mean"]));

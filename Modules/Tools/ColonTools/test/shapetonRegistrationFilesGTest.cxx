@@ -169,6 +169,22 @@ TEST(RegistrationResults, TheValveOfBothPositionsIsReadUnlessTheRegistrationIsDo
   EXPECT_FALSE(shapeton::ValveOfRegistration(folder, 1));
 }
 
+TEST(RegistrationResults, TheNumbersOfTaeniaeAreReadBack)
+{
+  const std::string path = FreshFolder("numbers") + "/registration.json";
+  shapeton::Json    document = TestPair().results.document;
+  shapeton::WriteJson(document, path);
+  const auto numbers = shapeton::TaeniaNumbersOfRegistration(path);
+  ASSERT_TRUE(numbers);
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ((*numbers)[i], TestPair().registration.taeniae.target[i] + 1);
+  }
+  document["taeniae"]["proneOfSupine"] = nullptr;
+  shapeton::WriteJson(document, path);
+  EXPECT_FALSE(shapeton::TaeniaNumbersOfRegistration(path));
+}
+
 TEST(RegistrationResults, AValveThatOnePositionShowsIsMappedToTheOther)
 {
   const Pair &                 pair = TestPair();

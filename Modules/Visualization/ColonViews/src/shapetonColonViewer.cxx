@@ -152,6 +152,18 @@ PlaceValves(const std::string & registration, Json & positions)
   }
 }
 
+/** Orders the taeniae of the second position as those of the first, so that both have the same colors. */
+void
+OrderTaeniae(const std::string & registration, Json & positions)
+{
+  const auto numbers = TaeniaNumbersOfRegistration(registration + '/' + examination::registration.name);
+  const Json taeniae = positions[1]["taeniae"];
+  for (std::size_t i = 0; numbers && i < taeniae.size(); ++i)
+  {
+    positions[1]["taeniae"][i] = taeniae[(*numbers)[i] - 1];
+  }
+}
+
 /** Adds both maps; false if there are none. */
 bool
 PutMaps(PageBlocks & blocks, const std::vector<ExaminationFolder> & positions, const std::string & registration)
@@ -197,6 +209,7 @@ WriteColonViewer(const std::string &        folderOfExam,
   if (info["hasMap"].get<bool>())
   {
     PlaceValves(registration, positions);
+    OrderTaeniae(registration, positions);
   }
   if (!options.verdicts.empty())
   {

@@ -5,6 +5,7 @@
 #include "shapetonFlatColonOverlay.h"
 #include "shapetonFlatColonPage.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -45,7 +46,17 @@ FoldsByLabel(const ColonPositionFiles & files)
   return folds;
 }
 
-/** Draws crests on both strips, and collects the links between them. */
+/** Which point of a fold was matched: 0 and 1 for an end, -1 for its center, that is, the whole fold. */
+int
+MatchedEnd(const HaustralFold & fold, const Eigen::Vector3d & point)
+{
+  const double center = (fold.center - point).norm();
+  const double first = (fold.ends[0] - point).norm();
+  const double second = (fold.ends[1] - point).norm();
+  return center <= std::min(first, second) ? -1 : first <= second ? 0 : 1;
+}
+
+/** Draws crests, or dots at matched ends, on both strips, and collects the links between them. */
 class FoldDrawing
 {
 public:
@@ -58,6 +69,8 @@ public:
   {
     std::map<int, const HaustralFold *> supine = FoldsByLabel(*m_Parts.supine);
     std::map<int, const HaustralFold *> prone = FoldsByLabel(*m_Parts.prone);
+    std::vector<FlatDot>                upperDots;
+    std::vector<FlatDot>                lowerDots;
     const auto &                        matches = m_Parts.results->matches;
     for (std::size_t i = 0; i < matches.size(); ++i)
     {
@@ -68,12 +81,35 @@ public:
         continue; // from another run of ColonFolds: shown as unmatched
       }
       const RGBColor color = IsDoubtful(matches[i]) ? colorOfDoubt : ColorOfPair(i);
+      const int      end = MatchedEnd(*from->second, matches[i].supinePoint);
+      if (end >= 0)
+      {
+        const int other = std::max(0, MatchedEnd(*to->second, matches[i].pronePoint));
+        upperDots.push_back({ from->second->endUv[end], color, radiusOfEnds });
+        lowerDots.push_back({ m_Colons.InSupineFrame(to->second->endUv[other]), color, radiusOfEnds });
+        m_Pair.links.push_back({ upperDots.back().uv, lowerDots.back().uv, color });
+        continue;
+      }
       this->DrawCrest(upper, *from->second, false, color, 3.0);
       this->DrawCrest(lower, *to->second, true, color, 3.0);
       m_Pair.links.push_back({ from->second->centerUv, m_Colons.InSupineFrame(to->second->centerUv), color });
       supine.erase(from);
       prone.erase(to);
     }
+    this->DrawAlone(supine, prone, upper, lower);
+    this->DrawDots(upper, upperDots);
+    this->DrawDots(lower, lowerDots);
+  }
+
+private:
+  static constexpr double radiusOfEnds = 4.0; // pixels
+
+  void
+  DrawAlone(const std::map<int, const HaustralFold *> & supine,
+            const std::map<int, const HaustralFold *> & prone,
+            Picture *                                   upper,
+            Picture *                                   lower) const
+  {
     for (const auto & [label, fold] : supine)
     {
       this->DrawCrest(upper, *fold, false, colorOfAlone, 2.0);
@@ -84,7 +120,15 @@ public:
     }
   }
 
-private:
+  void
+  DrawDots(Picture * strip, const std::vector<FlatDot> & dots) const
+  {
+    for (const FlatDot & dot : dots)
+    {
+      DrawFlatDot(strip, m_Colons.Grid(), dot);
+    }
+  }
+
   void
   DrawCrest(Picture * strip, const HaustralFold & fold, bool isProne, const RGBColor & color, double thickness) const
   {
@@ -113,16 +157,30 @@ PaintCurvature(const FlatColonGrid & grid, const FlatColonAxis & axis)
   return PaintFlatCurvature(grid, axis);
 }
 
-std::string
-NoteOnMatches(const RegistrationResults & results)
+/** Whether ends of folds were matched, as for the published map. */
+bool
+AreEnds(const RegistrationParts & parts)
 {
-  std::size_t doubtful = 0;
+  const auto folds = FoldsByLabel(*parts.supine);
+  const auto isEnd = [&](const MatchedFolds & match) {
+    const auto fold = folds.find(match.supineFold);
+    return fold != folds.end() && MatchedEnd(*fold->second, match.supinePoint) >= 0;
+  };
+  const auto & matches = parts.results->matches;
+  return std::any_of(matches.begin(), matches.end(), isEnd);
+}
+
+std::string
+NoteOnMatches(const RegistrationParts & parts)
+{
+  const RegistrationResults & results = *parts.results;
+  std::size_t                 doubtful = 0;
   for (const MatchedFolds & match : results.matches)
   {
     doubtful += IsDoubtful(match);
   }
-  return std::to_string(results.matches.size()) +
-         " pairs of folds, each of one color in both; red: " + std::to_string(doubtful) +
+  return std::to_string(results.matches.size()) + " pairs of " + (AreEnds(parts) ? "ends of folds" : "folds") +
+         ", each of one color in both; red: " + std::to_string(doubtful) +
          (results.points.empty() ? " that the map contradicts" : " contradicted or wrong") +
          "; black: unmatched.\nThe prone wall is drawn as mapped. Striped: no correspondence (collapsed, narrow or not "
          "scanned in one position).\n" +
@@ -141,7 +199,7 @@ DrawAlignedColons(const RegistrationParts & parts, const AlignedColonsOptions & 
   colons.Hatch(upper);
   colons.Hatch(lower);
   FlatColonPageOptions page{ "Both positions, the prone one in the supine frame",
-                             NoteOnMatches(*parts.results),
+                             NoteOnMatches(parts),
                              options.greatestColumns };
   return DrawFlatColonPairPage(
     pair, colons.Grid(), colons.Distances(), SegmentAnnotations(parts.supine->segments), page);

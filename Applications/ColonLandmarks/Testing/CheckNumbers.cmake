@@ -1,0 +1,11 @@
+# Checks that the taeniae of NEW are those of OLD in the order 2, 3, 1.
+file(READ ${OLD}/landmarks.json old)
+file(READ ${NEW}/landmarks.json new)
+foreach(i 0 1 2)
+  math(EXPR from "(${i} + 1) % 3")
+  string(JSON before GET "${old}" taeniae taeniae ${from} length)
+  string(JSON after GET "${new}" taeniae taeniae ${i} length)
+  if(NOT before STREQUAL after)
+    message(FATAL_ERROR "taenia ${i}: ${after} mm instead of ${before}")
+  endif()
+endforeach()

@@ -1,0 +1,11 @@
+# Checks that the map of segment-transverse.vtp has the modulus of the split, so the file kept its cut along the taenia.
+file(READ ${FOLDER}/landmarks.json landmarks)
+file(READ ${STATISTICS} statistics)
+string(JSON name GET "${landmarks}" pieces 3 name)
+string(JSON expected GET "${landmarks}" pieces 3 modulusU)
+string(JSON modulus GET "${statistics}" map modulusU)
+string(JSON corners LENGTH "${statistics}" map corners)
+string(SUBSTRING "${expected}" 0 5 digits)
+if(NOT name STREQUAL "transverse" OR NOT modulus MATCHES "^${digits}" OR NOT corners EQUAL 4)
+  message(FATAL_ERROR "${name}: modulus ${modulus} instead of ${expected}, ${corners} corners")
+endif()
