@@ -21,6 +21,15 @@ both_positions() {
   run ColonRegistration patient-20 second both --evaluate points.csv --report both/report
 }
 
+# same_taeniae: the landmarks of both positions, split along one taenia, with the numbers of the first position.
+same_taeniae() {
+  both_positions
+  run ColonLandmarks patient-20/flattening/flat.vtp patient-20/segmentation/centerline.vtp patient-20-split --split \
+    --report patient-20-split/report
+  run ColonLandmarks second/flattening/flat.vtp second/segmentation/centerline.vtp second-split --split \
+    --registration both/registration.json --report second-split/report
+}
+
 # raw_wall: the wall of patient 00020 with its handles, flattened without repair.
 raw_wall() {
   patient_20

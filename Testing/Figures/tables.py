@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 """usage: tables.py OUT.csv matches NAME=FOLDER...
-       tables.py OUT.csv times NAME=PREFIX...
+       tables.py OUT.csv times NAME=ROW.json...
        tables.py OUT.csv numbers SHAPETONS=PREFIX...
        tables.py OUT.csv volumes NAME=SIZE=PREFIX...
 
 Writes a table of the dissertation with the published values and ours. Called by make-figures.
 
   matches  Table 4.1; FOLDER was written by ColonRegistration
-  times    Table 5.1; PREFIX.json are the statistics of ColonFlattening, PREFIX.vtp.run.json the durations
+  times    Table 5.1; ROW.json was written by FlatteningPeers
   numbers  Table 3.1; PREFIX.nrrd.run.json are the durations of ShapetonDiffusion
   volumes  Table 3.2; PREFIX-heat.nrrd.run.json and PREFIX-shapetons.nrrd.run.json are the durations of both diffusions
 """
@@ -65,23 +65,25 @@ def read(path):
 
 
 def rows_of_matches(name, folder):
-    """One row per segment of a registration, and one for all."""
+    """One row per segment of a registration, and one for all; as published, unmatched features count as wrong."""
     result = read(f"{folder}/registration.json")
     hasTruth = "errors" in result
     rows = {one["segment"]: one for one in result["segments"]}
     rows["whole"] = result["matches"]
     for segment in PUBLISHED_MATCHES:
         one = rows[segment]
-        truth = (one["correct"], one["wrong"]) if hasTruth else ("", "")
-        yield (name, segment, one["supineFolds"], one["proneFolds"], one["followed"] + one["contradicted"], *truth,
-               one["contradicted"])
+        supine, prone = one["supineFolds"], one["proneFolds"]
+        truth = ("", "", "")
+        if hasTruth:
+            truth = (one["correct"], f"{supine - one['correct']} / {prone - one['correct']}", one["wrong"])
+        yield (name, segment, supine, prone, one["followed"] + one["contradicted"], *truth, one["contradicted"])
 
 
 def matches(arguments):
     """Table 4.1."""
-    yield ("colon", "segment", "supine", "prone", "matched", "right", "wrong", "contradicted")
+    yield ("colon", "segment", "supine", "prone", "matched", "right", "not right, supine / prone", "wrong pairs", "contradicted")
     for segment, (supine, prone, right, wrong) in PUBLISHED_MATCHES.items():
-        yield ("published", segment, supine, prone, "", right, wrong, "")
+        yield ("published", segment, supine, prone, "", right, wrong, "", "")
     for argument in arguments:
         yield from rows_of_matches(*argument.split("=", 1))
 
@@ -92,15 +94,18 @@ def digits(number):
 
 
 def times(arguments):
-    """Table 5.1."""
-    yield ("model", "faces", "Ricci flow, s", "metric, s", "flattening, s")
+    """Table 5.1, and the comparisons of section 5.3."""
+    yield ("model", "faces", "handles", "Ricci flow, s", "metric, s", "metric from 50 eigenpairs, s", "flattening, s",
+           "harmonic forms of handles, s", "handles removed by curvature, s", "by loops, s")
     for model, faces, ricci, ours in PUBLISHED_TIMES:
-        yield (f"published: {model}", f"{faces:,}", ricci, "", ours)
+        yield (f"published: {model}", f"{faces:,}", "", ricci, "", "", ours, "", "", "")
     for argument in arguments:
-        name, prefix = argument.split("=", 1)
-        stages = read(prefix + ".vtp.run.json")["stages"]
-        yield (name, f"{read(prefix + '.json')['faces']:,}", "", digits(stages['Metric']),
-               digits(stages['Flattening'] + stages.get('Cutting off pouches', 0)))
+        name, path = argument.split("=", 1)
+        row = read(path)
+        seconds = [digits(row[key]) if key in row else "" for key in ("ricciFlow", "metric", "metricOf50", "flattening", "forms")]
+        removals = [f"{digits(row[key])} ({row['genus'] - row[left]} of {row['genus']})" if key in row else ""
+                    for key, left in (("removalByCurvature", "genusAfterCurvature"), ("removalByLoops", "genusAfterLoops"))]
+        yield (name, f"{row['faces']:,}", row["genus"], seconds[0] or "fails", *seconds[1:], *removals)
 
 
 def seconds_of(result, stage):
