@@ -71,8 +71,9 @@ TimeForms(const Wall & wall, const SurfaceConnectivity & connectivity, Json & ro
   HarmonicForms          forms;
   row["forms"] = SecondsOf([&] { forms = FindHarmonicForms(wall.mesh, connectivity, laplacian); });
   row["formsSolved"] = forms.forms.cols();
-  row["formsClosure"] = forms.closure;
-  row["formsDivergence"] = forms.divergence;
+  const HarmonicErrors errors = ErrorsOf(forms, wall.mesh, connectivity, laplacian);
+  row["formsClosure"] = errors.closure;
+  row["formsDivergence"] = errors.divergence;
 }
 
 /** Times of the removal of handles, by curvature on the flat map, and by loops (5.3.2, 5.4.3). */

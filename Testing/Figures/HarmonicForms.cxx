@@ -181,7 +181,7 @@ LargestClosure(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivit
       const bool isForward = mesh.F(face, k) < mesh.F(face, (k + 1) % 3);
       sum += (isForward ? 1.0 : -1.0) * forms.row(connectivity.EdgeOfFace(face, k));
     }
-    largest = forms.cols() > 0 ? std::max(largest, sum.cwiseAbs().maxCoeff()) : 0.0;
+    largest = std::max(largest, sum.cwiseAbs().maxCoeff());
   }
   return largest;
 }
@@ -214,8 +214,16 @@ FindHarmonicForms(const SurfaceMesh &         mesh,
     const auto [a, b] = laplacian.edges[edge];
     result.forms.row(edge) -= f.row(b) - f.row(a);
   }
-  const double largest = result.forms.cwiseAbs().maxCoeff();
-  result.closure = LargestClosure(mesh, connectivity, result.forms) / largest;
-  result.divergence = DivergenceOf(laplacian, result.forms).cwiseAbs().maxCoeff() / largest;
   return result;
+}
+
+HarmonicErrors
+ErrorsOf(const HarmonicForms &       forms,
+         const SurfaceMesh &         mesh,
+         const SurfaceConnectivity & connectivity,
+         const SurfaceLaplacian &    laplacian)
+{
+  const double largest = forms.forms.cwiseAbs().maxCoeff();
+  return { LargestClosure(mesh, connectivity, forms.forms) / largest,
+           DivergenceOf(laplacian, forms.forms).cwiseAbs().maxCoeff() / largest };
 }

@@ -11,8 +11,12 @@ struct HarmonicForms
 {
   /** One column per class: the form on each edge from its lower to its higher vertex. */
   Eigen::MatrixXd forms;
-  /** Largest sum around a face, and largest divergence at a vertex, relative to the largest value of the form: 0 for a
-   * harmonic form. */
+};
+
+/** Largest sum around a face, and largest divergence at a vertex, relative to the largest value: 0 for harmonic forms.
+ */
+struct HarmonicErrors
+{
   double closure{ 0.0 };
   double divergence{ 0.0 };
 };
@@ -22,5 +26,11 @@ HarmonicForms
 FindHarmonicForms(const shapeton::SurfaceMesh &         mesh,
                   const shapeton::SurfaceConnectivity & connectivity,
                   const shapeton::SurfaceLaplacian &    laplacian);
+
+HarmonicErrors
+ErrorsOf(const HarmonicForms &                 forms,
+         const shapeton::SurfaceMesh &         mesh,
+         const shapeton::SurfaceConnectivity & connectivity,
+         const shapeton::SurfaceLaplacian &    laplacian);
 
 #endif

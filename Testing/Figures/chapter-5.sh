@@ -109,4 +109,4 @@ table times 'patient 00020=patient-20-times.json' '00020 A=patient-20-times-asce
 differs 'A, T: ascending, transverse colon. Published: one core at 1.87 GHz. Ours: two busy cores. **Agrees:** Ricci flow takes 8 to 9' \
   'times as long as flattening (published: 9 to 12) and fails with handles; handles are removed faster by curvature than by' \
   'loops. **Differs:** three times, not 285; Ricci flow also fails on two segments (double precision); the 34 harmonic forms of' \
-  '17 handles share one factorization and take twice as long as flattening.'
+  '17 handles share one factorization and take 1.4 times as long as flattening.'

@@ -25,7 +25,7 @@ MainTaeniaOfTarget(const ColonPair & pair, const CylinderMap & frame)
 {
   constexpr double      step = 10.0; // mm; chosen: taeniae are smooth
   std::array<double, 3> away{};
-  for (double s = pair.sourceCylinder->Begin(); pair.AreTaeniaeKnown() && s < pair.sourceCylinder->End(); s += step)
+  for (double s = pair.sourceCylinder->Begin(); s < pair.sourceCylinder->End(); s += step)
   {
     const CylinderPlace at = frame.Forward({ s, pair.sourceTaeniae.At(0, s) });
     for (int taenia = 0; taenia < 3; ++taenia)
