@@ -59,7 +59,7 @@ differs 'Seen from behind. The black loop is the section of the wall with the pl
 modulus() {
   ! is_making || /usr/bin/python3 -c 'import json, sys
 pieces = {piece["name"]: piece["modulus"] for piece in json.load(open(sys.argv[1]))["pieces"]}
-print("%.3f" % pieces[sys.argv[2]])' "$work/$1-split/landmarks.json" "$2"
+print("%.3f" % pieces[sys.argv[2]])' "${work:?}/$1-split/landmarks.json" "$2"
 }
 
 figure 4.6 'conformal modulus of segments in two positions'
