@@ -62,6 +62,7 @@ struct Pictures
     , title(std::filesystem::path(commandLine.GetString("graph")).filename().string())
   {
     options.disk = commandLine.GetString("disk") == "klein" ? DiskModel::Klein : DiskModel::Poincare;
+    options.fromEdgeNode = commandLine.GetString("infinity") == "edgeNode";
     for (const char * name : { "disk", "part", "component", "unit" }) // the certificate does not depend on them
     {
       commandLine.LeaveOutOfProvenance(name);

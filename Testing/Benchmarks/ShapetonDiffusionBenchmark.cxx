@@ -233,8 +233,8 @@ Register()
       };
       inTurns(benchmark::RegisterBenchmark(name.c_str(), take), 6);
     };
-    draw("solidAngle", kernels->drawBySolidAngle);
-    draw("sectorArea", kernels->drawBySectorArea);
+    draw("solidAngle", kernels->DrawOf(DirectionSampling::SolidAngle));
+    draw("sectorArea", kernels->DrawOf(DirectionSampling::SectorArea));
   }
 }
 

@@ -148,6 +148,46 @@ test('a node is marked in all steps; steps without it are listed', async () => {
   await shot('4-steps');
 });
 
+test('nodes are tracked with Ctrl and click or with a key, in all steps, until their button is pressed', async () => {
+  await open(STEPS);
+  const colors = () => page.evaluate(() => graphPage.views.map((v) => [...v.graph.data.tracked].map(([n, c]) => [v.graph.name(n), c])));
+  const before = await colors(), [node] = await seenNodes(0), { at: [x, y], name } = await place(0, 'node', node);
+  await page.click(x, y, { modifiers: 2 });
+  await idle();
+  const after = await colors();
+  for (const [view, list] of after.entries()) {
+    const added = list.filter(([n]) => !before[view].some(([m]) => m === n));
+    assert.ok(added.every(([n]) => n === name), `view ${view}`);
+  }
+  assert.equal(after[0].length, before[0].length + 1);
+  await shot('5-tracked');
+  await press('a');
+  assert.deepEqual(await colors(), before);
+});
+
+test('two steps are shown with their differences, or all steps', async () => {
+  await open(STEPS);
+  const choose = async (from, to) => {
+    await page.evaluate((values) => values.forEach((value, i) => {
+      const select = document.querySelectorAll('#steps select')[i];
+      select.value = value;
+      select.dispatchEvent(new Event('change'));
+    }), [from, to]);
+    await idle();
+  };
+  const shown = () => page.evaluate(() => graphPage.views.map((v) => v.canvas.clientWidth > 0));
+  await choose('0', '2');
+  assert.deepEqual(await shown(), [true, false, true]);
+  const green = await page.evaluate(() => {
+    const [a, , b] = graphPage.views.map((v) => v.graph);
+    return b.data.names.filter((_, i) => b.data.colors[i] === '#43a047').every((n) => a.nodeOf(n) < 0 || a.degree(a.nodeOf(n)) !== b.degree(b.nodeOf(n)));
+  });
+  assert.ok(green, 'only changed nodes are green');
+  await shot('6-two-steps');
+  await choose('0', '');
+  assert.deepEqual(await shown(), [true, true, true]);
+});
+
 test('search finds nodes by name, Enter selects the next match and centers it', async () => {
   await open(SPHERE);
   await press('/');

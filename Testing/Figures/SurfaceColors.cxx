@@ -1,17 +1,41 @@
-// Draws a surface in space, colored by a point array from blue over white to red.
-// usage: SurfaceColors SURFACE.vtp PICTURE.png ARRAY LEAST GREATEST AZIMUTH (degrees, 0 from the front)
+// Draws a surface in space, plain or colored by a point array from blue over white to red.
+// usage: SurfaceColors SURFACE.vtp PICTURE.png [array=NAME,LEAST,GREATEST] [azimuth=DEGREES] [elevation=DEGREES]
+//                      [near=X,Y,Z,RADIUS] [curves=CURVES.vtp] [width=MM] [opacity=0..1]
+// `near` draws only faces within a radius (mm) of a point; curves are drawn in red.
+#include "shapetonCurveSet.h"
 #include "shapetonExceptions.h"
 #include "shapetonPicture.h"
+#include "shapetonSurfaceMesh.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonSurfaceRendering.h"
 
 #include <algorithm>
 #include <iostream>
+#include <map>
+#include <sstream>
 
 using namespace shapeton;
 
 namespace
 {
+using Settings = std::map<std::string, std::vector<std::string>>;
+
+Settings
+SettingsOf(const std::vector<std::string> & arguments)
+{
+  Settings settings;
+  for (const std::string & argument : arguments)
+  {
+    const std::size_t  equals = argument.find('=');
+    std::istringstream values(argument.substr(equals == std::string::npos ? argument.size() : equals + 1));
+    for (std::string value; std::getline(values, value, ',');)
+    {
+      settings[argument.substr(0, equals)].push_back(value);
+    }
+  }
+  return settings;
+}
+
 RGBColor
 BlueWhiteRed(double share)
 {
@@ -22,28 +46,68 @@ BlueWhiteRed(double share)
   return t < 0.5 ? MixColors(blue, white, 2.0 * t) : MixColors(white, red, 2.0 * t - 1.0);
 }
 
-void
-Draw(const std::vector<std::string> & arguments)
+std::vector<RGBColor>
+ColorsOf(const SurfaceMesh & mesh, const std::vector<std::string> & setting)
 {
-  const SurfaceMesh          mesh = ReadSurface(arguments[0]).mesh;
-  const SurfaceArray * const array = FindSurfaceArray(mesh.pointArrays, arguments[2]);
+  const SurfaceArray * const array = FindSurfaceArray(mesh.pointArrays, setting.at(0));
   if (array == nullptr)
   {
-    throw InputError('"' + arguments[0] + "\" has no point array " + arguments[2]);
+    throw InputError("the surface has no point array " + setting[0]);
   }
-  const double least = std::stod(arguments[3]);
-  const double greatest = std::stod(arguments[4]);
-  SurfaceActor actor;
-  actor.surface = &mesh;
+  const double          least = std::stod(setting.at(1));
+  const double          greatest = std::stod(setting.at(2));
+  std::vector<RGBColor> colors;
   for (Eigen::Index vertex = 0; vertex < mesh.V.rows(); ++vertex)
   {
-    actor.vertexColors.push_back(BlueWhiteRed((array->values(vertex, 0) - least) / (greatest - least)));
+    colors.push_back(BlueWhiteRed((array->values(vertex, 0) - least) / (greatest - least)));
+  }
+  return colors;
+}
+
+SurfaceMesh
+PartNear(const SurfaceMesh & mesh, const std::vector<std::string> & setting)
+{
+  const Eigen::Vector3d center(std::stod(setting.at(0)), std::stod(setting.at(1)), std::stod(setting.at(2)));
+  const double          radius = std::stod(setting.at(3));
+  std::vector<int>      faces;
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    if ((mesh.V.row(mesh.F(face, 0)).transpose() - center).norm() < radius)
+    {
+      faces.push_back(face);
+    }
+  }
+  return FacesOfSurface(mesh, faces);
+}
+
+void
+Draw(const std::string & surface, const std::string & picture, Settings settings)
+{
+  SurfaceMesh mesh = ReadSurface(surface).mesh;
+  if (settings.count("near") != 0)
+  {
+    mesh = PartNear(mesh, settings["near"]);
   }
   SurfaceScene scene;
-  scene.surfaces.push_back(actor);
+  scene.surfaces.push_back({ &mesh });
+  if (settings.count("array") != 0)
+  {
+    scene.surfaces[0].vertexColors = ColorsOf(mesh, settings["array"]);
+  }
+  const auto numberOf = [&](const char * name, double otherwise) {
+    return settings.count(name) != 0 ? std::stod(settings[name].at(0)) : otherwise;
+  };
+  scene.surfaces[0].opacity = numberOf("opacity", 1.0);
+  CurveSet curves;
+  if (settings.count("curves") != 0)
+  {
+    curves = ReadCurves(settings["curves"].at(0));
+    scene.curves.push_back({ &curves, numberOf("width", 1.5), MakeColor(200, 30, 30) });
+  }
   SurfaceRenderingOptions options;
-  options.azimuth = std::stod(arguments[5]);
-  WritePng(RenderSurfaces(scene, options), arguments[1]);
+  options.azimuth = numberOf("azimuth", 0.0);
+  options.elevation = numberOf("elevation", 0.0);
+  WritePng(RenderSurfaces(scene, options), picture);
 }
 } // namespace
 
@@ -55,16 +119,16 @@ main(int argc, char * argv[])
   {
     arguments.pop_back();
   }
-  if (arguments.size() != 6)
+  if (arguments.size() < 2)
   {
-    std::cerr << "usage: SurfaceColors SURFACE.vtp PICTURE.png ARRAY LEAST GREATEST AZIMUTH\n";
+    std::cerr << "usage: SurfaceColors SURFACE.vtp PICTURE.png [NAME=VALUE,...]...\n";
     return 2;
   }
   try
   {
-    Draw(arguments);
+    Draw(arguments[0], arguments[1], SettingsOf({ arguments.begin() + 2, arguments.end() }));
   }
-  catch (const Exception & error)
+  catch (const std::exception & error)
   {
     std::cerr << error.what() << '\n';
     return 1;

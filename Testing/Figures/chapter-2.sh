@@ -36,7 +36,7 @@ panels 2 430 "$(histogram equalized.png)=(a) equalized" "$(histogram normalized.
 differs 'MR head; the dissertation does not name its data. **Agrees:** equalization assigns space by the number of voxels.'
 
 figure 2.4 'a cube in time'
-run ShapePhantom cube.nrrd --shape figure2.4
+run ShapePhantom cube.nrrd --shape figure2.4 --size 90,90,90
 run CumulativeHeatDiffusion cube.nrrd cube-heat.nrrd --preset published --timeSteps 4000 --snapshotSteps 20,100,750,900,1000,1100 \
   --snapshotFolder cube-steps --histogram cube-histogram.png
 cube=()
@@ -49,6 +49,22 @@ panels 3 280 "${cube[@]}" "$(histogram cube-histogram.png)=4000 steps"
 differs 'Orange: within 15 % of the final heat; red: hotter. **Agrees:** faces reach the final heat first, then edges, then' \
   'corners; one line remains. **Not comparable:** the steps depend on size and thresholds, which are not printed' \
   '([values](validation/heat.md#figures-24-25-and-27-of-the-dissertation)).'
+
+figure 2.5 'conventional and cumulative heat diffusion'
+run ShapePhantom small.nrrd --shape figure2.4 --size 32,32,32
+compared=()
+for step in 10 30 100; do
+  run ConventionalDiffusion small.nrrd small-conventional-$step.nrrd 7 $step
+  run HeatTransferFunction small.nrrd small-conventional-$step.nrrd small.vp --picture small-conventional-$step.png
+  compared+=("$(slice small-conventional-$step.png)=conventional, $step steps")
+done
+for step in 10 30 100; do
+  run CumulativeHeatDiffusion small.nrrd small-$step.nrrd --preset published --timeSteps $step
+  run HeatTransferFunction small.nrrd small-$step.nrrd small.vp --picture small-$step.png
+  compared+=("$(slice small-$step.png)=cumulative, $step steps")
+done
+panels 3 280 "${compared[@]}"
+differs 'A cube in 32^3 voxels.'
 
 figure 2.6 'the foot, one line at a time'
 needs scivis/foot.nii.gz

@@ -80,7 +80,7 @@ differs 'Height over width of the rectangle; both positions are cut along the sa
 figure 4.7 'mean curvature'
 same_taeniae
 for position in patient-20 second; do
-  run SurfaceColors $position-split/folds-surface.vtp $position-curvature.png meanCurvature -0.2 0.2 0
+  run SurfaceColors $position-split/folds-surface.vtp $position-curvature.png array=meanCurvature,-0.2,0.2
 done
 panels 2 470 "patient-20-split/report/landmarks-anterior.png@120,40,640,464=(a) supine" \
   "second-split/report/landmarks-anterior.png@120,40,640,464=(d) prone" \

@@ -53,11 +53,22 @@ panels 1 700 karate.png
 differs 'The karate club. Each color is a copy of the fundamental domain, as published; the certificate contains our' \
   'generators.'
 
+figure 6.5 'stages of an embedding'
+needs graphs/karate.gml
+embed karate karate.gml
+run GraphEmbedding karate.gml karate-space.json --surface karate.vtp
+run SurfaceColors karate.vtp karate-space.png curves=karate.vtp width=0.01 azimuth=20 elevation=50
+panels 3 300 "karate.png@0,0,500,500=graph and dual on a surface of genus 2" "karate.png@500,0,500,500=Ricci flow, in the plane" \
+  "karate-space.png=in space"
+differs 'The karate club. **Agrees:** the three stages.'
+
 figure 6.6 'stages for a planar graph'
 lines planar.edges '1 2' '2 3' '3 4' '4 1' '1 5' '2 5' '3 5' '4 5' '2 6' '3 6' '5 6'
 embed planar planar.edges
-panels 1 700 planar.png
-differs 'Stages (a), (c) and (d) for another graph: overlap graph, circles, sphere.'
+embed planar-edge-node planar.edges --infinity edgeNode
+panels 2 350 "planar.png@0,0,500,500=(a) graph and dual" "planar-edge-node.png@0,0,500,500=(b) reduced graph: an edge node at infinity" \
+  "planar-edge-node.png@500,0,500,500=(c) result of the flow" "planar.png@0,500,500,500=(d) sphere"
+differs 'Another graph. **Agrees:** (c) the circles around the edge node at infinity become the sides of a rectangle.'
 
 figure 6.8 'genus one'
 lines k33.edges 'a x' 'a y' 'a z' 'b x' 'b y' 'b z' 'c x' 'c y' 'c z'
@@ -72,6 +83,14 @@ panels 2 430 "elements.png@0,0,1000,500" "elements.png@0,500,1000,500"
 differs 'Published: 3,000 nodes, 6,000 edges, 28 s. Ours: 4,720 nodes and 13,722 edges, 0.7 s with two cores. **Agrees:** (a)' \
   'to (d): plane, graph and dual graph, circles, sphere. Circles shrink around the holes of the mesh.'
 
+figure 6.10 'a large graph of genus one'
+into grid.edges awk 'BEGIN { for (i = 0; i < 100; ++i) for (j = 0; j < 100; ++j) { k = 100 * i + j
+  if ((i + 2 * j) % 5) print k, 100 * ((i + 1) % 100) + j
+  print k, 100 * i + (j + 1) % 100 } }'
+embed grid grid.edges
+panels 1 600 grid.png@0,0,500,500
+differs 'A grid of 10,000 nodes and 18,000 edges.'
+
 figure 6.11 'genus two and three'
 needs graphs/rome/grafo3309.59.graphml graphs/rome/grafo8229.70.graphml
 embed rome-2 grafo3309.59.graphml
@@ -84,9 +103,14 @@ figure 6.13 'isomorphic graphs'
 lines one.edges '1 2' '2 3' '3 4' '4 1' '1 5' '2 5' '3 5' '4 5' '2 6' '3 6' '5 6'
 lines other.edges 'c f' 'f a' 'a e' 'e c' 'c b' 'f b' 'a b' 'e b' 'f d' 'a d' 'b d'
 run GraphCompare one.edges other.edges same --labels
-svg same/comparison.svg 900
-panels 1 700 same/comparison.png
-differs '**Agrees:** two numberings of a graph, not the printed one, have the same circles in the same colors.'
+svg same/comparison.svg 1200
+for graph in one other; do
+  run circle-layout.py $graph.edges $graph.svg
+  svg $graph.svg 400
+done
+panels 2 400 "one.png=(a) a graph" "other.png=(b) the same graph, numbered anew" "same/comparison.png@0,0,600,600=(c)" \
+  "same/comparison.png@600,0,600,600=(d)"
+differs '**Agrees:** both have the same circles (c, d). Ours is not the printed graph.'
 
 # branches EXPRESSIONS [WITHOUT]: an awk program that prints two expressions of the ends $1 and $2 of each branch of a MATPOWER case,
 # excluding the branches with the given numbers.
@@ -108,12 +132,11 @@ ring=('1 2' '2 3' '3 4' '4 5' '5 6' '6 1' '7 1' '7 2' '7 3' '8 3' '8 4' '8 5' '9
 lines small/step-0.edges "${ring[@]}"
 lines small/step-1.edges "${ring[@]}" '10 1' '10 2' '10 7'
 lines small/step-2.edges "${ring[@]}" '10 1' '10 2' '10 7' '11 4' '11 5' '11 8'
-lines small/step-3.edges "${ring[@]}" '10 1' '10 2' '10 7' '11 4' '11 5' '11 8' '12 7' '12 8' '12 9'
-run DynamicGraph small small-out --labels
-svg small-out/steps.svg 1200
+lines small/step-3.edges "${ring[@]/7 8/7 12}" '10 1' '10 2' '10 7' '11 4' '11 5' '11 8' '12 3' '12 8' '12 9'
+run DynamicGraph small small-out --labels --track 7,8
+svg small-out/steps.svg 1600
 panels 1 800 small-out/steps.png
-differs 'Nodes 10, 11 and 12 are inserted by hand as published; green: neighborhoods that changed. **Agrees:** all nodes stay' \
-  'in place. Here, each new node fits between the circles; in the dissertation, some radii change.'
+differs 'Nodes 10, 11 and 12 are inserted by hand as published; green: neighborhoods that changed.'
 
 figure 6.16 'a real graph that changes'
 needs graphs/power/case118.m
@@ -121,7 +144,7 @@ into outages/step-0.edges awk "$(branches '$1, $2')" case118.m
 into outages/step-1.edges awk "$(branches '$1, $2' '60')" case118.m
 into outages/step-2.edges awk "$(branches '$1, $2' '60 104')" case118.m
 run DynamicGraph outages outages-out --track 49,80,100
-svg outages-out/steps.svg 1200
+svg outages-out/steps.svg 1500
 panels 1 800 outages-out/steps.png
 differs 'Published: an unnamed real graph. Ours: a real grid, two made-up outages. Green: changes; blue: tracked buses.' \
   '**Agrees** in step 1: all other nodes stay in place (mean displacement 0.04 rad). **Differs** in step 2: two large' \
@@ -136,8 +159,10 @@ differs 'The same for a folder `temporal` with one graph per step in the folder 
 
 figure 6.17 'a sensor network'
 run SensorNetworkSimulator hours --nodes 150 --steps 5 --range 200 --speed 10
-run DynamicGraph hours hours-out --compare 0,4
-svg hours-out/steps.svg 1000
-svg hours-out/correspondence.svg 1000
-panels 1 700 hours-out/steps.png hours-out/correspondence.png
+run DynamicGraph hours hours-out
+run DynamicGraph hours hours-tracked --track 10,50,90
+for picture in hours-out/steps hours-out/correspondence hours-tracked/steps; do
+  svg $picture.svg 1500
+done
+panels 1 800 "hours-out/steps.png=(1) changes" "hours-out/correspondence.png=(2) correspondence" "hours-tracked/steps.png@0,0,1500,300=(3) tracked"
 differs '150 simulated devices, five steps. Above: changes in green. **Agrees** (below): one color per node through all steps.'

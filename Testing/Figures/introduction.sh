@@ -9,7 +9,6 @@ write '# Figures of the dissertation, made by our tools' '' \
   'Figures not shown below:' '' \
   '| figure | shows | here |' '|---|---|---|' \
   '| 2.2, 3.1 to 3.3, 6.7 | drawings of the method | not results |' \
-  '| 2.5 | conventional and cumulative diffusion | [values](validation/heat.md#figure-25-cumulative-and-conventional-diffusion): patterns agree (correlation 0.96); no tool implements conventional diffusion |' \
   '| 2.11, 3.11 (b), 3.12 | hand of the Visible Female | not in our data; her [feet](heat-diffusion.md#few-steps-local-shape) |' \
   '| Table 2.1 | times of heat diffusion | [table](benchmarks.md#table-21-of-the-dissertation-with-our-column) with real volumes except for head, stent and hand |' \
   '| 6.5; 6.12 | stages; graphs of genus 2 and 3 | see 6.1 and 6.6; 6.11 |' \

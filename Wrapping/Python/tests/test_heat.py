@@ -179,7 +179,7 @@ class HeatTest(TestCase):
             ('"time_step_length": 0.2 is more than the maximum 1/12', {"time_step_length": 0.2}),
             ("histogram steps must be ascending", {"histogram_steps": [5, 3]}),
             ('"solver": "fast" is not one of chebyshev, explicit', {"solver": "fast"}),
-            ('"conductance": "" is not one of physical, published', {"conductance": ""}),
+            ('"conductance": "" is not one of physical, published, sum', {"conductance": ""}),
         ):
             with self.assertRaisesRegex(ValueError, words) as caught:
                 shapeton.diffuse_heat(image, **wrong)

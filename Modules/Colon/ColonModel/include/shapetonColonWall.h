@@ -70,7 +70,8 @@ struct OpenEndsOptions
    * shorter. What is removed is neither shown nor searched for polyps. Chosen: half of the smallest polyp that counts;
    * the map of a smaller opening is longer without showing more. */
   double radius{ 3.0 };
-  /** Lower bound for reducing the radius in steps of 1 mm until the region is a disc. */
+  /** Lower bound for reducing the radius in steps of 1 mm until the region is a disc. On a surface with edges so long
+   * that none is one, the radius grows to at most twice the longest edge at the pole. */
   double leastRadius{ 2.0 };
   /** Whether to smooth the rims by moving their vertices locally. */
   bool smoothRims{ true };

@@ -16,6 +16,9 @@ namespace
 /** Length of the centerline used for the outward direction at an end, mm. */
 constexpr double TangentLength = 10.0;
 
+/** Difference of successive radii of discs, mm. */
+constexpr double RadiusStep = 1.0;
+
 struct Ray
 {
   Eigen::Vector3d origin;
@@ -86,26 +89,55 @@ PoleVertex(const SurfaceMesh & mesh, const Ray & ray)
   return ClosestVertex(mesh, std::isfinite(best) ? ray.origin + best * ray.direction : ray.origin);
 }
 
-/** The largest valid disc around the pole. */
-std::vector<int>
-DiscAtEnd(const DiscCutter &      cutter,
-          int                     pole,
-          int                     otherPole,
-          const OpenEndsOptions & options,
-          const char *            end,
-          double &                radius)
+double
+LongestEdgeAt(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, int vertex)
 {
-  for (radius = options.radius; radius >= options.leastRadius; radius -= 1.0)
+  double longest = 0.0;
+  for (const int other : connectivity.NeighborsOfVertex(vertex))
+  {
+    longest = std::max(longest, (mesh.V.row(other) - mesh.V.row(vertex)).norm());
+  }
+  return longest;
+}
+
+/** Radii to try, in this order: down to the minimum, then, on a surface with long edges, up to those of two rings. */
+std::vector<double>
+RadiiToTry(const OpenEndsOptions & options, double longestEdge)
+{
+  std::vector<double> radii;
+  for (double radius = options.radius; radius >= options.leastRadius; radius -= RadiusStep)
+  {
+    radii.push_back(radius);
+  }
+  for (double radius = options.radius + RadiusStep; radius <= 2.0 * longestEdge; radius += RadiusStep)
+  {
+    radii.push_back(radius);
+  }
+  return radii;
+}
+
+/** The first valid disc around the pole. */
+std::vector<int>
+DiscAtEnd(const DiscCutter &          cutter,
+          int                         pole,
+          int                         otherPole,
+          const std::vector<double> & radii,
+          const char *                end,
+          double &                    found)
+{
+  for (const double radius : radii)
   {
     std::vector<int> faces = cutter.FindDisc(pole, radius, otherPole);
     if (!faces.empty())
     {
+      found = radius;
       return faces;
     }
   }
   std::ostringstream text;
-  text << "the wall cannot be opened at the " << end << ": no geodesic disc of " << options.radius << " down to "
-       << options.leastRadius << " mm has one simple boundary";
+  text << "the wall cannot be opened at the " << end << ": no geodesic disc of "
+       << *std::min_element(radii.begin(), radii.end()) << " to " << *std::max_element(radii.begin(), radii.end())
+       << " mm has one simple boundary";
   throw InputError(text.str());
 }
 
@@ -202,10 +234,13 @@ OpenColonEnds(const SurfaceMesh & closed, const CurveSet & centerline, const Ope
     }
     cutter.Forbid(faces);
   };
-  const int rectumPole = PoleVertex(closed, rectum);
-  const int cecumPole = PoleVertex(closed, cecum);
-  remove(DiscAtEnd(cutter, rectumPole, cecumPole, options, "rectum", result.rectumRadius));
-  remove(DiscAtEnd(cutter, cecumPole, rectumPole, options, "cecum", result.cecumRadius));
+  const int  rectumPole = PoleVertex(closed, rectum);
+  const int  cecumPole = PoleVertex(closed, cecum);
+  const auto radiiAt = [&](int pole) {
+    return RadiiToTry(options, LongestEdgeAt(closed, cutter.Connectivity(), pole));
+  };
+  remove(DiscAtEnd(cutter, rectumPole, cecumPole, radiiAt(rectumPole), "rectum", result.rectumRadius));
+  remove(DiscAtEnd(cutter, cecumPole, rectumPole, radiiAt(cecumPole), "cecum", result.cecumRadius));
   result.mesh = WithoutFaces(closed, isRemoved);
   const SurfaceConnectivity connectivity(result.mesh);
   result.genus = SetLoops(result.mesh, connectivity, rectum.origin, cecum.origin);

@@ -299,6 +299,17 @@ TEST(ColonWall, MakesTheDiscSmallerWhereItIsNone)
   ExpectOpenEnds(cut.mesh, genus);
 }
 
+TEST(ColonWall, MakesTheDiscLargerWhereEdgesAreLong)
+{
+  Grid coarse;
+  coarse.spacing = { 6.0, 6.0, 6.0 };
+  const auto closed = shapeton::ExtractWall(TubeOccupancy(coarse));
+  const auto open = shapeton::OpenColonEnds(closed, Centerline(TubeAxis));
+  EXPECT_LT(3.0, open.cecumRadius);
+  EXPECT_GE(2.0 * 6.0 * std::sqrt(3.0), open.cecumRadius);
+  ExpectOpenEnds(open.mesh, 0);
+}
+
 TEST(ColonWall, RefusesToOpenWhatIsNotClosed)
 {
   const auto open = shapeton::OpenColonEnds(shapeton::ExtractWall(TubeOccupancy()), Centerline(TubeAxis));

@@ -51,8 +51,10 @@ struct ShapetonHeat_EXPORT EdgeVolume
  *
  * where res_k = h_k / h_min is the distance between the neighbors relative to the smallest spacing, which makes p
  * independent of the unit. On anisotropic grids the Laplacian does not reduce to (2.4):
- * the conductance of an edge is weight * (h_min / h_k)^2 (Physical, the default; (2.4) writes a sum instead of a
- * product) or the weight alone (Published). The diffusion uses the conductances; the initial heat uses the weights.
+ * the conductance of an edge is weight * (h_min / h_k)^2 (Physical, the default), the weight alone (Published), or, as
+ * printed in (2.4), clamp(D + weight, 0, 1) (Sum). Here D = (h_min / h_k)^2 - 1 is the Laplacian relative to that of a
+ * regular grid, where the source drops it. The diffusion uses the conductances; the initial heat uses the weights, or
+ * the sums.
  *
  * The volume is extended by one layer that repeats the border intensities (weight 1) and stays at heat 0. The domain of
  * a volume, if it has one, is insulated: edges to other voxels have conductance 0, and weight 1 in the initial heat, so
@@ -68,7 +70,8 @@ public:
   enum class Conductance
   {
     Physical,
-    Published
+    Published,
+    Sum
   };
 
   /** The edges of a volume for the given p, window and smoothing. Throws ParameterError for options out of range,
@@ -174,6 +177,7 @@ private:
   double                                            m_LeastWeight;
   std::array<double, 3>                             m_Resolution{};
   std::array<double, 3>                             m_Factors{};
+  std::array<double, 3>                             m_Summands{};
   std::array<PaddedField, 3>                        m_Conductances;
 };
 } // namespace shapeton

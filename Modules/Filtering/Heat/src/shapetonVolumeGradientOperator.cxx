@@ -205,7 +205,9 @@ VolumeGradientOperator::VolumeGradientOperator(const VolumeView &            vol
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     m_Resolution[axis] = volume.spacing[axis] / smallest;
-    m_Factors[axis] = conductance == Conductance::Physical ? 1.0 / (m_Resolution[axis] * m_Resolution[axis]) : 1.0;
+    const double ofGrid = 1.0 / (m_Resolution[axis] * m_Resolution[axis]);
+    m_Factors[axis] = conductance == Conductance::Physical ? ofGrid : 1.0;
+    m_Summands[axis] = conductance == Conductance::Sum ? ofGrid - 1.0 : 0.0;
     m_Conductances[axis] = PaddedField(m_Grid);
     progress(0.0); // slow for a large field
   }
@@ -261,8 +263,7 @@ VolumeGradientOperator::GetNumberOfVoxels() const
   return m_Domain ? all - static_cast<std::size_t>(std::count(m_Domain->begin(), m_Domain->end(), 0)) : all;
 }
 
-/** The product of the grid factor of each axis and the intensity factor. \equation{2.4} as a product; the source
- * writes a sum. */
+/** The intensity factor of each edge, with the factor and the summand of the grid. \equation{2.4} */
 void
 VolumeGradientOperator::ComputeConductances(const EdgeVolume & edges, const Progress & progress)
 {
@@ -287,7 +288,8 @@ VolumeGradientOperator::ComputeConductances(const EdgeVolume & edges, const Prog
         for (std::ptrdiff_t x = -1; x < static_cast<std::ptrdiff_t>(size[0]); ++x)
         {
           const double halfGradient = HalfGradient(row[x], successors[axis][x], m_Resolution[axis]);
-          target[x] = static_cast<float>(m_Factors[axis] * EdgeWeight(halfGradient, edges.options.p, m_LeastWeight));
+          const double weight = EdgeWeight(halfGradient, edges.options.p, m_LeastWeight);
+          target[x] = static_cast<float>(std::max(0.0, m_Factors[axis] * weight + m_Summands[axis]));
         }
       }
     }

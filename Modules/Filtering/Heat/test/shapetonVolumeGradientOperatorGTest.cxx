@@ -49,6 +49,11 @@ TEST(VolumeGradientOperator, ConductancesOfAnAnisotropicVolume)
   const VolumeGradientOperator published(volume, OptionsWith(2.0), VolumeGradientOperator::Conductance::Published);
   EXPECT_NEAR(published.GetConductances(2)[i], 1.0 - 2.0 * 0.1 / range / 4.0, 1e-6);
   EXPECT_NEAR(published.GetEigenvalueBound(), 12.0, 1e-12);
+
+  const VolumeGradientOperator sum(volume, OptionsWith(2.0), VolumeGradientOperator::Conductance::Sum);
+  EXPECT_NEAR(sum.GetConductances(0)[i], 1.0 - 2.0 * 0.2 / range, 1e-6);
+  EXPECT_NEAR(sum.GetConductances(1)[i], 0.25, 1e-6);
+  EXPECT_NEAR(sum.GetConductances(2)[i], std::max(0.0, 0.0625 - 2.0 * 0.1 / range / 4.0), 1e-6);
 }
 
 TEST(VolumeGradientOperator, AConstantVolumeHasNoInitialHeat)

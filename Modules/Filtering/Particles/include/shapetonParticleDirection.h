@@ -20,6 +20,10 @@ enum class DirectionSampling
   /** As published (3.2.1): theta by sector area (8.7), which favors the first axis: for six equal weights the mean
    * squared components are .50, .25, .25. */
   SectorArea,
+  /** As published, including the search for both angles: bisection until partial volume (8.5) and partial area (8.7)
+   * are within 0.01 of their random share, (8.8) and (8.9). Where the weights are small, both angles remain 45 degrees.
+   */
+  BinarySearch,
   /** Uniform over all directions, regardless of the weights; needed for the comparison with heat (see
    * PathRule::Traversal). */
   Uniform

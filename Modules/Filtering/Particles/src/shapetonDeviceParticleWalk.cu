@@ -143,6 +143,8 @@ public:
         return this->TakeSteps<Sampling::SolidAngle>(first, number, begin, end);
       case Sampling::SectorArea:
         return this->TakeSteps<Sampling::SectorArea>(first, number, begin, end);
+      case Sampling::BinarySearch:
+        return this->TakeSteps<Sampling::BinarySearch>(first, number, begin, end);
       default:
         return this->TakeSteps<Sampling::Uniform>(first, number, begin, end);
     }

@@ -99,7 +99,10 @@ struct ParticleArithmetic
     return TLanes::FromBits(TLanes::BitsOf(value) ^ TLanes::Signed((TLanes::Unsigned(bit) & 1U) << 31 ^ 0x80000000U));
   }
 
-  /** The six weights, in units of 1 / 65535; directions depend only on their ratios. */
+  /** Unit of the weights of a record. */
+  static constexpr float UnitOfWeights = 1.0F / 65535.0F;
+
+  /** The six weights in that unit; except by binary search, directions depend only on their ratios. */
   struct Weights
   {
     Floats w[6];
@@ -249,6 +252,55 @@ struct ParticleArithmetic
     return { SineOfQuarter(1.0F - u), SineOfQuarter(u) };
   }
 
+  /** The angle, in units of pi/2, at which a polynomial without a constant term has a value, by bisection as published:
+   * until the value is within 0.01.
+   *
+   * \equation{8.8} and \equation{8.9} */
+  SHAPETON_HOST_DEVICE static Floats
+  SearchAngle(const Floats coefficients[4], Floats wanted)
+  {
+    constexpr float tolerance = 0.01F;
+    // Enough: the largest slope, pi/4 per pi/2, times the last error of the angle, 2^-7, is less than the tolerance.
+    constexpr int iterations = 6;
+    Floats        u = Broadcast(0.5F);
+    float         change = 0.25F;
+    for (int iteration = 0; iteration < iterations; ++iteration, change *= 0.5F)
+    {
+      const Floats value = u * (coefficients[0] + u * (coefficients[1] + u * (coefficients[2] + u * coefficients[3])));
+      const Floats next = wanted < value ? u - change : u + change;
+      u = Magnitude(wanted - value) < tolerance ? u : next;
+    }
+    return u;
+  }
+
+  /** s = 2 phi / pi, searched by volume (8.5). */
+  SHAPETON_HOST_DEVICE static Floats
+  SearchPhi(Floats w1, Floats w2, Floats w3, Floats random)
+  {
+    const Floats b = w3 - w2;
+    const Floats w11 = w1 * w1;
+    const Floats w22 = w2 * w2;
+    // Integrated along s, times pi/2 / 3.
+    constexpr float ofVolume = 0.52359878F;
+    const Floats    coefficients[4] = {
+         ofVolume * (moment0 * w11 * w1 + moment1 * w11 * w2 + moment2 * w1 * w22 + moment3 * w22 * w2),
+         (0.5F * ofVolume) * b * (moment1 * w11 + 2.0F * moment2 * w1 * w2 + 3.0F * moment3 * w22),
+         (ofVolume / 3.0F) * b * b * (moment2 * w1 + 3.0F * moment3 * w2),
+         (0.25F * ofVolume) * b * b * b * moment3
+    };
+    return SearchAngle(coefficients, random * (coefficients[0] + coefficients[1] + coefficients[2] + coefficients[3]));
+  }
+
+  /** u = 2 theta / pi, searched by area (8.7). */
+  SHAPETON_HOST_DEVICE static Floats
+  SearchTheta(Floats w1, Floats across, Floats random)
+  {
+    constexpr float ofArea = 0.78539816F; // pi/4
+    const Floats    b = across - w1;
+    const Floats    coefficients[4] = { ofArea * w1 * w1, ofArea * w1 * b, (ofArea / 3.0F) * b * b, Floats{} };
+    return SearchAngle(coefficients, random * (coefficients[0] + coefficients[1] + coefficients[2]));
+  }
+
   /** Samples a direction from the weights of a shapeton's voxel; the zero vector if all weights are 0.
    *
    * \equation{3.6} as `across`.
@@ -289,11 +341,23 @@ struct ParticleArithmetic
       const Octant drawn = DrawOctant(weights, ToUnit(words.a));
       octant = drawn.octant;
       empty = drawn.empty;
-      s = DrawPhi(drawn.w1, drawn.w2, drawn.w3, ToUnit(words.b));
-      const Floats across = drawn.w2 + (drawn.w3 - drawn.w2) * s;
-      theta = VSampling == Sampling::SolidAngle
-                ? DrawThetaBySolidAngle(drawn.w1, across, ToUnit(words.c), ToUnit(words.d), table)
-                : DrawThetaBySectorArea(drawn.w1, across, ToUnit(words.c));
+      if constexpr (VSampling == Sampling::BinarySearch)
+      {
+        const Floats w1 = drawn.w1 * UnitOfWeights;
+        const Floats w2 = drawn.w2 * UnitOfWeights;
+        const Floats w3 = drawn.w3 * UnitOfWeights;
+        s = SearchPhi(w1, w2, w3, ToUnit(words.b));
+        const Floats u = SearchTheta(w1, w2 + (w3 - w2) * s, ToUnit(words.c));
+        theta = { SineOfQuarter(1.0F - u), SineOfQuarter(u) };
+      }
+      else
+      {
+        s = DrawPhi(drawn.w1, drawn.w2, drawn.w3, ToUnit(words.b));
+        const Floats across = drawn.w2 + (drawn.w3 - drawn.w2) * s;
+        theta = VSampling == Sampling::SolidAngle
+                  ? DrawThetaBySolidAngle(drawn.w1, across, ToUnit(words.c), ToUnit(words.d), table)
+                  : DrawThetaBySectorArea(drawn.w1, across, ToUnit(words.c));
+      }
     }
     const Floats zero = {};
     direction[0] = empty ? zero : WithSign(theta.cosine, octant);

@@ -2,6 +2,7 @@
 #define shapetonParticleKernels_h
 
 #include "shapetonInstructionSets.h"
+#include "shapetonParticleDirection.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -68,13 +69,8 @@ struct Random
   std::uint64_t step;
 };
 
-/** Sampling of directions: see DirectionSampling. */
-enum class Sampling
-{
-  SolidAngle,
-  SectorArea,
-  Uniform
-};
+using Sampling = DirectionSampling;
+constexpr std::size_t NumberOfSamplings = 4;
 
 /** Samples directions from the weights of the shapetons' voxels; the zero vector if all weights are 0. */
 using Draw = void (*)(const Surroundings &, const Shapetons &, const Random &, const ThetaTable &, const Directions &);
@@ -85,10 +81,14 @@ using Move = void (*)(const Surroundings &, const Shapetons &, const Directions 
 struct Set
 {
   const char * name;
-  Draw         drawBySolidAngle;
-  Draw         drawBySectorArea;
-  Draw         drawUniformly;
+  Draw         draw[NumberOfSamplings];
   Move         move;
+
+  Draw
+  DrawOf(Sampling sampling) const
+  {
+    return draw[static_cast<std::size_t>(sampling)];
+  }
 
   static const Set & Compiled(InstructionSets::Baseline);
   static const Set & Compiled(InstructionSets::Avx2);

@@ -218,9 +218,10 @@ MoveAll(const Surroundings & surroundings, const Shapetons & shapetons, const Di
 }
 
 constexpr Set kernels{ SHAPETON_STRING(SHAPETON_INSTRUCTION_SET),
-                       DrawAll<Sampling::SolidAngle>,
-                       DrawAll<Sampling::SectorArea>,
-                       DrawAll<Sampling::Uniform>,
+                       { DrawAll<Sampling::SolidAngle>,
+                         DrawAll<Sampling::SectorArea>,
+                         DrawAll<Sampling::BinarySearch>,
+                         DrawAll<Sampling::Uniform> },
                        MoveAll };
 } // namespace
 

@@ -102,10 +102,7 @@ ParticleWalk::Move(const Shapetons & group, std::uint64_t step) const
   alignas(64) float components[3][GroupSize];
   const Directions  directions{ components[0], components[1], components[2] };
   const Random      random{ settings.seed, step };
-  const Draw        draw = settings.directionSampling == DirectionSampling::SolidAngle   ? kernels.drawBySolidAngle
-                           : settings.directionSampling == DirectionSampling::SectorArea ? kernels.drawBySectorArea
-                                                                                         : kernels.drawUniformly;
-  draw(surroundings, group, random, table, directions);
+  kernels.DrawOf(settings.directionSampling)(surroundings, group, random, table, directions);
   if (settings.pathRule == PathRule::Traversal)
   {
     TraverseVoxels(surroundings, group, random, directions);
@@ -214,12 +211,13 @@ ParticleWalk::ChooseDevice()
   {
     return;
   }
-  const Sampling sampling = settings.directionSampling == DirectionSampling::SolidAngle   ? Sampling::SolidAngle
-                            : settings.directionSampling == DirectionSampling::SectorArea ? Sampling::SectorArea
-                                                                                          : Sampling::Uniform;
-  const auto     make = reinterpret_cast<MakeDeviceParticleWalkFunction *>(FindDeviceFunction("ShapetonMakeWalk"));
-  m_Device.reset(make(
-    { surroundings, &table, sampling, settings.pathRule == PathRule::Traversal, settings.shapetons, settings.seed }));
+  const auto make = reinterpret_cast<MakeDeviceParticleWalkFunction *>(FindDeviceFunction("ShapetonMakeWalk"));
+  m_Device.reset(make({ surroundings,
+                        &table,
+                        settings.directionSampling,
+                        settings.pathRule == PathRule::Traversal,
+                        settings.shapetons,
+                        settings.seed }));
   SendToDevice();
 }
 

@@ -7,8 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <tuple>
+#include <utility>
 
 using namespace shapeton;
 using namespace shapeton::test;
@@ -16,16 +18,9 @@ using namespace shapeton::ParticleKernels;
 
 namespace
 {
-Draw
-DrawOf(const Set & set, DirectionSampling sampling)
-{
-  return sampling == DirectionSampling::SolidAngle   ? set.drawBySolidAngle
-         : sampling == DirectionSampling::SectorArea ? set.drawBySectorArea
-                                                     : set.drawUniformly;
-}
-
 constexpr DirectionSampling allSamplings[] = { DirectionSampling::SolidAngle,
                                                DirectionSampling::SectorArea,
+                                               DirectionSampling::BinarySearch,
                                                DirectionSampling::Uniform };
 
 /** Shapetons at random positions among voxels with various weights: none, smallest, largest, random. */
@@ -171,8 +166,8 @@ ForDirections(const std::array<std::uint16_t, 6> & weights,
   crowd.SetWeights(0, weights);
   for (std::uint64_t step = 1; step <= number / group; ++step)
   {
-    DrawOf(BestKernels<Set>(),
-           sampling)(crowd.GetSurroundings(), crowd.GetShapetons(), Random{ 5, step }, Table(), crowd.GetDirections());
+    BestKernels<Set>().DrawOf(sampling)(
+      crowd.GetSurroundings(), crowd.GetShapetons(), Random{ 5, step }, Table(), crowd.GetDirections());
     for (std::size_t i = 0; i < group; ++i)
     {
       body(crowd.directions[0][i], crowd.directions[1][i], crowd.directions[2][i]);
@@ -269,6 +264,21 @@ ErrorOfTheta(const Angles & angles, DirectionSampling sampling, const std::array
   return least;
 }
 
+/** The angle of a share of a volume or an area by (8.8) and (8.9), and the number of comparisons. */
+std::pair<double, int>
+SearchedAngle(const std::function<double(double)> & part, double share)
+{
+  const double wanted = share * part(halfPi);
+  double       angle = halfPi / 2.0;
+  int          iterations = 1;
+  for (; std::abs(wanted - part(angle)) >= 0.01; ++iterations)
+  {
+    const double change = halfPi / std::pow(2.0, iterations + 1);
+    angle += wanted < part(angle) ? -change : change;
+  }
+  return { angle, iterations };
+}
+
 class ParticleKernelsDistribution : public testing::TestWithParam<std::tuple<WeightCase, DirectionSampling>>
 {};
 } // namespace
@@ -316,12 +326,12 @@ TEST(ParticleKernels, AllInstructionSetsGiveTheSameDirections)
     for (const std::uint64_t step : { std::uint64_t{ 1 }, (std::uint64_t{ 7 } << 32) + 3 })
     {
       const Random random{ 0x123456789abcdef0U, step };
-      DrawOf(*sets[0], sampling)(
+      sets[0]->DrawOf(sampling)(
         reference.GetSurroundings(), reference.GetShapetons(4000000000U), random, Table(), reference.GetDirections());
       for (const Set * const set : sets)
       {
         Crowd crowd = MakeMixedCrowd(20011);
-        DrawOf(*set, sampling)(
+        set->DrawOf(sampling)(
           crowd.GetSurroundings(), crowd.GetShapetons(4000000000U), random, Table(), crowd.GetDirections());
         for (unsigned int axis = 0; axis < 3; ++axis)
         {
@@ -337,8 +347,8 @@ TEST(ParticleKernels, DirectionsAreUnitVectorsOrNone)
   for (const auto sampling : allSamplings)
   {
     Crowd crowd = MakeMixedCrowd(30000);
-    DrawOf(BestKernels<Set>(),
-           sampling)(crowd.GetSurroundings(), crowd.GetShapetons(), Random{ 1, 1 }, Table(), crowd.GetDirections());
+    BestKernels<Set>().DrawOf(sampling)(
+      crowd.GetSurroundings(), crowd.GetShapetons(), Random{ 1, 1 }, Table(), crowd.GetDirections());
     std::size_t trapped = 0;
     for (std::size_t i = 0; i < crowd.number; ++i)
     {
@@ -363,8 +373,8 @@ TEST(ParticleKernels, RandomNumbersAreTheShareOfTheDistributionUpToTheDirection)
   {
     Crowd        crowd = MakeMixedCrowd(400000);
     const Random random{ 99, 5 };
-    DrawOf(BestKernels<Set>(),
-           sampling)(crowd.GetSurroundings(), crowd.GetShapetons(), random, Table(), crowd.GetDirections());
+    BestKernels<Set>().DrawOf(sampling)(
+      crowd.GetSurroundings(), crowd.GetShapetons(), random, Table(), crowd.GetDirections());
     double largestOfOctant = 0.0;
     double largestOfPhi = 0.0;
     double largestOfTheta = 0.0;
@@ -392,6 +402,48 @@ TEST(ParticleKernels, RandomNumbersAreTheShareOfTheDistributionUpToTheDirection)
   }
 }
 
+TEST(ParticleKernels, BinarySearchEndsAsPrinted)
+{
+  Crowd        crowd = MakeMixedCrowd(100000);
+  const Random random{ 99, 5 };
+  const auto   draw = BestKernels<Set>().DrawOf(DirectionSampling::BinarySearch);
+  draw(crowd.GetSurroundings(), crowd.GetShapetons(), random, Table(), crowd.GetDirections());
+  int compared = 0;
+  int different = 0; // a value at the tolerance may end the search one iteration earlier in single precision
+  for (std::uint32_t i = 0; i < crowd.number; ++i)
+  {
+    const std::uint16_t * const record = crowd.records.data() + crowd.voxels[i] * RecordLength;
+    if (record[MarksOfRecord] & TrapMark)
+    {
+      continue;
+    }
+    const auto   numbers = RandomOf(random, i);
+    const Angles angles(record, { crowd.directions[0][i], crowd.directions[1][i], crowd.directions[2][i] });
+    const auto & w = angles.w;
+    const double phi = SearchedAngle([&](double x) { return Equation85(w[0], w[1], w[2], x); }, numbers[1]).first;
+    const double across = w[1] + (w[2] - w[1]) * phi / halfPi;
+    const double theta = SearchedAngle([&](double x) { return Equation87(w[0], across, x); }, numbers[2]).first;
+    ++compared;
+    different += std::abs(phi - angles.phi) > 1e-4 || std::abs(theta - angles.theta) > 1e-4;
+  }
+  EXPECT_LT(90000, compared);
+  EXPECT_GT(compared / 1000, different);
+}
+
+TEST(ParticleKernels, BinarySearchTakesTheIterationsThatArePublished)
+{
+  // Weights in the interior of an object: 1. The dissertation states four iterations on average.
+  std::mt19937  engine(7);
+  double        iterations = 0.0;
+  constexpr int trials = 10000;
+  for (int trial = 0; trial < trials; ++trial)
+  {
+    const double random = (engine() + 1.0) / 4294967296.0;
+    iterations += SearchedAngle([](double x) { return Equation87(1.0, 1.0, x); }, random).second;
+  }
+  EXPECT_NEAR(4.0, iterations / trials, 1.0);
+}
+
 TEST(ParticleKernels, DirectionsDependOnTheShapetonAndTheStepAlone)
 {
   // The last 16 of 48 shapetons get the same directions with and without the others.
@@ -399,7 +451,7 @@ TEST(ParticleKernels, DirectionsDependOnTheShapetonAndTheStepAlone)
   Crowd some = MakeMixedCrowd(48);
   some.number = 16;
   std::copy_n(all.voxels.begin() + 32, 16, some.voxels.begin());
-  const auto draw = BestKernels<Set>().drawBySolidAngle;
+  const auto draw = BestKernels<Set>().DrawOf(DirectionSampling::SolidAngle);
   draw(all.GetSurroundings(), all.GetShapetons(100), Random{ 2, 77 }, Table(), all.GetDirections());
   draw(some.GetSurroundings(), some.GetShapetons(132), Random{ 2, 77 }, Table(), some.GetDirections());
   EXPECT_TRUE(std::equal(all.directions[0].begin() + 32, all.directions[0].end(), some.directions[0].begin()));
@@ -418,7 +470,7 @@ TEST(ParticleKernels, MeanSquaredComponentsOfEqualWeights)
       squares[1] += y * y / 1e6;
       squares[2] += z * z / 1e6;
     });
-    const bool published = sampling == DirectionSampling::SectorArea;
+    const bool published = sampling == DirectionSampling::SectorArea || sampling == DirectionSampling::BinarySearch;
     EXPECT_NEAR(squares[0], published ? 0.50 : 1.0 / 3.0, 0.003);
     EXPECT_NEAR(squares[1], published ? 0.25 : 1.0 / 3.0, 0.003);
     EXPECT_NEAR(squares[2], published ? 0.25 : 1.0 / 3.0, 0.003);

@@ -18,9 +18,10 @@ struct Case
 };
 
 constexpr Case cases[] = {
-  { DirectionSampling::SolidAngle, PathRule::Endpoint },  { DirectionSampling::SectorArea, PathRule::Endpoint },
-  { DirectionSampling::Uniform, PathRule::Endpoint },     { DirectionSampling::SolidAngle, PathRule::Traversal },
-  { DirectionSampling::SectorArea, PathRule::Traversal }, { DirectionSampling::Uniform, PathRule::Traversal }
+  { DirectionSampling::SolidAngle, PathRule::Endpoint },   { DirectionSampling::SectorArea, PathRule::Endpoint },
+  { DirectionSampling::BinarySearch, PathRule::Endpoint }, { DirectionSampling::Uniform, PathRule::Endpoint },
+  { DirectionSampling::SolidAngle, PathRule::Traversal },  { DirectionSampling::SectorArea, PathRule::Traversal },
+  { DirectionSampling::Uniform, PathRule::Traversal }
 };
 
 void

@@ -85,7 +85,7 @@ AnglesOfLibera(const ColonCurve & curve, const ColonPlan & plan)
 std::vector<double>
 ContinuedAngles(const std::vector<std::optional<double>> & angles, double step)
 {
-  constexpr double    reach = 60.0; // mm; chosen: about a flexure
+  constexpr double    reach = 100.0; // mm; chosen: a taenia keeps within 15 degrees of the axis
   std::vector<double> continued;
   const auto          first = std::find_if(angles.begin(), angles.end(), [](const auto & a) { return a.has_value(); });
   double              last = first == angles.end() ? 0.0 : **first;

@@ -34,9 +34,10 @@ WriteComparisonPictures(const GraphComparison & comparison, const GraphSideBySid
  * step. \ingroup ShapetonGraphTools */
 constexpr int mostStepsOfPicture = 12;
 
-/** Writes steps.svg (small multiples: nodes changed since the previous step green, others red, tracked ones blue),
- * correspondence.svg (one color per name through all steps), and index.html with the first of them. If two steps are
- * compared, also writes compare.svg with the changes in green. Throws OutputError. \ingroup ShapetonGraphTools */
+/** Writes steps.svg (small multiples: nodes changed since the previous step green, others red, tracked ones in
+ * TrackColors() and enlarged in a second row), correspondence.svg (one color per name through all steps), and
+ * index.html with the first of them. If two steps are compared, also writes compare.svg with the changes in green.
+ * Throws OutputError. \ingroup ShapetonGraphTools */
 ShapetonGraphTools_EXPORT void
 WriteSequencePictures(const DynamicSequence &          sequence,
                       const std::vector<int> &         compared,

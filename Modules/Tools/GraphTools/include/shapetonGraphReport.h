@@ -22,6 +22,10 @@ struct GraphReport
   std::vector<std::pair<std::string, CsvTable>> tables{};
   /** Initial model of the hyperbolic plane; the user can change it. */
   DiskModel disk{ DiskModel::Poincare };
+  /** Names of nodes tracked at first, each in a color of its own; the user can add and remove nodes. */
+  std::vector<std::string> tracked{};
+  /** Whether the views are the steps of a graph, of which the user can choose two and see their differences. */
+  bool isSequence{ false };
 };
 
 /** Writes one HTML file that opens offline: a canvas view for each graph, to rotate (drag), to move by Moebius

@@ -4,7 +4,14 @@ export class PageGraph {
   constructor(data) {
     this.data = data;
     this.keys = data.keys || data.names;
+    this.colors = data.colors;
     this.findEdgesAround();
+  }
+
+  // Colors the given nodes and edges instead of the colors of the data; null: the colors of the data.
+  mark(changes, color, other) {
+    this.data.colors = changes ? this.keys.map((_, node) => (changes.nodes.has(node) ? color : other)) : this.colors;
+    this.data.marked = changes ? { color, halves: [...changes.edges].flatMap((edge) => [...this.halvesOf(edge)]) } : null;
   }
 
   get nodes() { return this.data.names.length; }

@@ -10,6 +10,7 @@ const keys = [
     ['Shift+e', '', '', 'stepEdge', -1],
     ['Enter', 'Enter', 'along the selected edge to its other end', 'follow'],
     ['m', 'M', 'center the selection', 'bring'],
+    ['a', 'A', 'track the node in all graphs, in a color of its own; again: no longer', 'track'],
     ['Escape', 'Esc', 'select nothing, leave search or help', 'leave'],
   ]],
   ['Move', [
@@ -41,6 +42,7 @@ const keys = [
 
 const MOUSE = [
   ['click', 'selects a node, an edge, or the node of a circle; elsewhere: clears the selection'],
+  ['Ctrl and click', 'tracks a node in all graphs, or no longer'],
   ['drag', 'turns the sphere, moves plane and disk'],
   ['Shift and drag', 'moves the sphere by a Moebius transformation, turns plane and disk'],
   ['wheel', 'zooms at the pointer'],

@@ -1,5 +1,6 @@
 import { toggle } from '../../../Core/Pages/scripts/keys.mjs';
 import { View } from '../../../Core/Pages/scripts/view.mjs';
+import { StepChooser } from './compare.mjs';
 import { Disk } from './disk.mjs';
 import { PageGraph } from './graph.mjs';
 import { graphKeys } from './keys-of-graphs.mjs';
@@ -10,6 +11,7 @@ import { GraphMarks, GraphPicture } from './views.mjs';
 
 const TOOLS = `<label>search <input type="search" id="name" placeholder="name of a node" autocomplete="off"></label>
 <output id="found"></output> <button type="button" id="help">keys (?)</button>
+<span id="steps"></span> <span id="tracked"></span>
 <p id="summary" aria-live="polite"></p><dialog id="keys"></dialog>`;
 const HINT = 'Click a node or an edge, or search for a name.';
 const MODELS = { spherical: Sphere, euclidean: Plane, hyperbolic: Disk };
@@ -66,13 +68,17 @@ class GraphPage {
     tools.innerHTML = TOOLS;
     this.groups = [...document.querySelectorAll('.graph-group')].map((root) => new Group(root, this));
     this.views = this.groups.flatMap((group) => group.views);
-    this.selection = new Selection(this.views.map((view) => view.graph));
+    const { colors, nodes, isSequence } = JSON.parse(document.getElementById('tracking').textContent);
+    this.selection = new Selection(this.views.map((view) => view.graph), colors);
+    if (isSequence) this.steps = new StepChooser(document.getElementById('steps'), this);
     this.matches = [];
     this.focusOn(this.views[0]);
     graphKeys.listen(this);
     graphKeys.fillHelp(document.getElementById('keys'));
     document.getElementById('help').addEventListener('click', () => this.help());
     this.listenToField();
+    nodes.forEach((key) => this.selection.track(key));
+    this.showTracked();
     this.selected();
   }
 
@@ -94,6 +100,27 @@ class GraphPage {
     document.getElementById('summary').textContent = this.selection.describe() || HINT;
     this.tellFound();
     this.views.forEach((view) => view.changed());
+  }
+
+  // Tracks the selected node, or no longer.
+  track(key = this.selection.node >= 0 ? this.selection.key : null) {
+    if (key !== null) {
+      this.selection.track(key);
+      this.showTracked();
+      this.groups.forEach((group) => group.changed());
+    }
+    this.selected();
+  }
+
+  showTracked() {
+    const buttons = [...this.selection.tracked].map(([key, color]) => {
+      const button = Object.assign(document.createElement('button'), { type: 'button', title: 'no longer track this node' });
+      button.textContent = `${this.selection.nameOf(key)} ×`;
+      button.style.borderColor = color;
+      button.onclick = () => this.track(key);
+      return button;
+    });
+    document.getElementById('tracked').replaceChildren(...(buttons.length ? ['tracked: ', ...buttons] : []));
   }
 
   // Nodes that match the text of the field: in the view with the keyboard focus, else in the first one with matches.

@@ -7,7 +7,7 @@ const CHOSEN = '#0072b2', NEAR = '#d55e00';
 const MOST_LINES = 500; // lines per path; browsers are slower per line in longer paths
 const FULL = 2 * Math.PI;
 
-const colorOf = (data, node) => (data.colors ? data.colors[node] : CIRCLE);
+const colorOf = (data, node) => data.tracked?.get(node) ?? (data.colors ? data.colors[node] : CIRCLE);
 
 const outlineOf = (data) => (data.edgeColors ? OUTLINE : NODE);
 
@@ -78,6 +78,10 @@ export function paintTile(g, tile, show, isFirst) {
     Object.assign(g, { strokeStyle: color, lineWidth: data.edgeColors ? 2 * line : line });
     strokeLines(g, halves.length, (i) => tile.half(halves[i]));
   }
+  if (show.graph && data.marked) {
+    Object.assign(g, { strokeStyle: data.marked.color, lineWidth: 3 * line });
+    strokeLines(g, data.marked.halves.length, (i) => tile.half(data.marked.halves[i]));
+  }
   g.lineWidth = line;
   g.strokeStyle = DUAL;
   if (show.dual) strokeLines(g, data.dual.length / 2 / tile.model.step, (i) => tile.dual(i));
@@ -121,6 +125,16 @@ function ring(g, tile, i, color, width) {
   g.beginPath();
   g.arc(...tile.pixelOf(i), size * (3 + 2 * width), 0, FULL);
   g.stroke();
+}
+
+// Tracked nodes, drawn on top.
+export function paintTracked(g, tile, hasNames) {
+  for (const [i, color] of tile.data.tracked ?? []) {
+    if (!tile.isSeen(i)) continue;
+    ring(g, tile, i, '#212121', 3.5);
+    ring(g, tile, i, color, 3);
+    if (hasNames) name(g, tile, i, true);
+  }
 }
 
 // The selection and its neighbors, drawn on top.

@@ -1,8 +1,26 @@
-// The selected node or edge, by its key, in all graphs of a page.
+// The selected node or edge, and the tracked nodes with their colors, by key, in all graphs of a page.
 export class Selection {
-  constructor(graphs) {
-    this.graphs = graphs;
+  constructor(graphs, colors = []) {
+    Object.assign(this, { graphs, colors, tracked: new Map() });
     this.clear();
+  }
+
+  // Tracks the node with a key in the first free color, or no longer.
+  track(key) {
+    if (!this.tracked.delete(key)) {
+      const taken = [...this.tracked.values()], free = this.colors.find((color) => !taken.includes(color));
+      this.tracked.set(key, free ?? this.colors[this.tracked.size % this.colors.length]);
+    }
+    for (const graph of this.graphs) {
+      const found = [...this.tracked].map(([k, color]) => [graph.nodeOf(k), color]);
+      graph.data.tracked = new Map(found.filter(([node]) => node >= 0));
+    }
+  }
+
+  // The name of a tracked node in the first graph that has it.
+  nameOf(key) {
+    const graph = this.graphs.find((g) => g.nodeOf(key) >= 0);
+    return graph ? graph.name(graph.nodeOf(key)) : String(key);
   }
 
   clear() { Object.assign(this, { graph: null, node: -1, edge: -1, key: null, hub: -1 }); }

@@ -1,5 +1,5 @@
 import { View } from '../../../Core/Pages/scripts/view.mjs';
-import { paintDomain, paintMarks, paintTile, widthsOf } from './paint.mjs';
+import { paintDomain, paintMarks, paintTile, paintTracked, widthsOf } from './paint.mjs';
 import { edgeUnder, nodeUnder, Tile } from './tile.mjs';
 
 const MOST_NAMED = 40; // maximum number of labeled neighbors
@@ -56,7 +56,8 @@ export class GraphMarks extends View {
   constructor(root, picture, page) {
     super(root, 'marks', `${picture.graph.data.title}: selection`);
     Object.assign(this, { picture, page, graph: picture.graph, group: picture.group });
-    this.caption = root.parentElement.querySelector('figcaption');
+    this.figure = root.parentElement;
+    this.caption = this.figure.querySelector('figcaption');
     picture.marks = this;
     this.label.remove();
     this.canvas.addEventListener('pointerdown', (e) => { this.last = this.unitsOf({ x: e.offsetX, y: e.offsetY }); page.focusOn(this); });
@@ -67,9 +68,9 @@ export class GraphMarks extends View {
     g.clearRect(0, 0, w, h);
     g.lineJoin = 'round';
     this.picture.box.classList.toggle('faded', !this.page.selection.isEmpty);
-    if (!marks) return;
-    const { tiles } = this.picture, hasNames = marks.near.length <= MOST_NAMED;
-    tiles.forEach((tile, i) => paintMarks(g, tile, this.group.show, this.graph, marks, hasNames && i === 0));
+    const { tiles } = this.picture, hasNames = marks?.near.length <= MOST_NAMED;
+    tiles.forEach((tile, i) => paintTracked(g, tile, i === 0));
+    if (marks) tiles.forEach((tile, i) => paintMarks(g, tile, this.group.show, this.graph, marks, hasNames && i === 0));
   }
 
   // In units of the ball or disk, upwards.
@@ -121,7 +122,10 @@ export class GraphMarks extends View {
     return true;
   }
 
-  clicked() { this.page.selected(); }
+  clicked(isCtrl) {
+    if (isCtrl) this.page.track();
+    else this.page.selected();
+  }
 
   // Centers a node.
   center(node) {

@@ -125,6 +125,8 @@ AddViews(const GraphReport & report, HtmlReport & page)
   page.AddStyle(PageText(GraphStyle));
   page.AddMarkup("<noscript><p>The view requires JavaScript, which is included in this page.</p></noscript>\n"
                  "<div id=\"tools\"></div>\n");
+  const Json tracking{ { "colors", TrackColors() }, { "nodes", report.tracked }, { "isSequence", report.isSequence } };
+  page.AddMarkup("<script type=\"application/json\" id=\"tracking\">" + ScriptText(tracking) + "</script>\n");
   int number = 0;
   for (const ViewGroup & group : groups)
   {

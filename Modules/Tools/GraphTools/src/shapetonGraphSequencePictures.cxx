@@ -10,7 +10,6 @@ namespace
 {
 const char * const ChangedColor = "#43a047";
 const char * const OtherColor = "#ef9a9a";
-const char * const TrackedColor = "#1e88e5";
 
 std::vector<std::string>
 ColorsOfChange(const Graph & graph, const std::vector<int> & changed, const std::vector<std::string> & tracked)
@@ -22,9 +21,10 @@ ColorsOfChange(const Graph & graph, const std::vector<int> & changed, const std:
   }
   for (int node = 0; node < graph.nodes && !tracked.empty(); ++node)
   {
-    if (std::find(tracked.begin(), tracked.end(), NameOfNode(graph, node)) != tracked.end())
+    const auto found = std::find(tracked.begin(), tracked.end(), NameOfNode(graph, node));
+    if (found != tracked.end())
     {
-      colors[node] = TrackedColor;
+      colors[node] = TrackColors()[(found - tracked.begin()) % TrackColors().size()];
     }
   }
   return colors;
@@ -128,19 +128,25 @@ WriteSequencePictures(const DynamicSequence &          sequence,
   }
   GraphPictureOptions options;
   constexpr int       panelSize = 400; // pixels
+  constexpr int       mostColumns = 6;
+  const int           shownSteps = static_cast<int>(changes.size());
+  const int           rows = (shownSteps + mostColumns - 1) / mostColumns;
   options.panelSize = panelSize;
-  options.columns = 4;
+  options.columns = (shownSteps + rows - 1) / rows;
+  options.enlarged = tracked;
   WriteGraphSheetSvg(changes, options, output(sheet.folder + "/steps.svg"));
+  options.enlarged.clear();
   WriteGraphSheetSvg(correspondence, options, output(sheet.folder + "/correspondence.svg"));
   if (!compared.empty())
   {
     WriteComparedSteps(sequence, compared, tracked, sheet, output(sheet.folder + "/compare.svg"));
   }
   GraphReport report{ "Dynamic graph", changes, {}, sheet.warnings, sheet.provenance, {} };
-  report.paragraphs = {
-    "Green: nodes that are new, or gained or lost an edge since the previous step; blue: tracked nodes; "
-    "red: other nodes."
-  };
+  report.tracked = tracked;
+  report.isSequence = true;
+  report.paragraphs = { "Green: nodes that are new, or gained or lost an edge since the previous step; red: other "
+                        "nodes. Tracked nodes have colors of their own. Choose two steps above to see their "
+                        "differences." };
   if (steps > mostStepsOfPicture)
   {
     report.paragraphs.push_back(std::to_string(mostStepsOfPicture) + " of " + std::to_string(steps) +

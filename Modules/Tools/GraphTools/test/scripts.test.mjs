@@ -1,6 +1,7 @@
 // Tests scripts of graph pages without a page, on graphs with known results. Usage: node --test scripts.test.mjs
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { changesBetween } from '../scripts/compare.mjs';
 import { Disk } from '../scripts/disk.mjs';
 import { PageGraph } from '../scripts/graph.mjs';
 import { Plane } from '../scripts/plane.mjs';
@@ -141,6 +142,41 @@ test('a selection is found in other graphs by name or by number, and described a
   assert.match(selection.describe(), /in graph 3: x$/);
   selection.clear();
   assert.equal(selection.marksIn(a), null);
+});
+
+test('tracked nodes have colors of their own in all graphs, until they are tracked no longer', () => {
+  const a = randomGraph(3, 5, 9), b = randomGraph(4, 5, 9, ['n4', 'n3', 'n2', 'n1', 'x']), selection = new Selection([a, b], ['red', 'blue']);
+  selection.track('n4');
+  selection.track('n0');
+  assert.deepEqual([...a.data.tracked], [[4, 'red'], [0, 'blue']]);
+  assert.deepEqual([...b.data.tracked], [[0, 'red']]);
+  selection.track('n4');
+  selection.track('n1');
+  assert.deepEqual([...a.data.tracked], [[0, 'blue'], [1, 'red']]);
+  selection.track('n2');
+  assert.equal(a.data.tracked.size, 3, 'more nodes than colors');
+});
+
+test('changes between two graphs match a comparison of sets', () => {
+  const names = ['n2', 'n3', 'x', 'n0', 'n1', 'n5'], a = randomGraph(12, 6, 10), b = randomGraph(13, 6, 10, names);
+  const ends = (graph) => {
+    const counts = new Map();
+    return Array.from({ length: graph.edges }, (_, e) => {
+      const key = graph.ends(e).map((n) => graph.name(n)).sort().join(), which = counts.get(key) ?? 0;
+      counts.set(key, which + 1);
+      return `${key}#${which}`;
+    });
+  };
+  const [of, into] = [ends(a), ends(b)], [gone, fresh] = changesBetween(a, b);
+  const lost = of.flatMap((key, e) => (into.includes(key) ? [] : [e])), won = into.flatMap((key, e) => (of.includes(key) ? [] : [e]));
+  assert.deepEqual([...gone.edges], lost);
+  assert.deepEqual([...fresh.edges], won);
+  const namesOf = (graph, edges) => edges.flatMap((e) => graph.ends(e).map((n) => graph.name(n)));
+  const absent = (graph, other) => graph.data.names.filter((n) => other.nodeOf(n) < 0);
+  const nodes = (graph, set) => new Set([...set].map((n) => graph.name(n)));
+  assert.deepEqual(nodes(a, gone.nodes), new Set([...absent(a, b), ...namesOf(a, lost)]));
+  const both = namesOf(a, lost).filter((n) => b.nodeOf(n) >= 0);
+  assert.deepEqual(nodes(b, fresh.nodes), new Set([...absent(b, a), ...namesOf(b, won), ...both]));
 });
 
 test('keys step around a node and along an edge', () => {

@@ -57,6 +57,13 @@ struct GraphPictureOptions
   int panelSize{ 600 };
   /** Number of panels per row. */
   int columns{ 2 };
+  /** WriteGraphSvg() of a sphere only: project from the node of the first edge and its dual, as published. The circles
+   * of its ends become vertical lines and those of its faces horizontal lines, up to a radius of thousands of pixels.
+   */
+  bool fromEdgeNode{ false };
+  /** WriteGraphSheetSvg() only: names of nodes that a second panel of each graph enlarges, below the first, with their
+   * neighbors; a blue box marks its area in the first. Empty for no second panel. */
+  std::vector<std::string> enlarged{};
 };
 
 /** Writes a picture of one graph with a panel for each of
@@ -86,6 +93,11 @@ WriteGraphVtp(const EmbeddingCertificate & certificate, const Provenance & facts
  * \ingroup ShapetonGraphViews */
 ShapetonGraphViews_EXPORT std::vector<std::string>
                           DistinctColors(int count);
+
+/** Colors of a few tracked nodes, distinguishable for color-blind readers and from green, which marks changes.
+ * \ingroup ShapetonGraphViews */
+ShapetonGraphViews_EXPORT const std::vector<std::string> &
+                                TrackColors();
 
 /** Color of a value between -1 and 1: orange, gray at 0, blue; values outside are clamped. Orange and blue are
  * distinguishable for color-blind readers (Okabe and Ito). `lightness`, 0 to 1, is the amount of white mixed into the

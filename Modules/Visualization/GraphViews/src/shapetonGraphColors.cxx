@@ -39,6 +39,14 @@ Mixed(const Channels & a, const Channels & b, double share)
 
 } // namespace
 
+const std::vector<std::string> &
+TrackColors()
+{
+  // As published: orange, light blue, pink; then yellow, violet, brown.
+  static const std::vector<std::string> colors{ "#e69f00", "#56b4e9", "#cc79a7", "#f0e442", "#7b3fa0", "#8d6e63" };
+  return colors;
+}
+
 std::vector<std::string>
 DistinctColors(int count)
 {

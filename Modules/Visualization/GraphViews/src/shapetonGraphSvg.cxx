@@ -27,6 +27,48 @@ WriteSheet(const std::vector<std::string> & panels, const GraphPictureOptions & 
   }
   WriteFileBytes(path, SvgDocument(columns * options.panelSize, rows * options.panelSize, text));
 }
+
+std::vector<std::string>
+PanelsOf(const std::vector<GraphView> &   views,
+         const std::list<EmbeddedGraph> & graphs,
+         const std::vector<PanelPlan> &   plans,
+         int                              size)
+{
+  std::vector<std::string> panels;
+  for (const EmbeddedGraph & graph : graphs)
+  {
+    const std::size_t i = panels.size();
+    panels.push_back(GraphPainter(views[i], graph, size).Paint(plans[i]));
+  }
+  return panels;
+}
+
+/** Markup of a blue box around the area of another window. */
+std::string
+BoxOf(const PictureWindow & area, const PictureWindow & window, int size)
+{
+  const double      scale = 0.5 * size / window.halfWidth;
+  const auto        pixel = [&](double at, double center) { return SvgNumber(0.5 * size + scale * (at - center)); };
+  const std::string width = SvgNumber(2.0 * scale * area.halfWidth);
+  return "<rect x=\"" + pixel(area.center.x - area.halfWidth, window.center.x) + "\" y=\"" +
+         pixel(area.center.y - area.halfWidth, window.center.y) + "\" width=\"" + width + "\" height=\"" + width +
+         "\" fill=\"none\" stroke=\"#1e88e5\" stroke-width=\"2\"/>\n";
+}
+
+/** A row of the first panels, a row of the second ones below, and so on. */
+std::vector<std::string>
+InAlternateRows(const std::vector<std::string> & first, const std::vector<std::string> & second, int columns)
+{
+  std::vector<std::string> panels;
+  for (std::size_t start = 0; start < first.size(); start += columns)
+  {
+    const std::size_t end = std::min(start + columns, first.size());
+    panels.insert(panels.end(), first.begin() + start, first.begin() + end);
+    panels.resize(panels.size() + (first.size() > static_cast<std::size_t>(columns) ? start + columns - end : 0));
+    panels.insert(panels.end(), second.begin() + start, second.begin() + end);
+  }
+  return panels;
+}
 } // namespace
 
 void
@@ -35,7 +77,7 @@ WriteGraphSvg(const GraphView & view, const GraphPictureOptions & options, const
   const EmbeddedGraph      graph(*view.certificate);
   const GraphPainter       painter(view, graph, options.panelSize);
   std::vector<std::string> panels;
-  for (const PanelPlan & plan : PlansOf(graph, options.disk))
+  for (const PanelPlan & plan : PlansOf(graph, options))
   {
     panels.push_back(painter.Paint(plan));
   }
@@ -53,16 +95,20 @@ WriteGraphSheetSvg(const std::vector<GraphView> & views, const GraphPictureOptio
     const EmbeddedGraph & graph = graphs.emplace_back(*view.certificate);
     const bool            isSphere = graph.space.Geometry() == EmbeddingGeometry::Spherical;
     pole = isSphere && pole == nullptr ? &graph.pole : pole;
-    plans.push_back((isSphere ? PlansOfSphere(graph, *pole) : PlansOf(graph, options.disk))[1]);
+    plans.push_back((isSphere ? PlansOfSphere(graph, *pole) : PlansOf(graph, options))[1]);
     plans.back().title = view.title;
     plans.back().hasDual = false;
   }
   UniteWindows(graphs, plans);
-  std::vector<std::string> panels;
-  auto                     graph = graphs.begin();
-  for (std::size_t i = 0; i < views.size(); ++i, ++graph)
+  std::vector<std::string> panels = PanelsOf(views, graphs, plans, options.panelSize);
+  if (!options.enlarged.empty())
   {
-    panels.push_back(GraphPainter(views[i], *graph, options.panelSize).Paint(plans[i]));
+    const std::vector<PanelPlan> enlarged = EnlargedPlans(graphs, plans, options.enlarged);
+    for (std::size_t i = 0; i < panels.size(); ++i)
+    {
+      panels[i] += BoxOf(enlarged[i].window, plans[i].window, options.panelSize);
+    }
+    panels = InAlternateRows(panels, PanelsOf(views, graphs, enlarged, options.panelSize), options.columns);
   }
   WriteSheet(panels, options, path);
 }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <set>
 
 namespace shapeton
 {
@@ -25,6 +27,21 @@ WindowAround(const std::vector<Pixel> & pixels, double enlargement)
   return { { 0.5 * (least.x + most.x), 0.5 * (least.y + most.y) }, enlargement * half };
 }
 
+std::vector<Pixel>
+PixelsOfCircles(const EmbeddedGraph & graph, const PictureMap & picture, const std::vector<int> & nodes)
+{
+  constexpr int      points = 16;
+  std::vector<Pixel> pixels;
+  for (const int node : nodes)
+  {
+    for (const Place & place : graph.space.Circle(graph.nodes[node], graph.certificate.nodeRadii[node], points))
+    {
+      pixels.push_back(picture.map(place));
+    }
+  }
+  return pixels;
+}
+
 /** All nodes and edges of the graph, and its circles if they are not much larger. */
 PictureWindow
 WindowOfSphere(const EmbeddedGraph & graph, const PictureMap & picture)
@@ -41,16 +58,38 @@ WindowOfSphere(const EmbeddedGraph & graph, const PictureMap & picture)
   }
   constexpr double    muchLarger = 2.5;
   const PictureWindow near = WindowAround(pixels, 1.15);
-  for (int node = 0; node < graph.certificate.graph.nodes; ++node)
-  {
-    for (const Place & place : graph.space.Circle(graph.nodes[node], graph.certificate.nodeRadii[node], 16))
-    {
-      pixels.push_back(picture.map(place));
-    }
-  }
+  std::vector<int>    all(graph.certificate.graph.nodes);
+  std::iota(all.begin(), all.end(), 0);
+  const std::vector<Pixel> circles = PixelsOfCircles(graph, picture, all);
+  pixels.insert(pixels.end(), circles.begin(), circles.end());
   const PictureWindow whole = WindowAround(pixels, 1.05);
   const bool          isSingle = graph.certificate.graph.nodes == 1;
   return isSingle || whole.halfWidth < muchLarger * near.halfWidth ? whole : near;
+}
+
+/** The nodes with these names and their neighbors, ascending. */
+std::vector<int>
+WithNeighbors(const Graph & graph, const std::vector<std::string> & names)
+{
+  const auto isNamed = [&](int node) {
+    return std::find(names.begin(), names.end(), NameOfNode(graph, node)) != names.end();
+  };
+  std::set<int> nodes;
+  for (int node = 0; node < graph.nodes; ++node)
+  {
+    if (isNamed(node))
+    {
+      nodes.insert(node);
+    }
+  }
+  for (const auto & [a, b] : graph.edges)
+  {
+    if (isNamed(a) || isNamed(b))
+    {
+      nodes.insert({ a, b });
+    }
+  }
+  return { nodes.begin(), nodes.end() };
 }
 
 std::vector<PanelPlan>
@@ -131,6 +170,20 @@ PlansOfDisk(const EmbeddedGraph & graph, DiskModel model)
   circles.hasCircles = true;
   return { overlap, circles };
 }
+
+/** A point so close to the first edge node that the four circles through it are almost straight, seen from there. */
+Place
+NearEdgeNode(const EmbeddedGraph & graph)
+{
+  constexpr double distance = 0.005;
+  const Place &    at = graph.touch.front();
+  const Frame      frame = FrameOf(at);
+  const double     c = std::cos(distance);
+  const double     s = std::sin(distance) * std::sqrt(0.5);
+  return { c * at.x + s * (frame.x.x + frame.y.x),
+           c * at.y + s * (frame.x.y + frame.y.y),
+           c * at.z + s * (frame.x.z + frame.y.z) };
+}
 } // namespace
 
 std::vector<PanelPlan>
@@ -154,16 +207,16 @@ PlansOfSphere(const EmbeddedGraph & graph, const Place & outer)
 }
 
 std::vector<PanelPlan>
-PlansOf(const EmbeddedGraph & graph, DiskModel model)
+PlansOf(const EmbeddedGraph & graph, const GraphPictureOptions & options)
 {
   switch (graph.space.Geometry())
   {
     case EmbeddingGeometry::Spherical:
-      return PlansOfSphere(graph, graph.pole);
+      return PlansOfSphere(graph, options.fromEdgeNode && !graph.touch.empty() ? NearEdgeNode(graph) : graph.pole);
     case EmbeddingGeometry::Euclidean:
       return PlansOfTorus(graph);
     default:
-      return PlansOfDisk(graph, model);
+      return PlansOfDisk(graph, options.disk);
   }
 }
 
@@ -188,5 +241,24 @@ UniteWindows(const std::list<EmbeddedGraph> & graphs, std::vector<PanelPlan> & p
   {
     plan->window = WindowAround(corners, 1.0);
   }
+}
+
+std::vector<PanelPlan>
+EnlargedPlans(const std::list<EmbeddedGraph> & graphs,
+              const std::vector<PanelPlan> &   plans,
+              const std::vector<std::string> & names)
+{
+  std::vector<PanelPlan> enlarged;
+  auto                   whole = plans.begin();
+  for (const EmbeddedGraph & graph : graphs)
+  {
+    PanelPlan plan = *whole++;
+    plan.title.clear();
+    const auto pixels = PixelsOfCircles(graph, plan.picture, WithNeighbors(graph.certificate.graph, names));
+    plan.window = pixels.empty() ? plan.window : WindowAround(pixels, 1.05);
+    enlarged.push_back(plan);
+  }
+  UniteWindows(graphs, enlarged);
+  return enlarged;
 }
 } // namespace shapeton
