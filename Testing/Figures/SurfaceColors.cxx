@@ -83,7 +83,9 @@ PartNear(const SurfaceMesh & mesh, const std::vector<std::string> & setting)
 void
 Draw(const std::string & surface, const std::string & picture, Settings settings)
 {
-  SurfaceMesh mesh = ReadSurface(surface).mesh;
+  SurfaceReadOptions read;
+  read.anyExtent = true; // graphs have no unit
+  SurfaceMesh mesh = ReadSurface(surface, read).mesh;
   if (settings.count("near") != 0)
   {
     mesh = PartNear(mesh, settings["near"]);
@@ -107,6 +109,7 @@ Draw(const std::string & surface, const std::string & picture, Settings settings
   SurfaceRenderingOptions options;
   options.azimuth = numberOf("azimuth", 0.0);
   options.elevation = numberOf("elevation", 0.0);
+  options.annotations = false;
   WritePng(RenderSurfaces(scene, options), picture);
 }
 } // namespace

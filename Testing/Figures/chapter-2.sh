@@ -56,12 +56,12 @@ compared=()
 for step in 10 30 100; do
   run ConventionalDiffusion small.nrrd small-conventional-$step.nrrd 7 $step
   run HeatTransferFunction small.nrrd small-conventional-$step.nrrd small.vp --picture small-conventional-$step.png
-  compared+=("$(slice small-conventional-$step.png)=conventional, $step steps")
+  compared+=("small-conventional-$step.png@16,734,380,380=conventional, $step steps")
 done
 for step in 10 30 100; do
   run CumulativeHeatDiffusion small.nrrd small-$step.nrrd --preset published --timeSteps $step
   run HeatTransferFunction small.nrrd small-$step.nrrd small.vp --picture small-$step.png
-  compared+=("$(slice small-$step.png)=cumulative, $step steps")
+  compared+=("small-$step.png@16,734,380,380=cumulative, $step steps")
 done
 panels 3 280 "${compared[@]}"
 differs 'A cube in 32^3 voxels.'

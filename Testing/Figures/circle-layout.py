@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """usage: circle-layout.py GRAPH.edges OUT.svg
 
-Draws the nodes of an edge list on a circle in the order of their first edge, with labels. Called by make-figures.
+Draws the nodes of an edge list on a circle, in the order of their names, with labels. Called by make-figures.
 """
 import math
 import sys
@@ -15,7 +15,7 @@ def main():
         return
     with open(sys.argv[1], encoding="utf-8") as file:
         edges = [line.split() for line in file if line.strip()]
-    names = list(dict.fromkeys(name for edge in edges for name in edge))
+    names = sorted({name for edge in edges for name in edge})
     places = {name: [SIZE / 2 + RADIUS * f(2 * math.pi * i / len(names)) for f in (math.sin, math.cos)]
               for i, name in enumerate(names)}
     parts = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{SIZE}" height="{SIZE}" font-family="sans-serif">']

@@ -20,7 +20,8 @@ FilledFaces();
  * fits. Then new edges are added. An edge whose ends are separated by a single dummy replaces it. Any other edge
  * becomes a path along the fewest dummies (PackedMap::subdivided). No circle moves: the end circles do not touch, but
  * the circles along the path do. Faces in conflict and long faces are then filled as in MakePackedMap(), which handles
- * the whole map if it has loops or parallel edges.
+ * the whole map if it has loops. If few edges are deleted, each one between remaining nodes is replaced by a column of
+ * small dummies, which keeps its ends close.
  *
  * Nodes are identified by name. \pre `packed` is a packed map of `before`, `map` a map of `after`.
  * \ingroup ShapetonGraphComparison */

@@ -159,16 +159,35 @@ TEST(CarriedPacking, RandomEditsGivePackableMapsOfTheGraph)
   EXPECT_GT(carriedSteps, 50);
 }
 
-TEST(CarriedPacking, LoopsAndHandlesArePackedAnew)
+TEST(CarriedPacking, LoopsArePackedAnew)
 {
   const auto [before, map, packed] = PackedRing(20);
-  for (const std::array<int, 2> & edge : { std::array<int, 2>{ 3, 3 }, std::array<int, 2>{ 5, 4 } })
-  {
-    shapeton::Graph after = before;
-    after.edges.push_back(edge);
-    const shapeton::CombinatorialMap edited = shapeton::CarryRotation(before, map, after).map;
-    const shapeton::PackedMap        carried = shapeton::CarryPackedMap(before, packed, after, edited);
-    EXPECT_EQ(carried.map.GetRotation(), shapeton::MakePackedMap(edited).map.GetRotation());
-    EXPECT_EQ(carried.subdivided.size(), 1U);
-  }
+  shapeton::Graph after = before;
+  after.edges.push_back({ 3, 3 });
+  const shapeton::CombinatorialMap edited = shapeton::CarryRotation(before, map, after).map;
+  const shapeton::PackedMap        carried = shapeton::CarryPackedMap(before, packed, after, edited);
+  EXPECT_EQ(carried.map.GetRotation(), shapeton::MakePackedMap(edited).map.GetRotation());
+  EXPECT_EQ(carried.subdivided.size(), 1U);
+}
+
+TEST(CarriedPacking, ParallelEdgesKeepTheirDummies)
+{
+  const auto [ring, ringMap, ringPacked] = PackedRing(60);
+  shapeton::Graph before = ring;
+  before.edges.insert(before.edges.end(), { { 5, 4 }, { 4, 5 }, { 30, 31 }, { 10, 20 } });
+  const shapeton::CombinatorialMap map = shapeton::CarryRotation(ring, ringMap, before).map;
+  const shapeton::PackedMap        packed = shapeton::CarryPackedMap(ring, ringPacked, before, map);
+  ExpectPackedMapOf(packed, map);
+  const shapeton::PackedMap again = shapeton::CarryPackedMap(before, packed, before, map);
+  ExpectPackedMapOf(again, map);
+  EXPECT_EQ(again.map.Nodes(), packed.map.Nodes());
+  EXPECT_EQ(NodesAsBefore(packed, again), before.nodes);
+  // Without one of three parallel edges, and without the other edges of a pair.
+  shapeton::Graph after = before;
+  after.edges.erase(after.edges.begin() + 4);
+  after.edges.erase(after.edges.begin() + 29);
+  const shapeton::CombinatorialMap edited = shapeton::CarryRotation(before, map, after).map;
+  const shapeton::PackedMap        carried = shapeton::CarryPackedMap(before, packed, after, edited);
+  ExpectPackedMapOf(carried, edited);
+  EXPECT_GT(NodesAsBefore(packed, carried), 40);
 }

@@ -128,6 +128,28 @@ TEST(DynamicEmbedding, OneEdgeOfALongFaceMovesLessThanAPackingMadeAnew)
   EXPECT_LT(after.changes.meanDisplacement, 0.2 * shapeton::ChangesBetween(before.certificate, anew).meanDisplacement);
 }
 
+TEST(DynamicEmbedding, DeletedEdgesHardlyMoveTheirEnds)
+{
+  shapeton::Graph graph = WithNames(shapeton::GridGraph(12, 10));
+  graph.edges.insert(graph.edges.end(), { graph.edges[3], graph.edges[50], graph.edges[50] });
+  shapeton::DynamicEmbedding dynamic;
+  dynamic.Add(graph);
+  for (const int edge : { 100, 60, 50, 20 })
+  {
+    const std::array<int, 2> ends = graph.edges[edge];
+    graph.edges.erase(graph.edges.begin() + edge);
+    const shapeton::DynamicStep step = dynamic.Add(graph);
+    const auto &                radii = step.certificate.nodeRadii;
+    const double                gap = shapeton::AngleBetween(shapeton::PlaceOnSphere(step.certificate, ends[0]),
+                                              shapeton::PlaceOnSphere(step.certificate, ends[1])) -
+                       radii[ends[0]] - radii[ends[1]];
+    EXPECT_EQ(shapeton::VerifyEmbedding(step.certificate).refusal, "") << edge;
+    EXPECT_LT(step.changes.meanDisplacement, 1e-3) << edge;
+    EXPECT_LT(step.changes.largestDisplacement, 0.02) << edge;
+    EXPECT_EQ(edge != 50, 1e-6 < gap) << edge; // only circles with an edge touch; edge 50 has two parallel ones
+  }
+}
+
 TEST(DynamicEmbedding, TheVerifierAcceptsEachStep)
 {
   shapeton::DynamicEmbedding dynamic;

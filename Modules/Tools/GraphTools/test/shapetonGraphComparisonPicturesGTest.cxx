@@ -1,4 +1,5 @@
 #include "shapetonGraphComparisonPictures.h"
+#include "shapetonGraphPictures.h"
 #include "shapetonFileBytes.h"
 #include "shapetonGraphFamilies.h"
 #include "shapetonTestFolder.h"

@@ -62,7 +62,7 @@ struct GraphPictureOptions
    */
   bool fromEdgeNode{ false };
   /** WriteGraphSheetSvg() only: names of nodes that a second panel of each graph enlarges, below the first, with their
-   * neighbors; a blue box marks its area in the first. Empty for no second panel. */
+   * neighbors; a blue box marks its area in the first. No second panel if it would show almost the same. */
   std::vector<std::string> enlarged{};
 };
 

@@ -55,6 +55,19 @@ BoxOf(const PictureWindow & area, const PictureWindow & window, int size)
          "\" fill=\"none\" stroke=\"#1e88e5\" stroke-width=\"2\"/>\n";
 }
 
+/** Whether a part is shown much larger than before. */
+bool
+AreLarger(const std::vector<PanelPlan> & enlarged, const std::vector<PanelPlan> & plans)
+{
+  constexpr double muchLarger = 1.5;
+  bool             areLarger = false;
+  for (std::size_t i = 0; i < enlarged.size(); ++i)
+  {
+    areLarger |= plans[i].window.halfWidth > muchLarger * enlarged[i].window.halfWidth;
+  }
+  return areLarger;
+}
+
 /** A row of the first panels, a row of the second ones below, and so on. */
 std::vector<std::string>
 InAlternateRows(const std::vector<std::string> & first, const std::vector<std::string> & second, int columns)
@@ -100,10 +113,10 @@ WriteGraphSheetSvg(const std::vector<GraphView> & views, const GraphPictureOptio
     plans.back().hasDual = false;
   }
   UniteWindows(graphs, plans);
-  std::vector<std::string> panels = PanelsOf(views, graphs, plans, options.panelSize);
-  if (!options.enlarged.empty())
+  std::vector<std::string>     panels = PanelsOf(views, graphs, plans, options.panelSize);
+  const std::vector<PanelPlan> enlarged = EnlargedPlans(graphs, plans, options.enlarged);
+  if (AreLarger(enlarged, plans))
   {
-    const std::vector<PanelPlan> enlarged = EnlargedPlans(graphs, plans, options.enlarged);
     for (std::size_t i = 0; i < panels.size(); ++i)
     {
       panels[i] += BoxOf(enlarged[i].window, plans[i].window, options.panelSize);

@@ -109,7 +109,7 @@ PlansOfTorus(const EmbeddedGraph & graph)
   PanelPlan overlap{ "Universal cover: overlap graph and fundamental domain", flat, WindowAround(pixels, enlargement) };
   overlap.hasTiles = true;
   // A large graph is shown with fewer copies, because each takes as long to paint as the original.
-  constexpr std::size_t large = 100000, huge = 1000000; // segments
+  constexpr std::size_t large = 20000, huge = 200000; // segments
   constexpr int         tilesOfHuge = 1, tilesOfLarge = 9, tiles = 25;
   const std::size_t     segments = graph.halfEdges.size() + graph.dual.size();
   overlap.tiles = TilesAround(graph, segments > huge ? tilesOfHuge : segments > large ? tilesOfLarge : tiles);
@@ -171,18 +171,38 @@ PlansOfDisk(const EmbeddedGraph & graph, DiskModel model)
   return { overlap, circles };
 }
 
-/** A point so close to the first edge node that the four circles through it are almost straight, seen from there. */
-Place
-NearEdgeNode(const EmbeddedGraph & graph)
+/** Projected from a point so close to the first edge node that the four circles through it are almost straight. The
+ * circles of its ends are vertical. */
+std::vector<PanelPlan>
+PlansFromEdgeNode(const EmbeddedGraph & graph)
 {
   constexpr double distance = 0.005;
   const Place &    at = graph.touch.front();
-  const Frame      frame = FrameOf(at);
-  const double     c = std::cos(distance);
-  const double     s = std::sin(distance) * std::sqrt(0.5);
-  return { c * at.x + s * (frame.x.x + frame.y.x),
-           c * at.y + s * (frame.x.y + frame.y.y),
-           c * at.z + s * (frame.x.z + frame.y.z) };
+  const Place &    end = graph.nodes[graph.map.Node(0)];
+  const Frame      about = FrameOf(at);
+  const double     angle = std::atan2(Dot(end, about.y), Dot(end, about.x)); // of the edge, seen from the edge node
+  const double     x = distance * std::cos(angle + 0.7);                     // towards neither a node nor a face
+  const double     y = distance * std::sin(angle + 0.7);
+  Place            pole{ at.x + x * about.x.x + y * about.y.x,
+              at.y + x * about.x.y + y * about.y.y,
+              at.z + x * about.x.z + y * about.y.z };
+  const double     length = std::sqrt(Dot(pole, pole));
+  pole = { pole.x / length, pole.y / length, pole.z / length };
+  std::vector<PanelPlan> plans = PlansOfSphere(graph, pole);
+  const Frame            frame = FrameOf({ -pole.x, -pole.y, -pole.z });
+  const double           turn = std::atan2(Dot(end, frame.y), Dot(end, frame.x));
+  const auto             flat = Stereographic(Turned(frame, turn));
+  std::vector<Pixel>     pixels;
+  for (std::size_t h = 2; h < graph.touch.size(); ++h)
+  {
+    pixels.push_back(flat.map(graph.touch[h]));
+  }
+  for (const int i : { 0, 1 })
+  {
+    plans[i].picture = flat;
+    plans[i].window = WindowAround(pixels, 1.3);
+  }
+  return plans;
 }
 } // namespace
 
@@ -212,7 +232,8 @@ PlansOf(const EmbeddedGraph & graph, const GraphPictureOptions & options)
   switch (graph.space.Geometry())
   {
     case EmbeddingGeometry::Spherical:
-      return PlansOfSphere(graph, options.fromEdgeNode && !graph.touch.empty() ? NearEdgeNode(graph) : graph.pole);
+      return options.fromEdgeNode && graph.touch.size() > 2 ? PlansFromEdgeNode(graph)
+                                                            : PlansOfSphere(graph, graph.pole);
     case EmbeddingGeometry::Euclidean:
       return PlansOfTorus(graph);
     default:

@@ -16,6 +16,17 @@ FrameOf(const Place & z)
   return { { y.y * z.z - y.z * z.y, y.z * z.x - y.x * z.z, y.x * z.y - y.y * z.x }, y, z };
 }
 
+Frame
+Turned(const Frame & frame, double angle)
+{
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  const auto   mixed = [](double a, const Place & p, double b, const Place & q) {
+    return Place{ a * p.x + b * q.x, a * p.y + b * q.y, a * p.z + b * q.z };
+  };
+  return { mixed(c, frame.x, s, frame.y), mixed(-s, frame.x, c, frame.y), frame.z };
+}
+
 PictureMap
 Orthographic(const Frame & frame)
 {

@@ -16,6 +16,10 @@ struct Frame
 Frame
 FrameOf(const Place & z);
 
+/** Turned about z by an angle from x to y. */
+Frame
+Turned(const Frame & frame, double angle);
+
 /** The hemisphere facing the viewer. */
 PictureMap
 Orthographic(const Frame & frame);

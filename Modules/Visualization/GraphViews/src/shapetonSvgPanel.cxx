@@ -191,7 +191,12 @@ SvgPanel::AddSegments(const std::vector<EmbeddedGraph::Segment> & segments,
                       const std::vector<Motion> &                 motions,
                       const SvgStyle &                            style)
 {
-  std::string path;
+  constexpr std::size_t longest = 1000000; // bytes of a path; some readers refuse attributes of 10 MB
+  std::string           path;
+  const auto            write = [&] {
+    m_Content += path.empty() ? "" : "<path d=\"" + path + '"' + Attributes(style) + "/>\n";
+    path.clear();
+  };
   for (const Motion & motion : motions)
   {
     for (const auto & segment : segments)
@@ -205,6 +210,10 @@ SvgPanel::AddSegments(const std::vector<EmbeddedGraph::Segment> & segments,
       if (isSeen && Distance(start, end) >= LeastOf(motion))
       {
         path += this->PathOfSegment(from, to, false);
+        if (path.size() > longest)
+        {
+          write();
+        }
       }
       else if (isSeen && motion.a == 1.0 && motion.b == 0.0)
       {
@@ -212,10 +221,7 @@ SvgPanel::AddSegments(const std::vector<EmbeddedGraph::Segment> & segments,
       }
     }
   }
-  if (!path.empty())
-  {
-    m_Content += "<path d=\"" + path + '"' + Attributes(style) + "/>\n";
-  }
+  write();
 }
 
 double
@@ -361,7 +367,7 @@ SvgPanel::AddPolygon(const std::vector<Place> & corners, const Motion & motion, 
 bool
 SvgPanel::AddLabel(const Place & center, const Place & rim, const std::string & text)
 {
-  constexpr double largest = 12.0;
+  constexpr double largest = 20.0;
   constexpr double smallest = 6.0;
   constexpr double widthOfLetter = 0.55; // relative to the font size
   if (!m_Picture.isVisible(center))
@@ -378,7 +384,10 @@ SvgPanel::AddLabel(const Place & center, const Place & rim, const std::string & 
     return false;
   }
   m_Content += "<text x=\"" + SvgNumber(pixel.x) + "\" y=\"" + SvgNumber(pixel.y + size / 3.0) + "\" font-size=\"" +
-               SvgNumber(size) + "\" text-anchor=\"middle\" font-family=\"sans-serif\">" + SvgText(text) + "</text>\n";
+               SvgNumber(size) +
+               "\" text-anchor=\"middle\" font-family=\"sans-serif\" paint-order=\"stroke\" stroke=\"#ffffff\" "
+               "stroke-width=\"3\">" +
+               SvgText(text) + "</text>\n";
   return true;
 }
 
