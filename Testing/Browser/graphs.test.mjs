@@ -180,7 +180,9 @@ test('two steps are shown with their differences, or all steps', async () => {
   assert.deepEqual(await shown(), [true, false, true]);
   const green = await page.evaluate(() => {
     const [a, , b] = graphPage.views.map((v) => v.graph);
-    return b.data.names.filter((_, i) => b.data.colors[i] === '#43a047').every((n) => a.nodeOf(n) < 0 || a.degree(a.nodeOf(n)) !== b.degree(b.nodeOf(n)));
+    const around = (graph, n) => graph.neighbors(graph.nodeOf(n)).map((m) => graph.name(m)).sort().join();
+    const isNew = (n) => a.nodeOf(n) < 0 || around(a, n) !== around(b, n);
+    return b.data.names.filter((_, i) => b.data.colors[i] === '#43a047').every(isNew);
   });
   assert.ok(green, 'only changed nodes are green');
   await shot('6-two-steps');

@@ -145,7 +145,8 @@ test('a selection is found in other graphs by name or by number, and described a
 });
 
 test('tracked nodes have colors of their own in all graphs, until they are tracked no longer', () => {
-  const a = randomGraph(3, 5, 9), b = randomGraph(4, 5, 9, ['n4', 'n3', 'n2', 'n1', 'x']), selection = new Selection([a, b], ['red', 'blue']);
+  const a = randomGraph(3, 5, 9), b = randomGraph(4, 5, 9, ['n4', 'n3', 'n2', 'n1', 'x']);
+  const selection = new Selection([a, b], ['red', 'blue']);
   selection.track('n4');
   selection.track('n0');
   assert.deepEqual([...a.data.tracked], [[4, 'red'], [0, 'blue']]);

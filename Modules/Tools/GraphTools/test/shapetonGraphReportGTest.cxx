@@ -31,7 +31,7 @@ TEST(GraphReport, IsWholeAndWellFormed)
   report.facts = shapeton::FactsOf(cube);
   const XmlPage page = PageOf(report);
   EXPECT_EQ(1u, page.TextsOf("figure").size());
-  EXPECT_EQ(2u, page.TextsOf("script").size());
+  EXPECT_EQ(3u, page.TextsOf("script").size());
   EXPECT_NE(std::string::npos, page.bytes.find("a warning"));
   EXPECT_NE(std::string::npos, page.bytes.find("residual"));
   EXPECT_EQ(std::string::npos, page.bytes.find("</script>\",")); // names are escaped

@@ -1,6 +1,9 @@
 #include "shapetonGraphPictures.h"
 #include "shapetonEmbeddedGraph.h"
 #include "shapetonCertificateFixtures.h"
+#include "shapetonGraphEmbedding.h"
+#include "shapetonGraphFamilies.h"
+#include "shapetonGraphGenus.h"
 #include "shapetonCurveSet.h"
 #include "shapetonGraphInSpace.h"
 #include "shapetonGrowthPlot.h"
@@ -12,7 +15,9 @@
 
 #include "gtest/gtest.h"
 
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 
 using namespace certificatetest;
@@ -144,6 +149,40 @@ TEST(GraphPictures, SmallMultiplesHaveTheColorsOfTheirNodes)
   {
     EXPECT_EQ(2u, page.Count("circle", "fill", color));
   }
+}
+
+TEST(GraphPictures, SmallMultiplesEnlargeAPart)
+{
+  const Folder               folder;
+  const shapeton::Graph      grid = shapeton::GridGraph(12, 10);
+  const EmbeddingCertificate large = shapeton::EmbedGraph(grid, shapeton::FindEmbedding(grid).map);
+  const EmbeddingCertificate cube = Cube();
+  const auto                 panelsOf = [&](const EmbeddingCertificate & certificate, const std::string & name) {
+    shapeton::GraphPictureOptions options;
+    options.enlarged = { name };
+    const shapeton::GraphView view{ "", &certificate, {} };
+    shapeton::WriteGraphSheetSvg({ view, view, view }, options, folder / "sheet.svg");
+    const XmlPage page(shapeton::ReadFileBytes(folder / "sheet.svg"));
+    return std::array<std::size_t, 2>{ page.TextsOf("svg").size() - 1, page.Count("rect", "stroke", "#1e88e5") };
+  };
+  // Two columns: two rows of two, and two rows of one, with an empty panel between.
+  EXPECT_EQ((std::array<std::size_t, 2>{ 7, 3 }), panelsOf(large, shapeton::NameOfNode(grid, 0)));
+  EXPECT_EQ((std::array<std::size_t, 2>{ 3, 0 }), panelsOf(cube, shapeton::NameOfNode(cube.graph, 0)));
+}
+
+/** Of a planar graph, seen from an edge node: the circles of its ends and faces are almost straight and form a
+ * rectangle. */
+TEST(GraphPictures, CirclesAroundAnEdgeNodeBecomeARectangle)
+{
+  shapeton::GraphPictureOptions options;
+  options.fromEdgeNode = true;
+  const std::string text = PictureOf(Cube(), options).bytes;
+  int               large = 0;
+  for (std::size_t at = text.find("A"); at != std::string::npos; at = text.find('A', at + 1))
+  {
+    large += std::atof(text.c_str() + at + 1) > 1e4 ? 1 : 0;
+  }
+  EXPECT_LE(2, large); // one node and one face contain the center of the projection; the others are <circle>
 }
 
 /** Edges have their colors, and neither outlines nor tiles compete with them. */
