@@ -1,7 +1,7 @@
 // Draws a surface in space, plain or colored by a point array from blue over white to red.
 // usage: SurfaceColors SURFACE.vtp PICTURE.png [array=NAME,LEAST,GREATEST] [azimuth=DEGREES] [elevation=DEGREES]
 //                      [near=X,Y,Z,RADIUS] [curves=CURVES.vtp] [width=MM] [opacity=0..1]
-// `near` draws only faces within a radius (mm) of a point; curves are drawn in red.
+// `near` draws only what is within a radius (mm) of a point; curves are drawn in red.
 #include "shapetonCurveSet.h"
 #include "shapetonExceptions.h"
 #include "shapetonPicture.h"
@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -64,33 +65,77 @@ ColorsOf(const SurfaceMesh & mesh, const std::vector<std::string> & setting)
   return colors;
 }
 
-SurfaceMesh
-PartNear(const SurfaceMesh & mesh, const std::vector<std::string> & setting)
+/** A ball; everything without a setting. */
+class Focus
 {
-  const Eigen::Vector3d center(std::stod(setting.at(0)), std::stod(setting.at(1)), std::stod(setting.at(2)));
-  const double          radius = std::stod(setting.at(3));
-  std::vector<int>      faces;
-  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+public:
+  explicit Focus(const std::vector<std::string> & setting)
   {
-    if ((mesh.V.row(mesh.F(face, 0)).transpose() - center).norm() < radius)
+    if (!setting.empty())
     {
-      faces.push_back(face);
+      m_Center = { std::stod(setting.at(0)), std::stod(setting.at(1)), std::stod(setting.at(2)) };
+      m_Radius = std::stod(setting.at(3));
     }
   }
-  return FacesOfSurface(mesh, faces);
-}
+
+  SurfaceMesh
+  PartOf(const SurfaceMesh & mesh) const
+  {
+    std::vector<int> faces;
+    for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+    {
+      if (this->Contains(mesh.V.row(mesh.F(face, 0))))
+      {
+        faces.push_back(face);
+      }
+    }
+    return FacesOfSurface(mesh, faces);
+  }
+
+  CurveSet
+  PartOf(const CurveSet & set) const
+  {
+    CurveSet                     part;
+    std::vector<Eigen::Vector3d> points;
+    for (const std::vector<int> & curve : set.curves)
+    {
+      if (!curve.empty() && this->Contains(set.V.row(curve.front())))
+      {
+        part.curves.emplace_back();
+        for (const int vertex : curve)
+        {
+          part.curves.back().push_back(static_cast<int>(points.size()));
+          points.emplace_back(set.V.row(vertex));
+        }
+      }
+    }
+    part.V.resize(static_cast<Eigen::Index>(points.size()), 3);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      part.V.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
+    }
+    return part;
+  }
+
+private:
+  bool
+  Contains(const Eigen::Vector3d & point) const
+  {
+    return (point - m_Center).norm() < m_Radius;
+  }
+
+  Eigen::Vector3d m_Center{ Eigen::Vector3d::Zero() };
+  double          m_Radius{ std::numeric_limits<double>::infinity() };
+};
 
 void
 Draw(const std::string & surface, const std::string & picture, Settings settings)
 {
   SurfaceReadOptions read;
   read.anyExtent = true; // graphs have no unit
-  SurfaceMesh mesh = ReadSurface(surface, read).mesh;
-  if (settings.count("near") != 0)
-  {
-    mesh = PartNear(mesh, settings["near"]);
-  }
-  SurfaceScene scene;
+  const Focus       focus(settings["near"]);
+  const SurfaceMesh mesh = focus.PartOf(ReadSurface(surface, read).mesh);
+  SurfaceScene      scene;
   scene.surfaces.push_back({ &mesh });
   if (settings.count("array") != 0)
   {
@@ -103,7 +148,7 @@ Draw(const std::string & surface, const std::string & picture, Settings settings
   CurveSet curves;
   if (settings.count("curves") != 0)
   {
-    curves = ReadCurves(settings["curves"].at(0));
+    curves = focus.PartOf(ReadCurves(settings["curves"].at(0)));
     scene.curves.push_back({ &curves, numberOf("width", 1.5), MakeColor(200, 30, 30) });
   }
   SurfaceRenderingOptions options;

@@ -48,12 +48,18 @@ differs 'From the rectum: red, orange, green, teal, blue, purple; gray: unknown.
 figure 4.5 'hepatic and splenic flexure'
 walter_reed
 patient_20
-panels 2 360 "walter-reed/landmarks/report/landmarks-posterior.png@520,80,300,300=(a) hepatic, Walter Reed" \
-  "walter-reed/landmarks/report/landmarks-posterior.png@170,32,300,300=(b) splenic, Walter Reed" \
-  "patient-20/landmarks/report/landmarks-posterior.png@520,80,300,300=(a) hepatic, patient 00020" \
-  "patient-20/landmarks/report/landmarks-posterior.png@200,32,300,300=(b) splenic, patient 00020"
-differs 'Seen from behind. The black loop is the section of the wall with the plane across the centerline, as published (there' \
-  'red).'
+# flexure CASE NAME POINT AZIMUTH: draws the wall and the loop near a point (LPS, mm).
+flexure() {
+  run SurfaceColors "$1/landmarks/folds-surface.vtp" "$1-$2.png" "near=$3,90" "curves=$1/landmarks/flexures.vtp" width=2 "azimuth=$4" \
+    elevation=20
+}
+flexure walter-reed hepatic -272,-130,363 -70
+flexure walter-reed splenic -79,-135,408 150
+flexure patient-20 hepatic 100,149,374 -80
+flexure patient-20 splenic 283,207,436 170
+panels 2 360 "walter-reed-hepatic.png=(a) hepatic, Walter Reed" "walter-reed-splenic.png=(b) splenic, Walter Reed" \
+  "patient-20-hepatic.png=(a) hepatic, patient 00020" "patient-20-splenic.png=(b) splenic, patient 00020"
+differs '**Agrees:** the red loop is the section of the wall with the plane across the centerline.'
 
 # modulus POSITION SEGMENT: prints the conformal modulus of a segment.
 modulus() {
@@ -85,8 +91,8 @@ done
 panels 2 470 "patient-20-split/report/landmarks-anterior.png@120,40,640,464=(a) supine" \
   "second-split/report/landmarks-anterior.png@120,40,640,464=(d) prone" \
   "patient-20-curvature.png=(b) supine" "second-curvature.png=(e) prone" \
-  "patient-20/flattening/report/flat-curvature.png@0,1030,945,346=(c) supine, transverse to cecum" \
-  "second/flattening/report/flat-curvature.png@0,1030,945,346=(f) prone, transverse to cecum"
+  "patient-20/flattening/report/flat-curvature.png@0,1060,840,300=(c) supine, transverse to cecum" \
+  "second/flattening/report/flat-curvature.png@0,1060,840,300=(f) prone, transverse to cecum"
 differs 'From -0.2/mm (blue) to 0.2/mm (red, folds). **Agrees:** the folds of both positions form the same pattern.'
 
 # as_published: registers the two positions as in the dissertation.

@@ -9,10 +9,11 @@ write 'Published: heat diffusion distances from 50 eigenpairs, t = 8, walls of 5
 figure 5.1 'a colon with handles, and its flat map'
 raw_wall
 walter_reed
-panels 2 400 "patient-20/segmentation/report/wall-anterior.png@200,10,600,850=(a) patient 00020; its wall has 21 handles" \
-  "walter-reed/polyps/report/polyp-candidate-1.png@812,0,402,656=a polyp of Walter Reed, inside and flat" \
-  "raw/flat-relief.png@0,1030,817,334=(b) patient 00020, flat with handles (crosses)" \
-  "walter-reed/flattening/report/flat-volume.png@0,1045,874,330=(b) Walter Reed, by direct volume rendering"
+run SurfaceColors patient-20/segmentation/wall.vtp handle.png near=249.5,86,432.5,13 elevation=25
+panels 3 290 "patient-20/segmentation/report/wall-anterior.png@200,10,600,850=(a) patient 00020; its wall has 21 handles" \
+  "patient-20/polyps/report/polyp-candidate-2.png=a candidate beside a fold, inside and flat" "handle.png=(a) a handle" \
+  "raw/flat-relief.png@0,1060,420,270=(b) patient 00020, with handles (crosses)" \
+  "walter-reed/flattening/report/flat-volume.png@30,1070,420,270=(b) Walter Reed, volume rendering"
 differs '**Agrees:** the wall is flattened with its handles, and folds keep their shape. **Differs:** a polyp on a stalk does' \
   'not: a conformal map shrinks its head to a point, and the tool says so.'
 
@@ -48,38 +49,47 @@ run SurfaceRicciFlow raw-landmarks/segment-ascending.vtp ricci.vtp --picture ric
 panels 1 660 "ricci.png=(a) surface Ricci flow: wall in space, and in the Poincare disk" \
   "raw/flat-relief.png@0,1375,817,337=(b) heat diffusion, with handles (crosses)" \
   "patient-20/flattening/report/flat-relief.png@0,1035,943,341=heat diffusion, without handles"
-differs 'Patient 00020. (a) The ascending segment has two handles, so no flat metric has straight boundaries; the metric of' \
-  'curvature -1 is laid out in the disk. **Agrees:** the Ricci flow map loses the global shape; with heat diffusion and' \
-  '21 handles, the map has the course and the folds of the one without. **Differs:** at each handle, the map folds over' \
-  '(0.5 % of all faces), and the wall around it is smeared (at 190 cm). The moduli from u and v differ by 15 %, without' \
-  'handles by 0.2 %. Ours is vertex scaling with flips; the published scheme is not stated.'
+differs 'Patient 00020. (a) The ascending segment has two handles, so the metric of curvature -1 is laid out in the disk.' \
+  '**Agrees:** the Ricci flow map loses the global shape; with heat diffusion and 21 handles, the map has the course and' \
+  'the folds of the one without. **Differs:** at each handle, the map folds over (0.5 % of all faces). Ours is vertex' \
+  'scaling with flips; the published scheme is not stated.'
 
 figure 5.6 'polyps'
 walter_reed
-panels 3 330 "walter-reed/polyps/report/polyp-candidate-1.png@812,0,402,656=candidate 1" \
-  "walter-reed/polyps/report/polyp-candidate-2.png@812,0,402,656=candidate 2" \
-  "walter-reed/polyps/report/polyp-candidate-4.png@812,0,402,656=candidate 4"
-differs 'Walter Reed. Candidate 1 (10 mm) is a polyp on a stalk, 2 and 4 are possible polyps of 4 and 5 mm. **Agrees:** a' \
-  'close-up shows small bumps on the flat map. **Differs:** ours are not confirmed by optical colonoscopy.'
+patient_20
+panels 4 240 "patient-20/polyps/report/polyp-candidate-3.png=00020: sessile, 5 mm" \
+  "walter-reed/polyps/report/polyp-candidate-2.png@1036,0,402,656=Walter Reed: sessile, 4 mm" \
+  "patient-20/polyps/report/polyp-candidate-2.png=00020: beside a fold, 7 mm" \
+  "walter-reed/polyps/report/polyp-candidate-1.png@1036,0,402,656=Walter Reed: on a stalk, 9 mm"
+differs '**Agrees:** sessile candidates (blue) are bumps on the flat map; the one hidden beside a fold is seen there. **Differs:** a' \
+  'head on a stalk is not drawn; ours are not confirmed by optical colonoscopy.'
 
 figure 5.7 'registered ascending colon'
 both_positions
-panels 1 560 "both/report/aligned.png@840,580,539,478=(a) supine, (b) prone, as mapped"
+as_published
+panels 2 370 "both/report/aligned.png@840,580,539,478=(a) supine, (b) prone, as mapped" \
+  "both-published/report/aligned.png@840,580,539,478=the same, as published" \
+  "patient-20/polyps/report/polyp-candidates-flat.png@900,108,380,240=(a) supine: candidate 2" \
+  "patient-20/polyps/report/polyp-candidates-flat.png@520,782,380,240=(a) supine: candidate 3" \
+  "second/polyps/report/polyp-candidates-flat.png@905,108,380,240=(b) prone: the first, number 3" \
+  "second/polyps/report/polyp-candidates-flat.png@540,776,380,240=(b) prone: the second, number 2"
 differs 'Published: mean error 8.14 mm in space, 0.0385 on the map, at 16 pairs of points. As published, ours has 5.5 mm and' \
   '0.034 at 1,501 points, with 347 inverted triangles; our default 1.8 mm and 0.0104, with none. **Agrees:** folds are' \
-  'aligned, and the published method reaches the published error. **Not comparable:** our second position is simulated,' \
-  'and handles are removed before.'
+  'aligned, two candidates are found in both positions, and the published method reaches the published error. **Not' \
+  'comparable:** our second position is simulated, and handles are removed before.'
 
 figure 5.8 'handles found on the flat colon'
 raw_wall
 walter_reed
 run ColonFlattening walter-reed/segmentation/wall.vtp walter-reed-raw.vtp --centerline walter-reed/segmentation/centerline.vtp \
   --statistics walter-reed-raw.json --handles walter-reed-handles.vtp
-panels 1 680 "raw/flat-relief.png@0,1030,817,334=patient 00020, transverse" "raw/flat-relief.png@0,1375,817,337=transverse to cecum"
-differs 'Published: 43 handles on a third of a colon. Ours: crosses. **Agrees:** in patient 00020, 21 of 21 handles are found;' \
-  '25 other places are recognized as false alarms. **Differs:** the 250 handles of Walter Reed are found as 105 places,' \
-  'of which one has 17 handles and one a radius of 6 cm, because parts of the colon touch. There, the repaired surface is' \
-  'required.'
+run FlatCurvature raw.vtp handles-all.png 1830 2733 -30 150 2
+run FlatCurvature raw.vtp handles-four.png 2165 2195 15 37 0
+panels 1 680 "handles-all.png=patient 00020, transverse to cecum; red: Gaussian curvature" \
+  "raw/flat-relief.png@0,1375,817,337=relief; crosses: handles" "handles-four.png@150,330,700,260=four handles near 164 cm"
+differs 'Published: 43 handles on a third of a colon. **Agrees:** green: no curvature; in patient 00020, 21 of 21 handles are' \
+  'found, and 25 other places are recognized as false alarms. **Differs:** the 250 handles of Walter Reed, where parts of' \
+  'the colon touch, are found as 105 places.'
 
 figure 5.9 'a whole flat colon'
 walter_reed

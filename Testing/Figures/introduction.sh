@@ -9,7 +9,6 @@ write '# Figures of the dissertation, made by our tools' '' \
   'Figures not shown below:' '' \
   '| figure | shows | here |' '|---|---|---|' \
   '| 2.2, 3.1 to 3.3, 6.7 | drawings of the method | not results |' \
-  '| 2.11, 3.11 (b), 3.12 | hand of the Visible Female | not in our data; her [feet](heat-diffusion.md#few-steps-local-shape) |' \
+  '| 2.11, 3.11 (b) | hand of the Visible Female | not in our data; her feet: 3.11 (e), 3.12 |' \
   '| Table 2.1 | times of heat diffusion | [table](benchmarks.md#table-21-of-the-dissertation-with-our-column) with real volumes except for head, stent and hand |' \
-  '| 6.5; 6.12 | stages; graphs of genus 2 and 3 | see 6.1 and 6.6; 6.11 |' \
-  '| 6.10 | genus 1, 10,000 nodes, one minute | 4 s; not drawn, its circles would be too small |'
+  '| 6.11 | genus 2 in space | 6.12 in the disk; 6.5 in space |'

@@ -59,7 +59,7 @@ BoxOf(const PictureWindow & area, const PictureWindow & window, int size)
 bool
 AreLarger(const std::vector<PanelPlan> & enlarged, const std::vector<PanelPlan> & plans)
 {
-  constexpr double muchLarger = 1.5;
+  constexpr double muchLarger = 2.0;
   bool             areLarger = false;
   for (std::size_t i = 0; i < enlarged.size(); ++i)
   {
