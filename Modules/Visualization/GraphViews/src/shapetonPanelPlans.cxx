@@ -177,6 +177,7 @@ std::vector<PanelPlan>
 PlansFromEdgeNode(const EmbeddedGraph & graph)
 {
   constexpr double distance = 0.005;
+  constexpr double enlargement = 1.3;
   const Place &    at = graph.touch.front();
   const Place &    end = graph.nodes[graph.map.Node(0)];
   const Frame      about = FrameOf(at);
@@ -200,7 +201,7 @@ PlansFromEdgeNode(const EmbeddedGraph & graph)
   for (const int i : { 0, 1 })
   {
     plans[i].picture = flat;
-    plans[i].window = WindowAround(pixels, 1.3);
+    plans[i].window = WindowAround(pixels, enlargement);
   }
   return plans;
 }
@@ -269,6 +270,7 @@ EnlargedPlans(const std::list<EmbeddedGraph> & graphs,
               const std::vector<PanelPlan> &   plans,
               const std::vector<std::string> & names)
 {
+  constexpr double       withMargin = 1.05;
   std::vector<PanelPlan> enlarged;
   auto                   whole = plans.begin();
   for (const EmbeddedGraph & graph : graphs)
@@ -276,7 +278,7 @@ EnlargedPlans(const std::list<EmbeddedGraph> & graphs,
     PanelPlan plan = *whole++;
     plan.title.clear();
     const auto pixels = PixelsOfCircles(graph, plan.picture, WithNeighbors(graph.certificate.graph, names));
-    plan.window = pixels.empty() ? plan.window : WindowAround(pixels, 1.05);
+    plan.window = pixels.empty() ? plan.window : WindowAround(pixels, withMargin);
     enlarged.push_back(plan);
   }
   UniteWindows(graphs, enlarged);

@@ -170,7 +170,7 @@ TEST(GraphPictures, SmallMultiplesEnlargeAPart)
   EXPECT_EQ((std::array<std::size_t, 2>{ 3, 0 }), panelsOf(cube, shapeton::NameOfNode(cube.graph, 0)));
 }
 
-/** Of a planar graph, seen from an edge node: the circles of its ends and faces are almost straight and form a
+/** Seen from an edge node of a planar graph, the circles of its ends and faces are almost straight and form a
  * rectangle. */
 TEST(GraphPictures, CirclesAroundAnEdgeNodeBecomeARectangle)
 {
