@@ -1,13 +1,13 @@
 // Writes the heat of conventional diffusion: of each voxel, what remains of the heat 1 that starts in it alone.
 // usage: ConventionalDiffusion INPUT.nrrd OUTPUT.nrrd P STEPS
 #include "ConventionalHeat.h"
+#include "FigureProgram.h"
 
 #include "shapetonExceptions.h"
 #include "shapetonVolumeReader.h"
 #include "shapetonVolumeWriter.h"
 
 #include <algorithm>
-#include <iostream>
 
 using namespace shapeton;
 
@@ -29,24 +29,8 @@ Diffuse(const std::vector<std::string> & arguments)
 int
 main(int argc, char * argv[])
 {
-  std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (!arguments.empty() && arguments.back() == "--quiet") // as for the tools
-  {
-    arguments.pop_back();
-  }
-  if (arguments.size() != 4)
-  {
-    std::cerr << "usage: ConventionalDiffusion INPUT.nrrd OUTPUT.nrrd P STEPS\n";
-    return 2;
-  }
-  try
-  {
-    Diffuse(arguments);
-  }
-  catch (const std::exception & error)
-  {
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
-  return EXIT_SUCCESS;
+  return RunFigureProgram(
+    argc, argv, { 4, 4 }, "INPUT.nrrd OUTPUT.nrrd P STEPS", [](const std::vector<std::string> & arguments) {
+      Diffuse(arguments);
+    });
 }

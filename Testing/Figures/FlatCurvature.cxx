@@ -1,6 +1,8 @@
 // Draws faces of a flat colon in the plane: red at vertices with Gaussian curvature (an angle defect), else green.
 // usage: FlatCurvature FLAT.vtp PICTURE.png U_FIRST U_LAST V_FIRST V_LAST REACH (mm; faces within REACH of such a
 // vertex are red)
+#include "FigureProgram.h"
+
 #include "shapetonExceptions.h"
 #include "shapetonFlatDistortion.h"
 #include "shapetonFlatSurface.h"
@@ -12,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iostream>
 
 using namespace shapeton;
 
@@ -90,27 +91,16 @@ Draw(const std::string & surface, const std::string & picture, const std::array<
 int
 main(int argc, char * argv[])
 {
-  std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (!arguments.empty() && arguments.back() == "--quiet") // as for the tools
-  {
-    arguments.pop_back();
-  }
-  if (arguments.size() != 7)
-  {
-    std::cerr << "usage: FlatCurvature FLAT.vtp PICTURE.png U_FIRST U_LAST V_FIRST V_LAST REACH\n";
-    return 2;
-  }
-  try
-  {
-    std::array<double, 5> window{};
-    std::transform(
-      arguments.begin() + 2, arguments.end(), window.begin(), [](const std::string & text) { return std::stod(text); });
-    Draw(arguments[0], arguments[1], window);
-  }
-  catch (const std::exception & error)
-  {
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
-  return EXIT_SUCCESS;
+  return RunFigureProgram(argc,
+                          argv,
+                          { 7, 7 },
+                          "FLAT.vtp PICTURE.png U_FIRST U_LAST V_FIRST V_LAST REACH",
+                          [](const std::vector<std::string> & arguments) {
+                            std::array<double, 5> window{};
+                            std::transform(arguments.begin() + 2,
+                                           arguments.end(),
+                                           window.begin(),
+                                           [](const std::string & text) { return std::stod(text); });
+                            Draw(arguments[0], arguments[1], window);
+                          });
 }

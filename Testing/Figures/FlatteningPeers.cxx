@@ -1,5 +1,6 @@
 // Times of a row of Table 5.1 of the dissertation, and of the methods that its section 5.3 compares, in one run on one
 // surface. usage: FlatteningPeers WALL.vtp ROW.json. WALL is a tube with or without handles.
+#include "FigureProgram.h"
 #include "HarmonicForms.h"
 #include "Times.h"
 
@@ -11,8 +12,6 @@
 #include "shapetonSurfaceReader.h"
 #include "shapetonSurfaceRicciFlow.h"
 #include "shapetonSurfaceSpectrum.h"
-
-#include <iostream>
 
 using namespace shapeton;
 
@@ -128,20 +127,7 @@ Measure(const std::string & path, const std::string & output)
 int
 main(int argc, char * argv[])
 {
-  const bool isQuiet = argc == 4 && std::string(argv[3]) == "--quiet"; // as for the tools
-  if (argc != 3 && !isQuiet)
-  {
-    std::cerr << "usage: FlatteningPeers WALL.vtp ROW.json\n";
-    return 2;
-  }
-  try
-  {
-    Measure(argv[1], argv[2]);
-  }
-  catch (const Exception & error)
-  {
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
-  return EXIT_SUCCESS;
+  return RunFigureProgram(argc, argv, { 2, 2 }, "WALL.vtp ROW.json", [](const std::vector<std::string> & arguments) {
+    Measure(arguments[0], arguments[1]);
+  });
 }

@@ -2,6 +2,8 @@
 // usage: SurfaceColors SURFACE.vtp PICTURE.png [array=NAME,LEAST,GREATEST] [azimuth=DEGREES] [elevation=DEGREES]
 //                      [near=X,Y,Z,RADIUS] [curves=CURVES.vtp] [width=MM] [opacity=0..1]
 // `near` draws only what is within a radius (mm) of a point; curves are drawn in red.
+#include "FigureProgram.h"
+
 #include "shapetonCurveSet.h"
 #include "shapetonExceptions.h"
 #include "shapetonPicture.h"
@@ -10,7 +12,6 @@
 #include "shapetonSurfaceRendering.h"
 
 #include <algorithm>
-#include <iostream>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -162,24 +163,11 @@ Draw(const std::string & surface, const std::string & picture, Settings settings
 int
 main(int argc, char * argv[])
 {
-  std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (!arguments.empty() && arguments.back() == "--quiet") // as for the tools
-  {
-    arguments.pop_back();
-  }
-  if (arguments.size() < 2)
-  {
-    std::cerr << "usage: SurfaceColors SURFACE.vtp PICTURE.png [NAME=VALUE,...]...\n";
-    return 2;
-  }
-  try
-  {
-    Draw(arguments[0], arguments[1], SettingsOf({ arguments.begin() + 2, arguments.end() }));
-  }
-  catch (const std::exception & error)
-  {
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
-  return EXIT_SUCCESS;
+  return RunFigureProgram(argc,
+                          argv,
+                          { 2, 99 },
+                          "SURFACE.vtp PICTURE.png [NAME=VALUE,...]...",
+                          [](const std::vector<std::string> & arguments) {
+                            Draw(arguments[0], arguments[1], SettingsOf({ arguments.begin() + 2, arguments.end() }));
+                          });
 }

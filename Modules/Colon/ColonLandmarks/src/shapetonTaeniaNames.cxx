@@ -1,5 +1,7 @@
 #include "shapetonTaeniaNames.h"
 
+#include "shapetonPi.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -49,9 +51,8 @@ struct Line
 Eigen::Vector3d
 ExpectedLibera(int segment)
 {
-  constexpr int    transverse = 4;
-  constexpr double perDegree = 3.14159265358979323846 / 180.0;
-  const double     tilt = backwardTilt * perDegree;
+  constexpr int transverse = 4;
+  const double  tilt = backwardTilt * Pi / 180.0;
   return segment == transverse ? Eigen::Vector3d(0.0, std::sin(tilt), -std::cos(tilt))
                                : Eigen::Vector3d(0.0, -1.0, 0.0);
 }

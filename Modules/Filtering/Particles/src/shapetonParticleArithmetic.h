@@ -162,6 +162,28 @@ struct ParticleArithmetic
     return drawn;
   }
 
+  /** Coefficients of a cubic in s. */
+  struct Cubic
+  {
+    Floats g0;
+    Floats g1;
+    Floats g2;
+    Floats g3;
+  };
+
+  /** Density of s = 2 phi / pi, not normalized: the mean of R^3 over theta. */
+  SHAPETON_HOST_DEVICE static Cubic
+  DensityOfPhi(Floats w1, Floats w2, Floats w3)
+  {
+    const Floats b = w3 - w2;
+    const Floats w11 = w1 * w1;
+    const Floats w22 = w2 * w2;
+    return { moment0 * w11 * w1 + moment1 * w11 * w2 + moment2 * w1 * w22 + moment3 * w22 * w2,
+             b * (moment1 * w11 + 2.0F * moment2 * w1 * w2 + 3.0F * moment3 * w22),
+             b * b * (moment2 * w1 + 3.0F * moment3 * w2),
+             b * b * b * moment3 };
+  }
+
   /** s = 2 phi / pi by partial volume: the zero of a quartic by three Newton steps. The start value is exact if the
    * weight of the first axis is merely an offset. Error of the distribution function 1e-6.
    *
@@ -182,13 +204,7 @@ struct ParticleArithmetic
     const Floats root = SquareRoot(SquareRoot(Maximum(Floats{}, e04 + random * (e12 * e12 - e04))));
     Floats s = random * ((e1 + e0) * (e12 + e02)) / Maximum((root + e0) * (root * root + e02), Broadcast(LeastDivisor));
 
-    const Floats b = w3 - w2;
-    const Floats w11 = w1 * w1;
-    const Floats w22 = w2 * w2;
-    const Floats g0 = moment0 * w11 * w1 + moment1 * w11 * w2 + moment2 * w1 * w22 + moment3 * w22 * w2;
-    const Floats g1 = b * (moment1 * w11 + 2.0F * moment2 * w1 * w2 + 3.0F * moment3 * w22);
-    const Floats g2 = b * b * (moment2 * w1 + 3.0F * moment3 * w2);
-    const Floats g3 = b * b * b * moment3;
+    const auto [g0, g1, g2, g3] = DensityOfPhi(w1, w2, w3);
     const Floats wanted = random * (g0 + g1 * 0.5F + g2 * (1.0F / 3.0F) + g3 * 0.25F);
     for (int iteration = 0; iteration < 3; ++iteration)
     {
@@ -277,17 +293,13 @@ struct ParticleArithmetic
   SHAPETON_HOST_DEVICE static Floats
   SearchPhi(Floats w1, Floats w2, Floats w3, Floats random)
   {
-    const Floats b = w3 - w2;
-    const Floats w11 = w1 * w1;
-    const Floats w22 = w2 * w2;
+    const Cubic density = DensityOfPhi(w1, w2, w3);
     // Integrated along s, times pi/2 / 3.
     constexpr float ofVolume = 0.52359878F;
-    const Floats    coefficients[4] = {
-         ofVolume * (moment0 * w11 * w1 + moment1 * w11 * w2 + moment2 * w1 * w22 + moment3 * w22 * w2),
-         (0.5F * ofVolume) * b * (moment1 * w11 + 2.0F * moment2 * w1 * w2 + 3.0F * moment3 * w22),
-         (ofVolume / 3.0F) * b * b * (moment2 * w1 + 3.0F * moment3 * w2),
-         (0.25F * ofVolume) * b * b * b * moment3
-    };
+    const Floats    coefficients[4] = { ofVolume * density.g0,
+                                        (0.5F * ofVolume) * density.g1,
+                                        (ofVolume / 3.0F) * density.g2,
+                                        (0.25F * ofVolume) * density.g3 };
     return SearchAngle(coefficients, random * (coefficients[0] + coefficients[1] + coefficients[2] + coefficients[3]));
   }
 

@@ -222,6 +222,23 @@ struct Angles
   double                across;
 };
 
+/** Calls a body with the record, the random numbers and the angles of each shapeton that has a direction. */
+template <typename TBody>
+void
+ForAngles(const Crowd & crowd, const Random & random, const TBody & body)
+{
+  for (std::uint32_t i = 0; i < crowd.number; ++i)
+  {
+    const std::uint16_t * const record = crowd.records.data() + crowd.voxels[i] * RecordLength;
+    if (!(record[MarksOfRecord] & TrapMark))
+    {
+      body(record,
+           RandomOf(random, i),
+           Angles(record, { crowd.directions[0][i], crowd.directions[1][i], crowd.directions[2][i] }));
+    }
+  }
+}
+
 /** Cumulative volume fraction of the octants up to `octant`. */
 double
 ShareOfOctants(const std::uint16_t * record, unsigned int octants)
@@ -378,15 +395,7 @@ TEST(ParticleKernels, RandomNumbersAreTheShareOfTheDistributionUpToTheDirection)
     double largestOfOctant = 0.0;
     double largestOfPhi = 0.0;
     double largestOfTheta = 0.0;
-    for (std::uint32_t i = 0; i < crowd.number; ++i)
-    {
-      const std::uint16_t * const record = crowd.records.data() + crowd.voxels[i] * RecordLength;
-      if (record[MarksOfRecord] & TrapMark)
-      {
-        continue;
-      }
-      const auto   numbers = RandomOf(random, i);
-      const Angles angles(record, { crowd.directions[0][i], crowd.directions[1][i], crowd.directions[2][i] });
+    ForAngles(crowd, random, [&](const std::uint16_t * record, const auto & numbers, const Angles & angles) {
       const double volume = Equation86(angles.w[0], angles.w[1], angles.w[2]);
       ASSERT_GT(volume, 0.0);
       largestOfOctant = std::max({ largestOfOctant,
@@ -395,7 +404,7 @@ TEST(ParticleKernels, RandomNumbersAreTheShareOfTheDistributionUpToTheDirection)
       largestOfPhi = std::max(
         largestOfPhi, std::abs(Equation85(angles.w[0], angles.w[1], angles.w[2], angles.phi) / volume - numbers[1]));
       largestOfTheta = std::max(largestOfTheta, std::abs(ErrorOfTheta(angles, sampling, numbers)));
-    }
+    });
     EXPECT_LT(largestOfOctant, 1e-6);
     EXPECT_LT(largestOfPhi, 2e-6);
     EXPECT_LT(largestOfTheta, 2e-6);
@@ -410,22 +419,14 @@ TEST(ParticleKernels, BinarySearchEndsAsPrinted)
   draw(crowd.GetSurroundings(), crowd.GetShapetons(), random, Table(), crowd.GetDirections());
   int compared = 0;
   int different = 0; // a value at the tolerance may end the search one iteration earlier in single precision
-  for (std::uint32_t i = 0; i < crowd.number; ++i)
-  {
-    const std::uint16_t * const record = crowd.records.data() + crowd.voxels[i] * RecordLength;
-    if (record[MarksOfRecord] & TrapMark)
-    {
-      continue;
-    }
-    const auto   numbers = RandomOf(random, i);
-    const Angles angles(record, { crowd.directions[0][i], crowd.directions[1][i], crowd.directions[2][i] });
+  ForAngles(crowd, random, [&](const std::uint16_t *, const auto & numbers, const Angles & angles) {
     const auto & w = angles.w;
     const double phi = SearchedAngle([&](double x) { return Equation85(w[0], w[1], w[2], x); }, numbers[1]).first;
     const double across = w[1] + (w[2] - w[1]) * phi / halfPi;
     const double theta = SearchedAngle([&](double x) { return Equation87(w[0], across, x); }, numbers[2]).first;
     ++compared;
     different += std::abs(phi - angles.phi) > 1e-4 || std::abs(theta - angles.theta) > 1e-4;
-  }
+  });
   EXPECT_LT(90000, compared);
   EXPECT_GT(compared / 1000, different);
 }
