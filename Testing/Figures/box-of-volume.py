@@ -16,8 +16,7 @@ def main():
         return
     source, target, point, radius = sys.argv[1:5]
     fields, voxels = volumes.read(source)
-    spacing = np.diag([list(map(float, part.strip("()").split(","))) for part in fields["space directions"].split()])
-    origin = np.array(list(map(float, fields["space origin"].strip("()").split(","))))
+    spacing, origin = volumes.grid_of(fields)
     middle = (np.array(list(map(float, point.split(",")))) - origin) / spacing
     reach = float(radius) / np.abs(spacing)
     first = np.clip(np.round(middle - reach), 0, None).astype(int)

@@ -141,7 +141,7 @@ run DynamicGraph small small-out --labels --track 7,8
 svg small-out/steps.svg 1600
 panels 2 450 small-out/steps.png@0,0,800,400 small-out/steps.png@800,0,800,400
 differs 'Nodes 10, 11 and 12 are inserted by hand as published, 12 into an edge; green: neighborhoods that changed. **Agrees:**' \
-  'all nodes stay in place, and where there is no room, radii adjust (step 3, orange and light blue).'
+  'all nodes stay in place; circles around an insertion without room shrink (step 3, orange and light blue).'
 
 figure 6.16 'a real graph that changes'
 needs graphs/power/case118.m

@@ -5,26 +5,14 @@ Simulates a second position of a segmented colon: moves its lumen by a known smo
 points on both walls (columns sx,sy,sz,px,py,pz; LPS, mm). The field bends, stretches and compresses the colon but creates no new
 folds, and gas stays where it is; a real second position differs more. Called by make-figures.
 """
-import gzip
 import sys
 
 import numpy as np
+import volumes
 
 LARGEST = 15.0  # mm, of the displacement
 WAVELENGTHS = (260.0, 410.0)  # mm, longer than folds and shorter than the abdomen
 POINT_EVERY = 97  # wall voxels; a prime, so that points do not form rows
-
-
-def read_mask(path):
-    """Returns header lines and the voxels (z, y, x) of an axis-aligned gzip NRRD mask."""
-    with open(path, "rb") as file:
-        head, _, body = file.read().partition(b"\n\n")
-    fields = dict(line.split(": ", 1) for line in head.decode().splitlines() if ": " in line)
-    columns, rows, slices = map(int, fields["sizes"].split())
-    voxels = np.frombuffer(gzip.decompress(body), np.uint8).reshape(slices, rows, columns)
-    vectors = [list(map(float, part.strip("()").split(","))) for part in fields["space directions"].split()]
-    origin = np.array(list(map(float, fields["space origin"].strip("()").split(","))))
-    return head, voxels, np.diag(vectors), origin
 
 
 def displacement(points):
@@ -62,7 +50,8 @@ def box_of(mask, spacing):
 def main():
     if len(sys.argv) != 4:
         sys.exit(__doc__)
-    head, voxels, spacing, origin = read_mask(sys.argv[1])
+    fields, voxels = volumes.read(sys.argv[1])
+    spacing, origin = volumes.grid_of(fields)
     mask = (voxels > 0).astype(np.float32)
     box = box_of(mask, spacing)
     rows, columns = np.mgrid[box[1], box[2]].astype(np.float64)
@@ -75,8 +64,7 @@ def main():
         wall = np.flatnonzero((value > 0.4) & (value < 0.6))
         pairs.append(np.concatenate([sources[:, wall], points[:, wall]]))
     pairs = np.concatenate(pairs, axis=1)[:, ::POINT_EVERY] + np.tile(origin, 2)[:, None]
-    with open(sys.argv[2], "wb") as file:
-        file.write(head + b"\n\n" + gzip.compress(moved.tobytes(), 6, mtime=0))
+    volumes.write(sys.argv[2], fields, moved)
     np.savetxt(sys.argv[3], pairs.T, "%.3f", delimiter=",", header="sx,sy,sz,px,py,pz", comments="")
 
 

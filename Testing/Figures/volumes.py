@@ -3,7 +3,7 @@ import gzip
 
 import numpy as np
 
-TYPES = {"short": "i2", "unsigned char": "u1", "float": "f4", "unsigned int": "u4"}
+TYPES = {"short": "i2", "unsigned char": "u1", "uint8": "u1", "float": "f4", "unsigned int": "u4"}
 
 
 def read(path):
@@ -13,6 +13,12 @@ def read(path):
     fields = dict(line.split(": ", 1) for line in head.decode().splitlines() if ": " in line and ":=" not in line)
     columns, rows, slices = map(int, fields["sizes"].split())
     return fields, np.frombuffer(gzip.decompress(body), TYPES[fields["type"]]).reshape(slices, rows, columns)
+
+
+def grid_of(fields):
+    """Returns spacing (along x, y, z) and origin of an axis-aligned volume."""
+    vectors = [list(map(float, part.strip("()").split(","))) for part in fields["space directions"].split()]
+    return np.diag(vectors), np.array(list(map(float, fields["space origin"].strip("()").split(","))))
 
 
 def write(path, fields, voxels):

@@ -52,8 +52,8 @@ TEST(TerminalIleum, IsNoHaustrumAndNoColon)
 }
 
 /** A line through the colon to the height of the ileum, back and forth in the cecum, and then through the ileum to its
- * end, or to the pole if there is no ileum; its radii are those of inscribed balls. \param turns number of extra turns,
- * 48 mm each. */
+ * end, or to the pole if there is no ileum. The radius at a point is that of the largest ball inside. \param turns
+ * number of extra turns, 48 mm each. */
 shapeton::CurveSet
 LineThroughIleum(const cecalscene::Scene & scene, int turns = 0)
 {
