@@ -1,4 +1,4 @@
-"""Reads gzip NRRD volumes for the scripts of this folder."""
+"""Reads raw and gzip NRRD volumes for the scripts of this folder."""
 import gzip
 
 import numpy as np
@@ -12,7 +12,8 @@ def read(path):
         head, _, body = file.read().partition(b"\n\n")
     fields = dict(line.split(": ", 1) for line in head.decode().splitlines() if ": " in line and ":=" not in line)
     columns, rows, slices = map(int, fields["sizes"].split())
-    return fields, np.frombuffer(gzip.decompress(body), TYPES[fields["type"]]).reshape(slices, rows, columns)
+    body = gzip.decompress(body) if fields["encoding"] == "gzip" else body
+    return fields, np.frombuffer(body, TYPES[fields["type"]]).reshape(slices, rows, columns)
 
 
 def grid_of(fields):
@@ -23,7 +24,7 @@ def grid_of(fields):
 
 def write(path, fields, voxels):
     """Writes voxels with the other fields of a header."""
-    fields = {**fields, "sizes": "{2} {1} {0}".format(*voxels.shape)}
+    fields = {**fields, "encoding": "gzip", "sizes": "{2} {1} {0}".format(*voxels.shape)}
     lines = ["NRRD0004"] + [f"{key}: {value}" for key, value in fields.items() if not key.startswith(("#", "Shapeton"))]
     with open(path, "wb") as file:
         file.write("\n".join(lines).encode() + b"\n\n" + gzip.compress(voxels.tobytes(), mtime=0))
