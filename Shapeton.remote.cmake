@@ -33,7 +33,7 @@
 #--   - [X] Code complies on at least 1 platform
 #--
 #-- ### Please document here any justification for the criteria above
-#       Level 2: Linux only; requires VTK, DCMTK, OpenCV, METIS, nauty, Spectra and SQLite
+#       Level 2: Linux only; requires VTK, DCMTK, OpenCV, METIS, nauty, Spectra, SQLite and bzip2
 
 # Shapeton does not have a public address. An existing clone (or a link to one) in Modules/Remote/Shapeton is used as it is;
 # otherwise set Shapeton_GIT_REPOSITORY to a clone and ITK's option Module_Shapeton_GIT_TAG to a commit.

@@ -1,6 +1,6 @@
 # Libraries and tools in Slicer's layout: tools in cli-modules, libraries one folder above.
 set(proj Shapeton)
-set(${proj}_DEPENDS Boost Eigen3 METIS OpenCV SQLite3 Spectra nauty nlohmann_json)
+set(${proj}_DEPENDS BZip2 Boost Eigen3 METIS OpenCV SQLite3 Spectra nauty nlohmann_json)
 ExternalProject_Include_Dependencies(${proj} PROJECT_VAR proj)
 set(inner ${CMAKE_BINARY_DIR}/${EXTENSION_BUILD_SUBDIRECTORY})
 set(opencv_lib ${inner}/${Slicer_THIRDPARTY_LIB_DIR})
@@ -27,6 +27,8 @@ ExternalProject_Add(${proj}
     -DVTK_DIR:PATH=${VTK_DIR}
     -DDCMTK_DIR:PATH=${DCMTK_DIR}
     -DOPENSSL_USE_STATIC_LIBS:BOOL=ON # the system's: Slicer gives its own to no extension
+    -DBZIP2_INCLUDE_DIR:PATH=${ep_prefix}/include
+    -DBZIP2_LIBRARY_RELEASE:FILEPATH=${ep_prefix}/lib/libbz2.a
     -DBoost_INCLUDE_DIR:PATH=${CMAKE_BINARY_DIR}/Boost
     -DEigen3_DIR:PATH=${Eigen3_DIR}
     -Dnlohmann_json_DIR:PATH=${nlohmann_json_DIR}

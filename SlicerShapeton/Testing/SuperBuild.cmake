@@ -19,7 +19,7 @@ endfunction()
 
 run(${CMAKE_COMMAND} -S ${source} -B ${WORK_DIR}/outer -G Ninja -DCMAKE_BUILD_TYPE=Release ${slicer})
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/outer --target inner -- -n -v)
-foreach(project Boost Eigen3 METIS OpenCV SQLite3 Spectra nauty nlohmann_json)
+foreach(project BZip2 Boost Eigen3 METIS OpenCV SQLite3 Spectra nauty nlohmann_json)
   string(FIND "${out}" "${project}-stamp/${project}-configure" needed)
   string(FIND "${out}" "Shapeton-stamp/Shapeton-configure" shapeton)
   if(needed EQUAL -1 OR NOT needed LESS shapeton)

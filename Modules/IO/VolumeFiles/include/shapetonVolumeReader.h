@@ -36,7 +36,8 @@ RequireDicomImages(const DicomScan & scan, const std::string & wanted = "use the
  *
  * NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz) and MetaImage (.mha, .mhd): three-dimensional scalar images with positive
  * finite spacing, perpendicular axes and finite voxel values. A fourth dimension must have size 1. Left-handed axes, as
- * in most NIfTI files, are kept.
+ * in most NIfTI files, are kept. All spaces of a patient in NRRD become LPS, all units mm. Voxels may be split into
+ * several files and, in NRRD, compressed by gzip or bzip2; more data than the header describes are noted.
  *
  * `progress` receives each file and each slice of a DICOM series; it may throw to abort.
  *

@@ -14,6 +14,7 @@
 #include "shapetonStoredVoxels.h"
 #include "shapetonExceptions.h"
 #include "shapetonNiftiHeader.h"
+#include "shapetonNrrdFrame.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -21,6 +22,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 namespace shapeton
@@ -129,7 +131,7 @@ ReadHeader(const std::string & path, ImageFormat format)
     header.componentBytes = io->GetComponentSize();
   }
   header.components = io->GetNumberOfComponents();
-  header.isScalar = io->GetPixelType() == itk::IOPixelEnum::SCALAR && header.components == 1;
+  header.isScalar = header.components == 1 && io->GetPixelType() != itk::IOPixelEnum::COMPLEX; // or a list of one
   header.statesSpacing = StatesSpacing(path, format);
   header.modality = DicomField(io, DicomModality);
   header.patientPosition = DicomField(io, DicomPatientPosition);
@@ -171,6 +173,7 @@ struct ImageRequest
   ImageFormat   format{ ImageFormat::none };
   StoredVoxels  stored;
   std::uint64_t voxelBytes{ 0 }; // 0: for the header
+  std::uint64_t values{ 0 };
 };
 
 template <typename TStream, typename TRequest>
@@ -178,8 +181,14 @@ void
 TransmitRequest(TStream & stream, TRequest & request)
 {
   auto &   stored = request.stored;
-  stream & request.path & request.format & stored.file & stored.offset & stored.coding & stored.canBeTaken & stored
-    .inflatedOffset & request.voxelBytes;
+  stream & request.path & request.format;
+  stream.SizeOf(stored.files);
+  for (auto & file : stored.files)
+  {
+    stream & file;
+  }
+  stream & stored.offset & stored.coding & stored.canBeTaken & stored.isBigEndian & stored.inflatedOffset & stored
+    .areLast & request.voxelBytes & request.values;
 }
 
 std::string
@@ -202,14 +211,17 @@ AnswerImageRequest(const ImageRequest & request, char * shared)
   }
   else if (request.stored.canBeTaken)
   {
-    TakeVoxels(request.stored, request.voxelBytes, [shared](std::uint64_t place, const char * piece, std::size_t size) {
-      std::copy_n(piece, size, shared + place);
-    });
+    bool hasMore = TakeVoxels(
+      request.stored, request.voxelBytes, [shared](std::uint64_t place, const char * piece, std::size_t size) {
+        std::copy_n(piece, size, shared + place);
+      });
+    writer & hasMore;
   }
   else
   {
-    VerifyVoxels(request.stored, request.voxelBytes);
+    bool hasMore = VerifyVoxels(request.stored, request.voxelBytes, request.values);
     ReadVoxels(request.path, request.format, shared);
+    writer & hasMore;
   }
   return writer.GetBytes();
 }
@@ -236,7 +248,7 @@ HeaderOfNifti(const std::string & path)
 {
   const NiftiHeader nifti = ReadNiftiHeader(path);
   const std::size_t dimension = nifti.size.size();
-  ImageHeader       header{ nifti, {}, {}, {}, nifti.components == 1 };
+  ImageHeader       header{ nifti, {}, {}, {}, nifti.components == 1, {}, {}, {} };
   header.spacing.assign(dimension, 1.0);
   header.origin.assign(dimension, 0.0);
   header.direction.assign(dimension * dimension, 0.0);
@@ -250,6 +262,31 @@ HeaderOfNifti(const std::string & path)
     }
   }
   return header;
+}
+
+/** Completes the frame that ITK read. */
+void
+Correct(const NrrdFrame & frame, ImageHeader & header)
+{
+  const std::size_t n = header.size.size();
+  for (std::size_t row = 0; row < std::min<std::size_t>(3, n); ++row)
+  {
+    double shift = 0.0;
+    for (std::size_t axis = 0; axis < std::min<std::size_t>(3, n); ++axis)
+    {
+      shift += header.direction[row * n + axis] * header.spacing[axis] * frame.first[axis];
+    }
+    header.origin[row] = frame.signs[row] * frame.millimeters * (header.origin[row] + shift);
+    for (std::size_t axis = 0; axis < n; ++axis)
+    {
+      header.direction[row * n + axis] *= frame.signs[row];
+    }
+  }
+  for (std::size_t axis = 0; axis < std::min<std::size_t>(3, n); ++axis)
+  {
+    header.spacing[axis] *= frame.millimeters;
+  }
+  AppendRemarks(header.notes, frame.notes);
 }
 
 // ---- checks ----
@@ -275,7 +312,7 @@ CheckKind(const std::string & path, const ImageHeader & header)
   }
   if (header.size.size() < 3)
   {
-    ThrowUnsuitable(path, "a 2-D image; a volume is required");
+    ThrowUnsuitable(path, "a " + std::to_string(header.size.size()) + "-D image; a volume is required");
   }
   for (std::size_t i = 3; i < header.size.size(); ++i)
   {
@@ -495,14 +532,19 @@ MakeImage(const ImageHeader & header)
 std::string
 IdentityOf(const std::string & path, const StoredVoxels & stored)
 {
-  if (stored.file == path)
+  std::string digests = Sha256OfFile(path);
+  if (stored.files.front() == path)
   {
-    return "sha256:" + Sha256OfFile(path);
+    return "sha256:" + digests;
   }
-  return "sha256:" + Sha256OfBytes(Sha256OfFile(path) + Sha256OfFile(stored.file));
+  for (const std::string & file : stored.files)
+  {
+    digests += Sha256OfFile(file);
+  }
+  return "sha256:" + Sha256OfBytes(digests);
 }
 
-/** Sets image and identity. */
+/** Sets image and identity, and adds notes. */
 void
 ReadImage(ContainedProcess & process, const ImageRequest & request, const ImageHeader & header, Volume & volume)
 {
@@ -513,7 +555,15 @@ ReadImage(ContainedProcess & process, const ImageRequest & request, const ImageH
   });
   try
   {
-    CallImageService(process, request);
+    const std::string response = CallImageService(process, request);
+    ByteReader        reader(response);
+    bool              hasMore = false;
+    reader &          hasMore;
+    if (hasMore)
+    {
+      volume.notes.push_back("its file contains more voxels than its header describes; the rest was ignored: check the "
+                             "sizes in the header");
+    }
   }
   catch (const ContainedProcess::Failure & failure)
   {
@@ -566,11 +616,22 @@ ReadImageFile(const std::string & path)
     ThrowCannotRead(request.path, errno);
   }
   request.stored = LocateVoxels(request.path, request.format);
-  ContainedProcess  process(ImageFileService, 0, LimitsFor(0));
-  const ImageHeader header = isNifti ? HeaderOfNifti(request.path) : ReadHeaderContained(process, request);
+  ContainedProcess         process(ImageFileService, 0, LimitsFor(0));
+  std::optional<NrrdFrame> frame;
+  if (request.format == ImageFormat::nrrd)
+  {
+    frame.emplace(request.path);
+  }
+  ImageHeader header = isNifti ? HeaderOfNifti(request.path) : ReadHeaderContained(process, request);
+  if (frame)
+  {
+    Correct(*frame, header);
+    header.isSwapped = request.stored.canBeTaken && request.stored.isBigEndian && header.componentBytes > 1;
+  }
   CheckKind(path, header);
   CheckGeometry(path, header);
   request.voxelBytes = static_cast<std::uint64_t>(CheckSize(path, header, request.stored));
+  request.values = request.voxelBytes / header.componentBytes;
   Volume volume;
   ReadImage(process, request, header, volume);
   volume.modality = header.modality;

@@ -4,13 +4,15 @@
 #include "shapetonFileErrors.h"
 #include "shapetonNiftiHeader.h"
 #include "shapetonPrintable.h"
-
-#include "itk_zlib.h"
+#include "shapetonTextHeader.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
+#include <limits>
+#include <numeric>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
@@ -22,88 +24,71 @@ namespace
 {
 namespace fs = std::filesystem;
 
-// Longer than any real text header.
-constexpr std::size_t LongestTextHeader = 1u << 20;
-
 bool
 EndsWith(const std::string & text, const std::string & end)
 {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-// ---- text headers ----
-
-struct TextHeader
+/** The names that a pattern of printf with one %d stands for; empty if it is none. */
+std::vector<std::string>
+NamesOf(const std::string & pattern, long first, long last, long step)
 {
-  std::vector<std::string> lines;
-  /** Bytes up to the end of the last line. */
-  std::uint64_t bytes{ 0 };
-  bool          isComplete{ false };
-
-  std::string
-  ValueOf(const std::string & key, char separator) const
+  constexpr std::size_t    mostFiles = 100'000; // more than slices of any volume
+  static const std::regex  one("([^%]*)%(0?)([0-9]{0,2})[di]([^%]*)");
+  std::smatch              parts;
+  std::vector<std::string> names;
+  if (!std::regex_match(pattern, parts, one) || step == 0)
   {
-    for (const std::string & line : lines)
+    return names;
+  }
+  const auto width = static_cast<std::size_t>(std::atoi(parts[3].str().c_str()));
+  for (long i = first; (step > 0 ? i <= last : i >= last) && names.size() < mostFiles; i += step)
+  {
+    const std::string digits = std::to_string(i);
+    const std::string padding(std::max(width, digits.size()) - digits.size(), parts[2].length() > 0 ? '0' : ' ');
+    names.push_back(parts[1].str() + padding + digits + parts[4].str());
+  }
+  return names;
+}
+
+/** The data files that a field of a header references: one name, the lines after the word LIST, or a pattern with the
+ * first and last number and the step. Throws InputError if one is missing. */
+std::vector<std::string>
+DetachedFiles(const std::string & path, const TextHeader & header, const std::string & key, char separator)
+{
+  const std::string        value = header.ValueOf(key, separator);
+  std::vector<std::string> names{ value };
+  std::istringstream       words(value);
+  std::string              first;
+  words >> first;
+  if (LowerCase(first) == "list")
+  {
+    names = header.LinesAfter(key, separator);
+  }
+  else if (value.find('%') != std::string::npos)
+  {
+    long begin = 0, last = 0, step = 0;
+    words >> begin >> last >> step;
+    names = words ? NamesOf(first, begin, last, step) : std::vector<std::string>{};
+  }
+  if (names.empty())
+  {
+    ThrowUnsuitable(path,
+                    "it names no data file (" + Quoted(Printable(value)) +
+                      "); state one name, LIST and names in the next lines, or a pattern with %d, first and last "
+                      "number, and step");
+  }
+  for (std::string & name : names)
+  {
+    name = (fs::path(path).parent_path() / name).string();
+    std::error_code error;
+    if (!fs::is_regular_file(name, error))
     {
-      const auto position = line.find(separator);
-      if (position != std::string::npos && LowerCase(Trimmed(line.substr(0, position))) == key)
-      {
-        return Trimmed(line.substr(position + 1));
-      }
+      ThrowUnsuitable(path, "its data file " + name + " is missing");
     }
-    return {};
   }
-};
-
-TextHeader
-ReadTextHeader(const std::string & path, const std::function<bool(const std::string &)> & isLast)
-{
-  std::ifstream stream(path, std::ios::binary);
-  std::string   text(LongestTextHeader, '\0');
-  stream.read(&text[0], static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  TextHeader  header;
-  std::size_t start = 0;
-  while (start < text.size() && !header.isComplete)
-  {
-    const std::size_t end = std::min(text.find('\n', start), text.size());
-    header.lines.push_back(Trimmed(text.substr(start, end - start)));
-    header.isComplete = isLast(header.lines.back());
-    start = end + 1;
-  }
-  header.bytes = std::min(start, text.size());
-  return header;
-}
-
-/** A single data file referenced by a header; lists and patterns of files are rejected. */
-std::string
-DetachedFile(const std::string & path, const std::string & name)
-{
-  const bool isList = LowerCase(name).compare(0, 4, "list") == 0;
-  if (isList || name.find('%') != std::string::npos || name.find(' ') != std::string::npos)
-  {
-    ThrowUnsuitable(path, "its data are split into several files (" + name + "); store the volume in one file");
-  }
-  const std::string file = (fs::path(path).parent_path() / name).string();
-  std::error_code   error;
-  if (!fs::is_regular_file(file, error))
-  {
-    ThrowUnsuitable(path, "its data file " + file + " is missing");
-  }
-  return file;
-}
-
-TextHeader
-ReadNrrdHeader(const std::string & path)
-{
-  return ReadTextHeader(path, [](const std::string & line) { return line.empty(); });
-}
-
-TextHeader
-ReadMetaHeader(const std::string & path)
-{
-  constexpr std::string_view last = "ElementDataFile";
-  return ReadTextHeader(path, [=](const std::string & line) { return line.compare(0, last.size(), last) == 0; });
+  return names;
 }
 
 /** "nan" means that an axis has no spacing in NRRD. */
@@ -120,6 +105,59 @@ NrrdStatesSpacing(const TextHeader & header)
   return stated >= 3;
 }
 
+/** 0 if the header has neither name of a field. */
+long
+SkipOf(const TextHeader & header, const char * name, const char * otherName)
+{
+  const std::string value = header.ValueOf(name, ':') + header.ValueOf(otherName, ':');
+  return value.empty() ? 0 : std::strtol(value.c_str(), nullptr, 10);
+}
+
+/** Lines are skipped in each file, bytes in the file or, if it is compressed, in the inflated stream. */
+void
+SkipInNrrd(const std::string & path, const TextHeader & header, StoredVoxels & voxels)
+{
+  const long lines = SkipOf(header, "line skip", "lineskip");
+  const long bytes = SkipOf(header, "byte skip", "byteskip");
+  const bool isCompressed = voxels.coding == VoxelCoding::deflated || voxels.coding == VoxelCoding::bzip2;
+  if (lines < 0 || (bytes < 0 && voxels.coding != VoxelCoding::raw))
+  {
+    ThrowUnsuitable(path,
+                    lines < 0 ? "its line skip is negative; repair the header"
+                              : "its byte skip is negative, which is defined for raw data only; repair the header");
+  }
+  std::ifstream file(voxels.files.front(), std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(voxels.offset));
+  std::string line;
+  for (long i = 0; i < lines && std::getline(file, line); ++i)
+  {
+    voxels.offset += line.size() + 1;
+  }
+  voxels.areLast = bytes < 0;
+  if (bytes > 0)
+  {
+    (isCompressed ? voxels.inflatedOffset : voxels.offset) += static_cast<std::uint64_t>(bytes);
+  }
+}
+
+VoxelCoding
+CodingOfNrrd(const std::string & path, const TextHeader & header)
+{
+  const std::string encoding = LowerCase(header.ValueOf("encoding", ':'));
+  const auto        is = [&](std::initializer_list<const char *> names) {
+    return std::find(names.begin(), names.end(), encoding) != names.end();
+  };
+  if (!is({ "raw", "gzip", "gz", "bzip2", "bz2", "ascii", "text", "txt", "hex" }))
+  {
+    ThrowUnsuitable(path, "its encoding " + Quoted(Printable(encoding)) + " is not one of NRRD; use raw or gzip");
+  }
+  return is({ "raw" })            ? VoxelCoding::raw
+         : is({ "gzip", "gz" })   ? VoxelCoding::deflated
+         : is({ "bzip2", "bz2" }) ? VoxelCoding::bzip2
+         : is({ "hex" })          ? VoxelCoding::hex
+                                  : VoxelCoding::text;
+}
+
 StoredVoxels
 LocateNrrdVoxels(const std::string & path)
 {
@@ -128,39 +166,28 @@ LocateNrrdVoxels(const std::string & path)
   {
     ThrowUnsuitable(path, "not a NRRD file");
   }
-  StoredVoxels voxels{ path, header.bytes };
-  std::string  detached = header.ValueOf("data file", ':');
-  detached = detached.empty() ? header.ValueOf("datafile", ':') : detached;
-  if (!detached.empty())
+  StoredVoxels voxels{ { path }, header.bytes };
+  for (const std::string key : { "data file", "datafile" })
   {
-    voxels = { DetachedFile(path, detached) };
+    if (!header.ValueOf(key, ':').empty())
+    {
+      voxels = { DetachedFiles(path, header, key, ':') };
+    }
   }
-  const std::string encoding = LowerCase(header.ValueOf("encoding", ':'));
-  if (encoding == "gzip" || encoding == "gz")
-  {
-    voxels.coding = StoredVoxels::Coding::deflated;
-  }
-  else if (encoding == "ascii" || encoding == "text" || encoding == "txt" || encoding == "hex")
-  {
-    voxels.coding = StoredVoxels::Coding::text;
-  }
-  else if (encoding != "raw")
-  {
-    ThrowUnsuitable(path, "NRRD encoding \"" + encoding + "\" is not supported; use raw or gzip");
-  }
-  const std::string endian = LowerCase(header.ValueOf("endian", ':'));
-  const auto        isLeftOut = [&](const char * key) { return header.ValueOf(key, ':').empty(); };
-  voxels.canBeTaken = voxels.coding == StoredVoxels::Coding::deflated && (endian.empty() || endian == "little") &&
-                      isLeftOut("byte skip") && isLeftOut("byteskip") && isLeftOut("line skip") &&
-                      isLeftOut("lineskip");
+  voxels.coding = CodingOfNrrd(path, header);
+  SkipInNrrd(path, header, voxels);
+  voxels.canBeTaken = voxels.coding == VoxelCoding::deflated || voxels.coding == VoxelCoding::bzip2;
+  voxels.isBigEndian = LowerCase(header.ValueOf("endian", ':')) == "big";
   return voxels;
 }
 
 StoredVoxels
 LocateMetaVoxels(const std::string & path)
 {
-  const TextHeader header = ReadMetaHeader(path);
-  if (!header.isComplete)
+  const TextHeader  header = ReadMetaHeader(path);
+  const std::string key = "elementdatafile";
+  const std::string data = LowerCase(header.ValueOf(key, '='));
+  if (data.empty())
   {
     ThrowUnsuitable(path, "not a MetaImage file: ElementDataFile is missing");
   }
@@ -169,15 +196,14 @@ LocateMetaVoxels(const std::string & path)
   {
     ThrowUnsuitable(path, "NDims must be between 1 and 9, got " + Quoted(Printable(dimensions)));
   }
-  StoredVoxels      voxels{ path, header.bytes };
-  const std::string detached = header.ValueOf("elementdatafile", '=');
-  if (LowerCase(detached) != "local")
+  StoredVoxels voxels{ { path }, header.bytes };
+  if (data != "local")
   {
-    voxels = { DetachedFile(path, detached) };
+    voxels = { DetachedFiles(path, header, key, '=') };
   }
   if (LowerCase(header.ValueOf("compresseddata", '=')) == "true")
   {
-    voxels.coding = StoredVoxels::Coding::deflated;
+    voxels.coding = VoxelCoding::deflated;
   }
   else if (LowerCase(header.ValueOf("binarydata", '=')) == "false")
   {
@@ -190,12 +216,12 @@ StoredVoxels
 LocateNiftiVoxels(const std::string & path)
 {
   const NiftiHeader header = ReadNiftiHeader(NiftiHeaderFile(path));
-  StoredVoxels      voxels{ header.voxelFile };
+  StoredVoxels      voxels{ { header.voxelFile } };
   voxels.canBeTaken = true;
   std::ifstream file(header.voxelFile, std::ios::binary);
   if (file.get() == 0x1F && file.get() == 0x8B) // gzip, regardless of the file name
   {
-    voxels.coding = StoredVoxels::Coding::deflated;
+    voxels.coding = VoxelCoding::deflated;
     voxels.inflatedOffset = header.voxelOffset;
   }
   else
@@ -210,116 +236,20 @@ LocateNiftiVoxels(const std::string & path)
 std::uint64_t
 LengthOf(const StoredVoxels & voxels)
 {
-  std::error_code error;
-  const auto      length = fs::file_size(voxels.file, error);
-  return error || length < voxels.offset ? 0 : length - voxels.offset;
-}
-
-/** The inflated bytes of a stream. */
-struct Stream
-{
-  std::uint64_t bytes{ 0 };
-  TakeBytes     take; ///< if set, receives all bytes
-};
-
-/** Inflates a zlib or gzip stream of one or several members, and verifies its checksums. */
-class Inflater
-{
-public:
-  Inflater()
+  std::uint64_t total = 0;
+  for (const std::string & file : voxels.files)
   {
-    if (inflateInit2(&m_State, 15 + 32) != Z_OK) // automatic detection of zlib or gzip
-    {
-      throw std::bad_alloc();
-    }
+    std::error_code error;
+    const auto      length = fs::file_size(file, error);
+    total += error || length < voxels.offset ? 0 : length - voxels.offset;
   }
-  ~Inflater() { inflateEnd(&m_State); }
-  Inflater(const Inflater &) = delete;
-  Inflater &
-  operator=(const Inflater &) = delete;
-
-  /** False after the end of the last member; trailing data is ignored. */
-  bool
-  Take(char * data, std::size_t size, Stream & stream)
-  {
-    m_State.next_in = reinterpret_cast<Bytef *>(data);
-    m_State.avail_in = static_cast<uInt>(size);
-    while (m_State.avail_in > 0)
-    {
-      if (m_HasEnded && !this->StartMember())
-      {
-        return false;
-      }
-      this->Step(stream);
-    }
-    return true;
-  }
-
-  bool
-  HasEnded() const
-  {
-    return m_HasEnded;
-  }
-
-private:
-  bool
-  StartMember()
-  {
-    constexpr Bytef gzipMagic = 0x1F;
-    m_HasEnded = *m_State.next_in != gzipMagic || inflateReset(&m_State) != Z_OK;
-    return !m_HasEnded;
-  }
-
-  void
-  Step(Stream & stream)
-  {
-    char buffer[1u << 16];
-    m_State.next_out = reinterpret_cast<Bytef *>(buffer);
-    m_State.avail_out = sizeof(buffer);
-    const int status = inflate(&m_State, Z_NO_FLUSH);
-    if (status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR)
-    {
-      throw std::runtime_error("damaged: its compressed voxels are corrupt after " + std::to_string(stream.bytes) +
-                               " bytes");
-    }
-    const std::size_t produced = sizeof(buffer) - m_State.avail_out;
-    if (stream.take)
-    {
-      stream.take(stream.bytes, buffer, produced);
-    }
-    stream.bytes += produced;
-    m_HasEnded = status == Z_STREAM_END;
-  }
-
-  z_stream m_State{};
-  bool     m_HasEnded{ false };
-};
-
-Stream
-ReadDeflated(const StoredVoxels & voxels, const TakeBytes & take = {})
-{
-  std::ifstream file(voxels.file, std::ios::binary);
-  file.seekg(static_cast<std::streamoff>(voxels.offset));
-  Inflater          inflater;
-  Stream            stream{ 0, take };
-  std::vector<char> buffer(1u << 18);
-  bool              goesOn = true;
-  while (goesOn && file)
-  {
-    file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-    goesOn = file.gcount() > 0 && inflater.Take(buffer.data(), static_cast<std::size_t>(file.gcount()), stream);
-  }
-  if (!inflater.HasEnded())
-  {
-    throw std::runtime_error("truncated: its compressed voxels end after " + std::to_string(stream.bytes) + " bytes");
-  }
-  return stream;
+  return total;
 }
 
 void
 TakeRaw(const StoredVoxels & voxels, std::uint64_t bytes, const TakeBytes & take)
 {
-  std::ifstream file(voxels.file, std::ios::binary);
+  std::ifstream file(voxels.files.front(), std::ios::binary);
   file.seekg(static_cast<std::streamoff>(voxels.offset));
   std::vector<char> buffer(1u << 18);
   for (std::uint64_t place = 0; file && place < bytes; place += static_cast<std::uint64_t>(file.gcount()))
@@ -329,7 +259,8 @@ TakeRaw(const StoredVoxels & voxels, std::uint64_t bytes, const TakeBytes & take
   }
 }
 
-void
+/** Returns whether more bytes are present than needed. */
+bool
 RequireBytes(std::uint64_t present, std::uint64_t needed)
 {
   if (present < needed)
@@ -337,6 +268,44 @@ RequireBytes(std::uint64_t present, std::uint64_t needed)
     throw std::runtime_error("truncated: it contains " + std::to_string(present) + " of " + std::to_string(needed) +
                              " bytes of voxels");
   }
+  return present > needed;
+}
+
+/** Decodes the files one after the other. */
+bool
+TakeDecoded(const StoredVoxels & voxels, std::uint64_t bytes, const TakeBytes & take)
+{
+  std::uint64_t present = 0;
+  bool          hasMore = false;
+  for (const std::string & file : voxels.files)
+  {
+    const std::uint64_t start = present; // of this file among the voxels
+    const std::uint64_t skipped = voxels.inflatedOffset;
+    const auto          decoded =
+      DecodeFile(file, voxels.offset, voxels.coding, [&](std::uint64_t place, const char * piece, std::size_t size) {
+        const std::uint64_t first = std::clamp(skipped, place, place + size);
+        const std::uint64_t last = std::clamp(skipped + bytes - std::min(start, bytes), place, place + size);
+        if (take && first < last)
+        {
+          take(start + first - skipped, piece + (first - place), static_cast<std::size_t>(last - first));
+        }
+      });
+    present += decoded.bytes - std::min(skipped, decoded.bytes);
+    hasMore = hasMore || decoded.trailing > 0;
+  }
+  return RequireBytes(present, bytes) || hasMore;
+}
+
+/** Whether a file of numbers as text contains more than `values` of them. */
+bool
+HasMoreNumbers(const StoredVoxels & voxels, std::uint64_t values)
+{
+  std::ifstream file(voxels.files.front(), std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(voxels.offset));
+  std::uint64_t count = 0;
+  for (std::string word; count <= values && file >> word; ++count)
+  {}
+  return count > values;
 }
 } // namespace
 
@@ -396,43 +365,44 @@ CanHold(const StoredVoxels & voxels, double bytes, double values)
   const auto length = static_cast<double>(LengthOf(voxels));
   switch (voxels.coding)
   {
-    case StoredVoxels::Coding::deflated:
+    case VoxelCoding::deflated:
       return bytes <= static_cast<double>(MaximumDeflateRatio) * length;
-    case StoredVoxels::Coding::text:
+    case VoxelCoding::bzip2:
+      return bytes <= static_cast<double>(MaximumBzip2Ratio) * length;
+    case VoxelCoding::text:
+    case VoxelCoding::hex:
       return values <= length; // at least one digit per value
     default:
       return bytes <= length;
   }
 }
 
-void
-VerifyVoxels(const StoredVoxels & voxels, std::uint64_t bytes)
+bool
+VerifyVoxels(const StoredVoxels & voxels, std::uint64_t bytes, std::uint64_t values)
 {
-  if (voxels.coding != StoredVoxels::Coding::text) // NRRD's reader detects missing numbers
+  switch (voxels.coding)
   {
-    const bool isDeflated = voxels.coding == StoredVoxels::Coding::deflated;
-    RequireBytes(isDeflated ? ReadDeflated(voxels).bytes : LengthOf(voxels), bytes);
+    case VoxelCoding::deflated:
+    case VoxelCoding::bzip2:
+      return TakeDecoded(voxels, bytes, {});
+    case VoxelCoding::text: // NRRD's reader detects missing numbers
+      return voxels.files.size() == 1 && HasMoreNumbers(voxels, values);
+    case VoxelCoding::hex:
+      return false;
+    default:
+      return RequireBytes(LengthOf(voxels), bytes) && !voxels.areLast;
   }
 }
 
-void
+bool
 TakeVoxels(const StoredVoxels & voxels, std::uint64_t bytes, const TakeBytes & take)
 {
-  if (voxels.coding == StoredVoxels::Coding::raw)
+  if (voxels.coding != VoxelCoding::raw)
   {
-    RequireBytes(LengthOf(voxels), bytes);
-    TakeRaw(voxels, bytes, take);
-    return;
+    return TakeDecoded(voxels, bytes, take);
   }
-  const std::uint64_t begin = voxels.inflatedOffset;
-  const Stream        stream = ReadDeflated(voxels, [&](std::uint64_t place, const char * piece, std::size_t size) {
-    const std::uint64_t first = std::clamp(begin, place, place + size);
-    const std::uint64_t last = std::clamp(begin + bytes, place, place + size);
-    if (first < last)
-    {
-      take(first - begin, piece + (first - place), static_cast<std::size_t>(last - first));
-    }
-  });
-  RequireBytes(stream.bytes - std::min(begin, stream.bytes), bytes);
+  const bool hasMore = RequireBytes(LengthOf(voxels), bytes);
+  TakeRaw(voxels, bytes, take);
+  return hasMore;
 }
 } // namespace shapeton

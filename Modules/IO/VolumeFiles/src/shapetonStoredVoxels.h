@@ -1,14 +1,18 @@
 #ifndef shapetonStoredVoxels_h
 #define shapetonStoredVoxels_h
 
+#include "shapetonDecoding.h"
+
 #include <cstdint>
-#include <functional>
 #include <string>
+#include <vector>
 
 namespace shapeton
 {
 /** Largest ratio of decoded to coded bytes that the deflate format allows. */
 constexpr std::uint64_t MaximumDeflateRatio = 1032;
+/** Largest ratio of bzip2: a block of 900,000 bytes, 5 of which stand for up to 259, takes at least 32. */
+constexpr std::uint64_t MaximumBzip2Ratio = 1'500'000;
 
 /** The supported image formats other than DICOM. */
 enum class ImageFormat
@@ -30,20 +34,19 @@ NameOf(ImageFormat format);
 /** Location and coding of the voxels of an image file. */
 struct StoredVoxels
 {
-  enum class Coding
-  {
-    raw,
-    deflated,
-    text
-  };
-  /** The file itself, or the data file referenced by a header. */
-  std::string   file;
+  /** The file itself, or the data files referenced by a header, in order. */
+  std::vector<std::string> files;
+  /** Bytes before the voxels in each file. */
   std::uint64_t offset{ 0 };
-  Coding        coding{ Coding::raw };
+  VoxelCoding   coding{ VoxelCoding::raw };
   /** Whether TakeVoxels() can read them. */
   bool canBeTaken{ false };
-  /** Bytes before the voxels in the inflated stream. */
+  /** For voxels that TakeVoxels() reads. */
+  bool isBigEndian{ false };
+  /** Bytes before the voxels in each inflated stream. */
   std::uint64_t inflatedOffset{ 0 };
+  /** Whether they are the last ones of the file, regardless of `offset`: a negative byte skip of NRRD. */
+  bool areLast{ false };
 };
 
 /** Locates the voxels from the header of a file. Throws InputError. */
@@ -61,16 +64,14 @@ bool
 CanHold(const StoredVoxels & voxels, double bytes, double values);
 
 /** Reads all stored bytes and verifies their number and checksum, because ITK's MetaImage reader accepts truncated and
- * damaged files. Runs in a contained process; throws std::runtime_error. */
-void
-VerifyVoxels(const StoredVoxels & voxels, std::uint64_t bytes);
-
-/** Receives a chunk of the stored bytes and its offset. */
-using TakeBytes = std::function<void(std::uint64_t place, const char * piece, std::size_t size)>;
+ * damaged files. Returns whether the files contain more than `bytes` bytes or, as text, `values` numbers. Runs in a
+ * contained process; throws std::runtime_error. */
+bool
+VerifyVoxels(const StoredVoxels & voxels, std::uint64_t bytes, std::uint64_t values);
 
 /** Passes on the first `bytes` bytes of voxels, in stored order and format, and verifies them as VerifyVoxels() does.
- * Throws std::runtime_error. */
-void
+ * Returns whether there are more. Throws std::runtime_error. */
+bool
 TakeVoxels(const StoredVoxels & voxels, std::uint64_t bytes, const TakeBytes & take);
 } // namespace shapeton
 

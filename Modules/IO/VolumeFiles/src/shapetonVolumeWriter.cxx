@@ -196,7 +196,7 @@ HoldsVoxels(const TImage * image, const std::string & path, itk::ImageFileReader
     return isEqual;
   }
   // ITK reads a truncated compressed file as trailing zeros, which labels may contain.
-  VerifyVoxels(stored, bytes);
+  VerifyVoxels(stored, bytes, bytes / sizeof(typename TImage::PixelType));
   reader->Update();
   return std::memcmp(voxels, reader->GetOutput()->GetBufferPointer(), bytes) == 0;
 }
