@@ -82,9 +82,8 @@ AddOtherDicomSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
       add(*file, syntax);
     }
   }
-  auto mosaic = fixture.MakeSlice(fixture.SlicePosition(4.0), 3);
-  shapeton::AddPrivate(*mosaic->getDataset(), 0x19, "SIEMENS MR HEADER", 0x0A, std::string("\x23\0", 2));
-  shapeton::AddPrivate(*mosaic->getDataset(), 0x29, "SIEMENS CSA HEADER", 0x10, shapeton::CsaHeader("35"));
+  auto mosaic = fixture.MakeMosaic(false);
+  shapeton::AddPrivate(*mosaic->getDataset(), 0x19, "SIEMENS MR HEADER", 0x0A, std::string("\6\0", 2));
   add(*mosaic);
   auto slice = fixture.MakeSlice(fixture.SlicePosition(4.0), 3);
   shapeton::SetText(*slice, DCM_SpecificCharacterSet, "ISO 2022 IR 13\\ISO 2022 IR 87\\ISO 2022 IR 159");

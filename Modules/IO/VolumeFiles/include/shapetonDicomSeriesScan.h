@@ -47,7 +47,9 @@ enum class DicomDefectKind
   /** A number of the geometry or the intensities cannot be parsed, for example because of a decimal comma. */
   malformedValue,
   /** Text that is invalid in its character set; a remark. */
-  undecodableText
+  undecodableText,
+  /** Files with the same bytes as another one, which is used; a remark. */
+  copiedFile
 };
 
 /** The stable name, for example "duplicateIdentical".
@@ -110,6 +112,8 @@ struct DicomSlice
   unsigned int frame{ 0 };
   /** The file is multi-frame, possibly with a single frame: references to the slice include the frame number. */
   bool isMultiFrame{ false };
+  /** More than 1 for a Siemens mosaic, a single image of which `frame` is a tile. */
+  unsigned int tilesPerRow{ 1 };
   /** UIDs by which other objects reference the file. */
   std::string sopClassUID;
   std::string sopInstanceUID;
@@ -201,6 +205,8 @@ struct DicomScan
 
 /** \brief Lists the DICOM series in a folder (searched recursively; each file and folder once, following symbolic
  * links) or in one file. Reads only headers, except for slices at equal positions, whose pixels are compared.
+ *
+ * Files with the same SOP Instance UID and the same bytes are used once, the first in the order of their names.
  *
  * Grouping: by Series Instance UID, Patient ID, Patient Position, frame of reference, orientation, size and pixel
  * spacing. Groups of one study that differ only in patient or frame of reference form one volume if they have three or

@@ -13,6 +13,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <map>
 
 namespace shapeton
 {
@@ -51,6 +54,98 @@ NumberIn(const DcmTagKey & tag, const std::string & value, const std::string & t
   }
   return number;
 }
+
+constexpr Uint16 MetaGroup = 0x0002;
+
+/** The file meta information, in explicit little endian. */
+struct FileMeta
+{
+  std::size_t end{ 0 }; ///< byte after its last attribute; 0 if the file has none
+  /** Its group length does not end there. GDCM and pydicom read such files. */
+  bool isLengthWrong{ false };
+  /** The attributes with VR UI, by element number. */
+  std::map<Uint16, std::string> identifiers;
+
+  std::string
+  TransferSyntax() const
+  {
+    const auto found = identifiers.find(DCM_TransferSyntaxUID.getElement());
+    return found == identifiers.end() ? std::string() : found->second;
+  }
+};
+
+constexpr std::size_t Preamble = 132;       // bytes, with the letters DICM
+constexpr std::size_t GroupLengthSize = 12; // bytes of the first attribute, whose last four are its value
+
+std::uint32_t
+LittleEndian(const std::string & bytes, std::size_t place, std::size_t count)
+{
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    number |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[place + i])) << (8 * i);
+  }
+  return number;
+}
+
+/** Reads the attributes from `place` on (PS3.5 7.1.2). */
+FileMeta
+ReadFileMeta(const std::string & bytes, std::size_t place)
+{
+  constexpr std::size_t shortHeader = 8, longHeader = 12;
+  FileMeta              meta;
+  while (place + longHeader <= bytes.size() && LittleEndian(bytes, place, 2) == MetaGroup)
+  {
+    const auto        element = static_cast<Uint16>(LittleEndian(bytes, place + 2, 2));
+    const std::string vr = bytes.substr(place + 4, 2);
+    const bool        isLong = vr == "OB" || vr == "OW" || vr == "UN" || vr == "UT" || vr == "SQ";
+    const std::size_t length = isLong ? LittleEndian(bytes, place + shortHeader, 4) : LittleEndian(bytes, place + 6, 2);
+    place += isLong ? longHeader : shortHeader;
+    if (vr == "UI" && place < bytes.size())
+    {
+      meta.identifiers[element] = Trimmed(bytes.substr(place, length));
+    }
+    place += length;
+  }
+  meta.end = place;
+  return meta;
+}
+
+FileMeta
+FindFileMeta(const std::string & path)
+{
+  constexpr std::size_t longest = 1u << 16; // bytes; real ones have less than 1,000
+  std::ifstream         file(path, std::ios::binary);
+  std::string           bytes(longest, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(longest));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  const std::size_t first = Preamble + GroupLengthSize;
+  if (bytes.size() < first || bytes.substr(Preamble, 8) != std::string("\2\0\0\0UL\4\0", 8))
+  {
+    return {};
+  }
+  FileMeta meta = ReadFileMeta(bytes, first);
+  meta.isLengthWrong = meta.end != first + LittleEndian(bytes, first - 4, 4) && meta.end < bytes.size();
+  return meta;
+}
+
+/** Reads the data set that starts at byte `start`. */
+OFCondition
+ReadDataset(DcmFileFormat &     file,
+            const std::string & path,
+            std::size_t         start,
+            E_TransferSyntax    syntax,
+            unsigned int        maximumEagerValue)
+{
+  DcmInputFileStream stream(path.c_str(), static_cast<offile_off_t>(start));
+  DcmDataset &       dataset = *file.getDataset();
+  dataset.clear();
+  dataset.transferInit();
+  const OFCondition status = dataset.read(stream, syntax, EGL_noChange, maximumEagerValue);
+  dataset.transferEnd();
+  return status;
+}
+
 /** Printable words separated by the original blanks. */
 std::string
 PrintableWords(const std::string & text)
@@ -114,19 +209,22 @@ DicomEncodingOf(DcmFileFormat & file)
 std::string
 LoadDicomFile(DcmFileFormat & file, const std::string & path, unsigned int maximumEagerValue)
 {
-  OFCondition status = file.loadFile(path.c_str(), EXS_Unknown, EGL_noChange, maximumEagerValue, ERM_autoDetect);
-  if (DicomEncodingOf(file).hasDeflatedFrames)
+  const FileMeta meta = FindFileMeta(path);
+  if (!meta.isLengthWrong)
   {
-    constexpr offile_off_t preamble = 132, groupLength = 12; // bytes; the second is the first attribute
-    Uint32                 length = 0;
-    file.getMetaInfo()->findAndGetUint32(DCM_FileMetaInformationGroupLength, length);
-    DcmInputFileStream stream(path.c_str(), preamble + groupLength + static_cast<offile_off_t>(length));
-    DcmDataset &       dataset = *file.getDataset();
-    dataset.clear();
-    dataset.transferInit();
-    status = dataset.read(stream, EXS_RLELossless, EGL_noChange, maximumEagerValue); // encapsulated in the same way
-    dataset.transferEnd();
+    OFCondition status = file.loadFile(path.c_str(), EXS_Unknown, EGL_noChange, maximumEagerValue, ERM_autoDetect);
+    if (DicomEncodingOf(file).hasDeflatedFrames)
+    {
+      status = ReadDataset(file, path, meta.end, EXS_RLELossless, maximumEagerValue); // encapsulated in the same way
+    }
+    return status.bad() ? status.text() : std::string();
   }
+  for (const auto & [element, value] : meta.identifiers)
+  {
+    file.getMetaInfo()->putAndInsertString(DcmTagKey(MetaGroup, element), value.c_str());
+  }
+  const DcmXfer     syntax(meta.TransferSyntax().c_str());
+  const OFCondition status = ReadDataset(file, path, meta.end, syntax.getXfer(), maximumEagerValue);
   return status.bad() ? status.text() : std::string();
 }
 

@@ -298,7 +298,7 @@ ReadPixelFormat(DcmItem & dataset, DicomPixelFormat & pixels)
 }
 
 std::string
-GetRefusal(DcmItem & dataset, bool & isOtherObject)
+GetRefusal(DcmItem & dataset, bool & isOtherObject, DicomMosaic & mosaic)
 {
   const std::string photometric = GetText(dataset, DCM_PhotometricInterpretation);
   isOtherObject = true;
@@ -311,10 +311,12 @@ GetRefusal(DcmItem & dataset, bool & isOtherObject)
   {
     return "a segmentation, not intensities";
   }
-  if (IsSiemensMosaic(dataset))
+  const std::string missing = IsSiemensMosaic(dataset) ? ReadSiemensMosaic(dataset, mosaic) : std::string();
+  if (!missing.empty())
   {
-    return "a Siemens mosaic (the slices of a volume as tiles of one image); convert it to NIfTI, for example with "
-           "dcm2niix";
+    return "a Siemens mosaic (the slices of a volume as tiles of one image) without " + missing +
+           ", which its private attributes state before de-identification; convert the original to NIfTI, for example "
+           "with dcm2niix";
   }
   if (dataset.tagExists(DCM_DoseGridScaling))
   {
@@ -396,12 +398,14 @@ CheckPixelData(DcmDataset & dataset, const DicomFile & file, const DicomPixelFor
   {
     return "its pixel data are malformed";
   }
-  const std::uint64_t frameBytes = std::uint64_t(file.rows) * file.columns * (pixels.bitsAllocated / 8);
-  const std::uint64_t needed = frameBytes * file.frames.size();
+  const std::uint64_t tiles = std::uint64_t(file.tilesPerRow) * file.tilesPerRow;
+  const std::uint64_t frames = file.tilesPerRow > 1 ? 1 : file.frames.size();
+  const std::uint64_t frameBytes = tiles * file.rows * file.columns * (pixels.bitsAllocated / 8);
+  const std::uint64_t needed = frameBytes * frames;
   const DcmXfer       syntax(dataset.getOriginalXfer());
   if (syntax.isEncapsulated())
   {
-    return CheckEncapsulated(*pixelData, syntax.getXfer(), file.frames.size(), frameBytes);
+    return CheckEncapsulated(*pixelData, syntax.getXfer(), frames, frameBytes);
   }
   std::error_code     error;
   const std::uint64_t length = std::filesystem::file_size(file.path, error);
@@ -467,6 +471,7 @@ CountFrames(DcmDataset & dataset, DicomFile & file)
   {
     file.refusal = "a multi-frame image whose frames have no position (no functional groups)";
     file.isOtherObject = true;
+    file.unplacedFrames = static_cast<unsigned int>(claimed) - 1;
     return 1;
   }
   DcmSequenceOfItems * sequence = nullptr;
@@ -477,6 +482,47 @@ CountFrames(DcmDataset & dataset, DicomFile & file)
     file.truncation = "it describes " + std::to_string(described) + " of " + std::to_string(claimed) + " frames";
   }
   return std::min<std::uint64_t>(described, claimed < 1 ? 0 : static_cast<std::uint64_t>(claimed));
+}
+
+/** Replaces the only frame of a mosaic by its tiles. The stated position is that of a slice as large as the mosaic with
+ * the same center (nibabel, MosaicWrapper). */
+void
+SplitMosaic(DcmItem & dataset, const DicomMosaic & mosaic, DicomFile & file)
+{
+  if (mosaic.tiles < 2 || !file.refusal.empty() || file.frames.size() != 1 || !file.frames.front().hasGeometry)
+  {
+    return;
+  }
+  const auto   distances = DicomNumbersOf(dataset, DCM_SpacingBetweenSlices, 1);
+  DicomFrame   frame = file.frames.front();
+  const double distance = !distances.empty() && distances[0] > 0 ? distances[0] : frame.thickness;
+  if (file.rows % mosaic.tilesPerRow != 0 || file.columns % mosaic.tilesPerRow != 0 || !(distance > 0))
+  {
+    file.refusal = "a Siemens mosaic whose rows, columns or slice distance do not match its " +
+                   std::to_string(mosaic.tiles) + " slices";
+    file.isOtherObject = true;
+    return;
+  }
+  const double margin[2] = { (file.columns - file.columns / mosaic.tilesPerRow) / 2.0,
+                             (file.rows - file.rows / mosaic.tilesPerRow) / 2.0 };
+  file.tilesPerRow = mosaic.tilesPerRow;
+  file.rows = static_cast<std::uint16_t>(file.rows / mosaic.tilesPerRow);
+  file.columns = static_cast<std::uint16_t>(file.columns / mosaic.tilesPerRow);
+  const itk::Vector<double, 3> row(frame.orientation);
+  const itk::Vector<double, 3> column(frame.orientation + 3);
+  itk::Vector<double, 3>       step = itk::CrossProduct(row, column);
+  step *= (step * itk::Vector<double, 3>(mosaic.normal) < 0 ? -distance : distance) / step.GetNorm();
+  file.frames.clear();
+  for (unsigned int tile = 0; tile < mosaic.tiles; ++tile)
+  {
+    DicomFrame slice = frame;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      slice.position[i] +=
+        margin[0] * frame.spacing[1] * row[i] + margin[1] * frame.spacing[0] * column[i] + tile * step[i];
+    }
+    file.frames.push_back(slice);
+  }
 }
 
 void
@@ -512,7 +558,8 @@ ReadImage(DcmDataset & dataset, DicomFile & file, bool isIncomplete)
   file.isMultiFrame = IsEnhanced(dataset);
   file.rows = GetWord(dataset, DCM_Rows, 0);
   file.columns = GetWord(dataset, DCM_Columns, 0);
-  file.refusal = GetRefusal(dataset, file.isOtherObject);
+  DicomMosaic mosaic;
+  file.refusal = GetRefusal(dataset, file.isOtherObject, mosaic);
   if (file.refusal.empty() && (file.rows == 0 || file.columns == 0))
   {
     file.refusal = "it has no rows or no columns";
@@ -521,6 +568,7 @@ ReadImage(DcmDataset & dataset, DicomFile & file, bool isIncomplete)
   try
   {
     ReadFrames(dataset, CountFrames(dataset, file), file);
+    SplitMosaic(dataset, mosaic, file);
   }
   catch (const MalformedDicomValue & malformed)
   {

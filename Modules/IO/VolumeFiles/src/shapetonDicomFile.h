@@ -73,6 +73,10 @@ struct DicomFile
   bool isInverted{ false };
   /** The image has functional groups, so its frames are slices. */
   bool isMultiFrame{ false };
+  /** Of a Siemens mosaic, whose tiles are the frames; 1 for other images. */
+  unsigned int tilesPerRow{ 1 };
+  /** Further frames of a multi-frame image without positions. */
+  unsigned int unplacedFrames{ 0 };
   /** The pixel encoding is not supported. */
   bool isUnsupportedTransferSyntax{ false };
   /** Description of missing data; empty for a complete file. */
@@ -99,8 +103,9 @@ Transmit(TStream & stream, TFile & file)
   stream & file.kind & file.what & file.studyUID & file.sopClassUID & file.sopInstanceUID & file.seriesUID & file
     .frameOfReferenceUID & file.patientID & file.studyDate & file.description & file.isUndecodable & file
     .modality & file.patientPosition & file.transferSyntax & file.seriesNumber & file.instanceNumber & file.rows & file
-    .columns & file.isLossy & file.isDerived & file.isInverted & file.isMultiFrame & file
-    .isUnsupportedTransferSyntax & file.truncation & file.malformedValue & file.refusal & file.isOtherObject;
+    .columns & file.isLossy & file.isDerived & file.isInverted & file.isMultiFrame & file.tilesPerRow & file
+    .unplacedFrames & file.isUnsupportedTransferSyntax & file.truncation & file.malformedValue & file.refusal & file
+    .isOtherObject;
   stream.SizeOf(file.frames);
   for (auto & frame : file.frames)
   {

@@ -7,7 +7,11 @@
 #include "dcmtk/dcmdata/dctk.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
+#include <numeric>
 #include <set>
 #include <string>
 #include <vector>
@@ -51,35 +55,62 @@ BytesOf(DcmElement & element)
   return bytes;
 }
 
-bool
-CountsTiles(DcmItem & dataset)
-{
-  DcmElement * const element = FindPrivate(dataset, 0x0019, "SIEMENS MR HEADER", 0x0A);
-  const auto         bytes = element ? BytesOf(*element) : std::vector<char>();
-  return bytes.size() >= 2 && (bytes[1] != 0 || static_cast<unsigned char>(bytes[0]) > 1);
-}
-
-/** The CSA header is a list of named elements, each with a list of strings. GDCM's parser is not used because it
+/** The CSA image header is a list of named elements, each with a list of strings. GDCM's parser is not used because it
  * terminates the process on unusual elements. */
-bool
-CountsTilesInCsaHeader(DcmItem & dataset)
+std::vector<double>
+NumbersInCsaHeader(DcmItem & dataset, const std::string & name, std::size_t count)
 {
-  // Name, multiplicity, VR, type, number of strings, a constant; then the four lengths before the first string.
-  constexpr std::size_t textOffset = 64 + 5 * 4 + 4 * 4;
-  constexpr std::size_t longestNumber = 12;
+  // Name, multiplicity, VR, type, number of strings, a constant. Each string follows four lengths and is padded.
+  constexpr std::size_t nameLength = 64, stringsOffset = nameLength + 5 * 4, lengths = 4 * 4, padding = 4;
+  constexpr std::size_t longestNumber = 32;
   DcmElement * const    element = FindPrivate(dataset, 0x0029, "SIEMENS CSA HEADER", 0x10);
   const auto            bytes = element ? BytesOf(*element) : std::vector<char>();
-  const std::string     name = "NumberOfImagesInMosaic";
-  const auto            place = std::search(bytes.begin(), bytes.end(), name.begin(), name.end());
-  const auto            left = static_cast<std::size_t>(bytes.end() - place);
-  if (left <= textOffset)
+  const std::string     key = name + '\0';
+  auto                place = static_cast<std::size_t>(std::search(bytes.begin(), bytes.end(), key.begin(), key.end()) -
+                                        bytes.begin() + stringsOffset);
+  std::vector<double> numbers;
+  while (numbers.size() < count && place + lengths < bytes.size())
   {
-    return false;
+    std::uint32_t length = 0;
+    std::memcpy(&length, &bytes[place + sizeof(length)], sizeof(length)); // the second of the four
+    const std::size_t start = place + lengths;
+    if (length == 0 || length > longestNumber || start + length > bytes.size())
+    {
+      break;
+    }
+    numbers.push_back(std::strtod(std::string(&bytes[start], length).c_str(), nullptr));
+    place = start + (length + padding - 1) / padding * padding;
   }
-  const auto        text = place + static_cast<std::ptrdiff_t>(textOffset);
-  const auto        length = static_cast<std::ptrdiff_t>(std::min(longestNumber, left - textOffset));
-  const std::string number(text, text + length);
-  return std::strtol(number.c_str(), nullptr, 10) > 1;
+  numbers.resize(numbers.size() == count ? count : 0);
+  return numbers;
+}
+
+unsigned int
+TilesOf(DcmItem & dataset)
+{
+  constexpr double   most = 4096.0; // more than slices of any mosaic
+  DcmElement * const element = FindPrivate(dataset, 0x0019, "SIEMENS MR HEADER", 0x0A);
+  const auto         bytes = element ? BytesOf(*element) : std::vector<char>();
+  if (bytes.size() >= 2)
+  {
+    return static_cast<unsigned char>(bytes[0]) | static_cast<unsigned int>(static_cast<unsigned char>(bytes[1])) << 8;
+  }
+  const auto numbers = NumbersInCsaHeader(dataset, "NumberOfImagesInMosaic", 1);
+  return numbers.empty() || !(numbers[0] > 0) ? 0 : static_cast<unsigned int>(std::min(numbers[0], most));
+}
+
+std::vector<double>
+NormalOf(DcmItem & dataset)
+{
+  DcmElement * const  element = FindPrivate(dataset, 0x0019, "SIEMENS MR HEADER", 0x0D); // VR FD
+  const auto          bytes = element ? BytesOf(*element) : std::vector<char>();
+  std::vector<double> normal(3);
+  if (bytes.size() == normal.size() * sizeof(double))
+  {
+    std::memcpy(normal.data(), bytes.data(), bytes.size());
+    return normal;
+  }
+  return NumbersInCsaHeader(dataset, "SliceNormalVector", normal.size());
 }
 
 bool
@@ -95,6 +126,26 @@ SaysMosaic(DcmItem & dataset)
 bool
 IsSiemensMosaic(DcmItem & dataset)
 {
-  return SaysMosaic(dataset) || CountsTiles(dataset) || CountsTilesInCsaHeader(dataset);
+  return SaysMosaic(dataset) || TilesOf(dataset) > 1;
+}
+
+std::string
+ReadSiemensMosaic(DcmItem & dataset, DicomMosaic & mosaic)
+{
+  mosaic.tiles = TilesOf(dataset);
+  if (mosaic.tiles < 2)
+  {
+    return "number of slices";
+  }
+  mosaic.tilesPerRow = static_cast<unsigned int>(std::ceil(std::sqrt(mosaic.tiles)));
+  const std::vector<double> normal = NormalOf(dataset);
+  const double              squared = std::inner_product(normal.begin(), normal.end(), normal.begin(), 0.0);
+  constexpr double          tolerance = 0.01; // of the length of a unit vector; rounded texts are closer
+  if (normal.empty() || !(std::abs(squared - 1.0) <= tolerance))
+  {
+    return "slice normal";
+  }
+  std::copy(normal.begin(), normal.end(), mosaic.normal);
+  return {};
 }
 } // namespace shapeton

@@ -360,6 +360,13 @@ BytesOf(const DicomSlice & slice, std::size_t pixels)
   return pixels * (slice.pixels.bitsAllocated / 8);
 }
 
+/** Of the image that contains the slice. */
+std::size_t
+StoredBytesOf(const DicomSlice & slice, std::size_t pixels)
+{
+  return BytesOf(slice, pixels) * slice.tilesPerRow * slice.tilesPerRow;
+}
+
 /** The first failure, in slice order, of worker threads. */
 class FirstFailure
 {
@@ -396,13 +403,34 @@ private:
   std::atomic<bool>  m_IsSet{ false };
 };
 
-void
-ReadSlice(ContainedProcess & process, const DicomSlice & slice, std::size_t pixels, float * intensities)
+/** The stored pixels of a tile of a mosaic. */
+std::vector<char>
+TileOf(const char * mosaic, const DicomSlice & slice, std::size_t columns, std::size_t rows)
 {
-  ByteWriter request;
-  request & slice.file & slice.frame & BytesOf(slice, pixels);
-  DicomPixelFormat                     format = slice.pixels;
-  std::uint16_t                        bits = 0;
+  const std::size_t bytes = BytesOf(slice, columns); // of a row of the tile
+  const std::size_t left = slice.frame % slice.tilesPerRow;
+  const std::size_t top = slice.frame / slice.tilesPerRow * rows;
+  std::vector<char> tile(rows * bytes);
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    std::copy_n(mosaic + ((top + row) * slice.tilesPerRow + left) * bytes, bytes, &tile[row * bytes]);
+  }
+  return tile;
+}
+
+void
+ReadSlice(ContainedProcess & process,
+          const DicomSlice & slice,
+          std::size_t        columns,
+          std::size_t        rows,
+          float *            intensities)
+{
+  const std::size_t pixels = columns * rows;
+  const bool        isTile = slice.tilesPerRow > 1;
+  ByteWriter        request;
+  request &         slice.file &(isTile ? 0U : slice.frame) & StoredBytesOf(slice, pixels);
+  DicomPixelFormat  format = slice.pixels;
+  std::uint16_t     bits = 0;
   try
   {
     const std::string response = process.Call(request.GetBytes());
@@ -417,7 +445,8 @@ ReadSlice(ContainedProcess & process, const DicomSlice & slice, std::size_t pixe
     format.bitsStored = bits;
     format.highBit = static_cast<std::uint16_t>(bits - 1);
   }
-  ConvertDicomPixels(process.GetShared(), format, pixels, intensities);
+  const auto tile = isTile ? TileOf(process.GetShared(), slice, columns, rows) : std::vector<char>();
+  ConvertDicomPixels(isTile ? tile.data() : process.GetShared(), format, pixels, intensities);
 }
 } // namespace
 
@@ -509,7 +538,7 @@ ReadDicomSlices(const std::vector<const DicomSlice *> & slices,
   std::size_t       bytes = 0;
   for (const DicomSlice * slice : slices)
   {
-    bytes = std::max(bytes, BytesOf(*slice, pixels));
+    bytes = std::max(bytes, StoredBytesOf(*slice, pixels));
   }
   // JPEG 2000 takes about a second for 10 MB.
   const auto                     seconds = static_cast<unsigned int>(20 + bytes / 1000000);
@@ -529,7 +558,7 @@ ReadDicomSlices(const std::vector<const DicomSlice *> & slices,
         {
           process = std::make_unique<ContainedProcess>(DicomPixelService, bytes, limits);
         }
-        ReadSlice(*process, *slices[i], pixels, intensities + i * pixels);
+        ReadSlice(*process, *slices[i], columns, rows, intensities + i * pixels);
         report(static_cast<double>(i + 1) / static_cast<double>(slices.size()));
       }
       catch (...)

@@ -197,6 +197,8 @@ GetDicomDefectName(DicomDefectKind kind)
       return "malformedValue";
     case DicomDefectKind::undecodableText:
       return "undecodableText";
+    case DicomDefectKind::copiedFile:
+      return "copiedFile";
     default:
       return "notAnImage";
   }
@@ -230,6 +232,7 @@ GetDicomDefectAdvice(const DicomDefect & defect)
     case DicomDefectKind::malformedValue:
       return "write these numbers as DICOM Decimal Strings, with a decimal point, or export the series again";
     case DicomDefectKind::undecodableText:
+    case DicomDefectKind::copiedFile:
       return "the images are not affected";
     case DicomDefectKind::localizer:
       return "choose a series with a volume";

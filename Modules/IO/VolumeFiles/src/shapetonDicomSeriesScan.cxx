@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -67,6 +68,69 @@ ParseFiles(const std::vector<std::string> & paths, const Progress & progress)
     progress(static_cast<double>(files.size()) / static_cast<double>(paths.size()));
   }
   return files;
+}
+
+// ---- copies ----
+
+bool
+HaveEqualBytes(const std::string & a, const std::string & b)
+{
+  std::ifstream first(a, std::ios::binary);
+  std::ifstream second(b, std::ios::binary);
+  using Bytes = std::istreambuf_iterator<char>;
+  return first && second && std::equal(Bytes(first), Bytes(), Bytes(second), Bytes());
+}
+
+/** Takes out the images whose bytes are those of an earlier file, and returns them: copy, original. */
+std::map<std::string, std::string>
+TakeCopies(std::vector<DicomFile> & files)
+{
+  std::map<std::string, std::vector<std::string>> byInstance;
+  std::map<std::string, std::string>              copies;
+  for (const DicomFile & file : files)
+  {
+    if (file.kind != DicomFile::Kind::image || file.sopInstanceUID.empty())
+    {
+      continue;
+    }
+    auto &     others = byInstance[file.sopInstanceUID];
+    const auto original = std::find_if(
+      others.begin(), others.end(), [&](const std::string & other) { return HaveEqualBytes(file.path, other); });
+    if (original == others.end())
+    {
+      others.push_back(file.path);
+    }
+    else
+    {
+      copies[file.path] = *original;
+    }
+  }
+  files.erase(
+    std::remove_if(files.begin(), files.end(), [&](const DicomFile & file) { return copies.count(file.path) > 0; }),
+    files.end());
+  return copies;
+}
+
+void
+RemarkOnCopies(const std::map<std::string, std::string> & copies, DicomSeries & series)
+{
+  DicomDefect remark{ DicomDefectKind::copiedFile, {}, {}, {} };
+  for (const auto & [copy, original] : copies)
+  {
+    const auto isOriginal = [&](const DicomSlice & slice) { return slice.file == original; };
+    if (std::any_of(series.slices.begin(), series.slices.end(), isOriginal))
+    {
+      remark.files.push_back(copy);
+    }
+  }
+  if (!remark.files.empty())
+  {
+    const std::size_t count = remark.files.size();
+    remark.message = Count(count, "file") +
+                     (count == 1 ? " is an exact copy of another" : " are exact copies of others") +
+                     " and not used, the first: " + std::filesystem::path(remark.files.front()).filename().string();
+    series.remarks.push_back(remark);
+  }
 }
 
 // ---- grouping ----
@@ -501,6 +565,7 @@ MakeSlice(const Item & item)
   slice.file = item.file->path;
   slice.frame = item.number;
   slice.isMultiFrame = item.file->isMultiFrame;
+  slice.tilesPerRow = item.file->tilesPerRow;
   slice.sopClassUID = item.file->sopClassUID;
   slice.sopInstanceUID = item.file->sopInstanceUID;
   slice.instanceNumber = item.file->instanceNumber;
@@ -537,6 +602,7 @@ DescribeSeries(DicomSeries & series, const Items & items)
     series.isLossy = series.isLossy || item.file->isLossy;
     series.isDerived = series.isDerived || item.file->isDerived;
     series.isInverted = series.isInverted || item.file->isInverted;
+    series.size[2] += item.file->unplacedFrames;
     series.slices.push_back(MakeSlice(item));
   }
   if (file.isUndecodable)
@@ -715,8 +781,9 @@ AddOtherFile(const DicomFile & file, DicomScan & scan)
 }
 
 void
-CollectSeries(const std::vector<DicomFile> & files, DicomScan & scan)
+CollectSeries(std::vector<DicomFile> files, DicomScan & scan)
 {
+  const auto                   copies = TakeCopies(files);
   std::map<std::string, Items> byUID;
   for (const DicomFile & file : files)
   {
@@ -739,6 +806,7 @@ CollectSeries(const std::vector<DicomFile> & files, DicomScan & scan)
   {
     for (DicomSeries & series : MakeSeriesOfUID(entry.second))
     {
+      RemarkOnCopies(copies, series);
       scan.series.push_back(std::move(series));
     }
   }
@@ -784,8 +852,7 @@ ScanDicom(const std::string & path, const Progress & progress)
     throw InputError(path + ": the folder is empty; use the folder that contains the DICOM files");
   }
   scan.files = static_cast<unsigned int>(paths.size());
-  const std::vector<DicomFile> files = ParseFiles(paths, progress);
-  CollectSeries(files, scan);
+  CollectSeries(ParseFiles(paths, progress), scan);
   return scan;
 }
 } // namespace shapeton

@@ -226,20 +226,47 @@ UnusableSlicesOf(const DicomSeries & series, const DicomScan & scan)
   return text;
 }
 
+/** Several slices that a program or a de-identification gave a Series Instance UID each. */
+[[noreturn]] void
+RefuseSingleSlices(const DicomScan & scan, const SeriesList & slices)
+{
+  const auto haveOne = [&](std::string DicomSeries::*member) {
+    return std::all_of(slices.begin(), slices.end(), [&](const DicomSeries * slice) {
+      return slice->*member == slices.front()->*member;
+    });
+  };
+  const bool isOneScan =
+    haveOne(&DicomSeries::studyUID) && haveOne(&DicomSeries::frameOfReferenceUID) && haveOne(&DicomSeries::description);
+  ThrowUnsuitable(scan.path,
+                  std::to_string(slices.size()) + " series of one slice each, which are no volume" +
+                    (isOneScan
+                       ? ", although they share study, frame of reference and description; give them one Series "
+                         "Instance UID, for example with dcmodify"
+                       : "; use the folder of one series") +
+                    ": " + List(slices, Describe));
+}
+
 const DicomSeries &
 SelectOnlyOne(const DicomScan & scan, const VolumeReadOptions & options)
 {
   RefuseUnknownDamage(scan);
-  const auto usable = Select(scan, [&](const DicomSeries & series) { return RefusalOf(series, options).empty(); });
+  // A single slice is read only if it is the only series; it does not replace an irregular volume.
+  const auto volumes = Select(scan, IsVolumeLike);
+  const auto slices = Select(scan, [](const DicomSeries & series) { return series.isSingleSlice; });
+  const auto usable = Select(scan, [&](const DicomSeries & series) {
+    return RefusalOf(series, options).empty() && (volumes.empty() || !series.isSingleSlice);
+  });
+  if (volumes.empty() && slices.size() > 1 && slices.front()->uid != slices.back()->uid)
+  {
+    RefuseSingleSlices(scan, slices);
+  }
   if (usable.size() > 1)
   {
     ThrowUnsuitable(scan.path,
                     std::to_string(usable.size()) +
                       " usable volumes; choose one by the parameter \"seriesUID\": " + List(usable, Describe));
   }
-  const auto volumes = Select(scan, IsVolumeLike);
-  // A single slice is read only if it is the only series; it does not replace an irregular volume.
-  if (usable.size() == 1 && (volumes.empty() || !usable.front()->isSingleSlice))
+  if (usable.size() == 1)
   {
     return *usable.front();
   }

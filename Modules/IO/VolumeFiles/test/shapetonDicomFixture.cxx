@@ -273,6 +273,45 @@ DicomFixture::MakeEnhanced(const std::vector<double> & distances) const
 }
 
 DicomFixture::File
+DicomFixture::MakeMosaic(bool isAscending) const
+{
+  const auto          tilesPerRow = static_cast<unsigned int>(std::ceil(std::sqrt(slices)));
+  const unsigned int  margin = tilesPerRow - 1; // tiles
+  const double        sign = isAscending ? 1.0 : -1.0;
+  std::vector<Uint16> pixels(std::size_t(rows) * columns * tilesPerRow * tilesPerRow, 0);
+  for (unsigned int tile = 0; tile < slices; ++tile)
+  {
+    const auto own = MakePixels(SlicePosition(sign * tile * sliceSpacing));
+    for (unsigned int row = 0; row < rows; ++row)
+    {
+      const std::size_t start =
+        (tile / tilesPerRow * rows + row) * columns * tilesPerRow + tile % tilesPerRow * columns;
+      std::copy_n(&own[std::size_t(row) * columns], columns, &pixels[start]);
+    }
+  }
+  // The position of a slice as large as the mosaic with the same center.
+  File file =
+    MakeSlice(SlicePosition(0.0, -0.5 * margin * columns * columnSpacing, -0.5 * margin * rows * rowSpacing), 1);
+  DcmDataset & dataset = *file->getDataset();
+  Put(dataset, DCM_ImageType, "ORIGINAL\\PRIMARY\\M\\ND\\MOSAIC");
+  Put(dataset, DCM_SpacingBetweenSlices, DicomNumbers({ sliceSpacing }));
+  dataset.putAndInsertUint16(DCM_Columns, static_cast<Uint16>(columns * tilesPerRow));
+  dataset.putAndInsertUint16(DCM_Rows, static_cast<Uint16>(rows * tilesPerRow));
+  Check(dataset.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size()), "pixels");
+  std::vector<std::string> normal;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    normal.push_back(DicomNumbers({ sign * direction(i, 2) }));
+  }
+  AddPrivate(dataset,
+             0x29,
+             "SIEMENS CSA HEADER",
+             0x10,
+             CsaHeader({ { "NumberOfImagesInMosaic", { std::to_string(slices) } }, { "SliceNormalVector", normal } }));
+  return file;
+}
+
+DicomFixture::File
 DicomFixture::MakeLabelMap(const std::vector<PointType> & frames,
                            const std::vector<Uint16> &    labels,
                            unsigned int                   bits,
@@ -354,27 +393,29 @@ StoreAllAsUnknown(DcmItem & item)
 }
 
 std::string
-CsaHeader(const std::string & count)
+CsaHeader(const std::vector<std::pair<std::string, std::vector<std::string>>> & elements)
 {
   std::string bytes("SV10\4\3\2\1", 8);
-  PutNumber(bytes, 1); // elements
+  PutNumber(bytes, static_cast<std::uint32_t>(elements.size()));
   PutNumber(bytes, 77);
-  std::string name = "NumberOfImagesInMosaic";
-  name.resize(64);
-  bytes += name;
-  PutNumber(bytes, 1); // multiplicity
-  bytes += std::string("US\0\0", 4);
-  PutNumber(bytes, 10); // type
-  PutNumber(bytes, count.empty() ? 0 : 1);
-  PutNumber(bytes, 77);
-  if (!count.empty())
+  for (auto [name, values] : elements)
   {
-    const std::string value(count.c_str(), count.size() + 1);
-    for (const std::size_t number : { value.size(), value.size(), std::size_t(77), value.size() })
+    name.resize(64);
+    bytes += name;
+    PutNumber(bytes, 1); // multiplicity
+    bytes += std::string("US\0\0", 4);
+    PutNumber(bytes, 10); // type
+    PutNumber(bytes, static_cast<std::uint32_t>(values.size()));
+    PutNumber(bytes, 77);
+    for (const std::string & text : values)
     {
-      PutNumber(bytes, static_cast<std::uint32_t>(number));
+      const std::string value(text.c_str(), text.size() + 1);
+      for (const std::size_t number : { value.size(), value.size(), std::size_t(77), value.size() })
+      {
+        PutNumber(bytes, static_cast<std::uint32_t>(number));
+      }
+      bytes += value + std::string((4 - value.size() % 4) % 4, '\0');
     }
-    bytes += value + std::string((4 - value.size() % 4) % 4, '\0');
   }
   return bytes + std::string(bytes.size() % 2, '\0');
 }

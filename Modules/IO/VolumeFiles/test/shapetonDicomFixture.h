@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shapeton
@@ -66,6 +67,10 @@ public:
   File
   MakeEnhanced(const std::vector<double> & distances) const;
 
+  /** A Siemens mosaic of `slices` slices, the first at the origin, ascending or descending along the normal. */
+  File
+  MakeMosaic(bool isAscending) const;
+
   /** A label map segmentation (Supplement 243) of 8 or 16 bits with the given segments, frame positions and pixels
    * `labels`. */
   File
@@ -120,9 +125,9 @@ StoreAsUnknown(DcmItem & item, const std::vector<DcmTagKey> & tags);
 void
 StoreAllAsUnknown(DcmItem & item);
 
-/** A Siemens CSA header with the single element NumberOfImagesInMosaic; without a value if `count` is empty. */
+/** A Siemens CSA header with the values of these elements. */
 std::string
-CsaHeader(const std::string & count);
+CsaHeader(const std::vector<std::pair<std::string, std::vector<std::string>>> & elements);
 
 /** Adds a private attribute with VR UN, in the second block of its group. */
 void

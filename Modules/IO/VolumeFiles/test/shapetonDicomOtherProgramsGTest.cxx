@@ -3,7 +3,9 @@
 #include "shapetonPrintable.h"
 #include "shapetonVolumeTesting.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
 
 namespace
 {
@@ -87,7 +89,7 @@ const std::string tileCounter = "SIEMENS MR HEADER";
 const std::string csaOwner = "SIEMENS CSA HEADER";
 } // namespace
 
-TEST(DicomOfOtherPrograms, ASiemensMosaicIsRefusedByNameHoweverItTells)
+TEST(DicomOfOtherPrograms, ASiemensMosaicWithoutItsNormalIsRefusedByName)
 {
   using Change = std::function<void(DcmFileFormat &)>;
   const std::vector<Change> changes{
@@ -96,7 +98,8 @@ TEST(DicomOfOtherPrograms, ASiemensMosaicIsRefusedByNameHoweverItTells)
       shapeton::AddPrivate(*file.getDataset(), 0x19, tileCounter, 0x0A, std::string("\x23\0", 2));
     },
     [](DcmFileFormat & file) {
-      shapeton::AddPrivate(*file.getDataset(), 0x29, csaOwner, 0x10, shapeton::CsaHeader("35"));
+      shapeton::AddPrivate(
+        *file.getDataset(), 0x29, csaOwner, 0x10, shapeton::CsaHeader({ { "NumberOfImagesInMosaic", { "35" } } }));
     }
   };
   for (std::size_t i = 0; i < changes.size(); ++i)
@@ -119,13 +122,119 @@ TEST(DicomOfOtherPrograms, ASiemensMosaicIsRefusedByNameHoweverItTells)
   }
 }
 
+TEST(DicomOfOtherPrograms, ASiemensMosaicIsAVolume)
+{
+  DicomFixture fixture;
+  fixture.direction = DicomFixture::ObliqueDirection();
+  fixture.sliceSpacing = 2.5;
+  for (const bool isAscending : { true, false })
+  {
+    const std::string path = TestFolder() + "/mosaic.dcm";
+    SaveDicom(*fixture.MakeMosaic(isAscending), path);
+    for (const std::string syntax : { "", "1.2.840.10008.1.2.5" }) // RLE
+    {
+      if (!syntax.empty())
+      {
+        shapeton::CompressDicom(path, syntax);
+      }
+      const shapeton::Volume volume = ReadVolume(path);
+      EXPECT_EQ(volume.image->GetLargestPossibleRegion().GetSize(), (itk::Size<3>{ { 7, 9, 6 } }));
+      EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), RoundingError) << isAscending << syntax;
+    }
+  }
+}
+
+TEST(DicomOfOtherPrograms, MosaicsOfATimeSeriesAreParts)
+{
+  DicomFixture fixture;
+  fixture.sliceSpacing = 2.5;
+  DicomFixture::Files files;
+  for (const std::string number : { "1", "2" })
+  {
+    files.push_back(fixture.MakeMosaic(true));
+    SetText(*files.back(), DCM_AcquisitionNumber, number);
+    SetText(*files.back(), DCM_SOPInstanceUID, "1.2.3." + number);
+  }
+  const auto scan = ScanOf(files);
+  ASSERT_EQ(scan.series.size(), 2U);
+  EXPECT_TRUE(scan.series[0].Has(DicomDefectKind::mixedSeries));
+  EXPECT_EQ(scan.series[0].size[2], fixture.slices);
+}
+
+TEST(DicomOfOtherPrograms, ExactCopiesAreUsedOnce)
+{
+  const std::string folder = TestFolder();
+  SaveDicom(DicomFixture().MakeSeries(), folder);
+  std::filesystem::create_directory(folder + "/copies");
+  std::filesystem::copy_file(folder + "/im0001.dcm", folder + "/copies/a.dcm");
+  std::filesystem::copy_file(folder + "/im0004.dcm", folder + "/copies/b.dcm");
+  const auto scan = shapeton::ScanDicom(folder);
+  ASSERT_EQ(scan.series.size(), 1U);
+  EXPECT_TRUE(scan.series[0].IsUsable());
+  ASSERT_EQ(scan.series[0].remarks.size(), 1U);
+  EXPECT_EQ(scan.series[0].remarks[0].kind, DicomDefectKind::copiedFile);
+  EXPECT_EQ(scan.series[0].remarks[0].files.size(), 2U);
+  const shapeton::Volume volume = ReadVolume(folder);
+  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), RoundingError);
+  ASSERT_EQ(volume.notes.size(), 1U);
+  EXPECT_TRUE(Contains(volume.notes[0], "2 files are exact copies of others and not used")) << volume.notes[0];
+}
+
+TEST(DicomOfOtherPrograms, SlicesWithASeriesUidEachAreNoVolume)
+{
+  auto files = DicomFixture().MakeSeries();
+  SetText(files, DCM_SeriesInstanceUID, [](std::size_t i) { return "1.2.3." + std::to_string(i + 1); });
+  const std::string folder = TestFolder();
+  SaveDicom(files, folder);
+  for (const auto & options : { VolumeReadOptions(), AllRepairs() })
+  {
+    const auto error = InputErrorOf([&] { ReadVolume(folder, options); });
+    EXPECT_TRUE(Contains(error, "6 series of one slice each")) << error;
+    EXPECT_TRUE(Contains(error, "they share study, frame of reference and description")) << error;
+  }
+}
+
+TEST(DicomOfOtherPrograms, AWrongLengthOfTheFileMetaInformationIsIgnored)
+{
+  for (const int change : { -200, -3, 1, 100, 1'000'000 })
+  {
+    for (const auto syntax : { EXS_LittleEndianExplicit, EXS_BigEndianExplicit, EXS_DeflatedLittleEndianExplicit })
+    {
+      const std::string folder = TestFolder();
+      SaveDicom(DicomFixture().MakeSeries(), folder, syntax);
+      for (const auto & entry : std::filesystem::directory_iterator(folder))
+      {
+        constexpr std::streamoff place = 140; // of the length, after the preamble and the header of its attribute
+        std::fstream             file(entry.path(), std::ios::in | std::ios::out | std::ios::binary);
+        std::int32_t             length = 0;
+        file.seekg(place).read(reinterpret_cast<char *>(&length), sizeof(length));
+        length += change;
+        file.seekp(place).write(reinterpret_cast<const char *>(&length), sizeof(length));
+      }
+      EXPECT_LT(LargestDeviation(ReadVolume(folder), DicomFixture::Ramp), RoundingError) << change << ' ' << syntax;
+    }
+  }
+}
+
+TEST(DicomOfOtherPrograms, FramesOfARefusedImageAreCounted)
+{
+  const auto file = DicomFixture().MakeSlice(DicomFixture().origin, 1);
+  SetText(*file, DCM_NumberOfFrames, "24");
+  const std::string folder = TestFolder();
+  SaveDicom(*file, folder + "/cine.dcm");
+  const auto scan = shapeton::ScanDicom(folder);
+  EXPECT_FALSE(scan.series.at(0).refusal.empty());
+  EXPECT_EQ(scan.series.at(0).size[2], 24U);
+}
+
 TEST(DicomOfOtherPrograms, OtherImagesOfSiemensAreSlices)
 {
   auto files = DicomFixture().MakeSeries();
   for (const auto & file : files)
   {
     shapeton::AddPrivate(*file->getDataset(), 0x19, tileCounter, 0x0A, std::string("\1\0", 2));
-    shapeton::AddPrivate(*file->getDataset(), 0x29, csaOwner, 0x10, shapeton::CsaHeader(""));
+    shapeton::AddPrivate(
+      *file->getDataset(), 0x29, csaOwner, 0x10, shapeton::CsaHeader({ { "NumberOfImagesInMosaic", {} } }));
     shapeton::AddPrivate(*file->getDataset(), 0x21, tileCounter, 0x0A, std::string("\x23\0", 2)); // of another group
   }
   EXPECT_TRUE(ScanOf(files).series.at(0).IsUsable());
