@@ -84,7 +84,9 @@ WriteReport(CommandLine & commandLine, const DicomSource & source)
   const auto        points = ReadDicomReportPoints(commandLine.GetString("input"), source);
   if (!markers.empty())
   {
-    WriteMarkups(MarkupsOfReport(points), markers);
+    Remarks remarks;
+    WriteMarkups(MarkupsOfReport(points, remarks), markers);
+    commandLine.Warn(remarks);
   }
   if (!verdicts.empty())
   {

@@ -19,6 +19,8 @@ struct DicomReportPoints
   std::string name;
   /** LPS, mm. */
   std::vector<itk::Point<double, 3>> places;
+  /** DICOM Graphic Type: POINT, MULTIPOINT, POLYLINE, POLYGON, CIRCLE, ELLIPSE or ELLIPSOID. */
+  std::string type;
   /** The value of the number that contains the points, if its unit is mm; otherwise NaN. */
   double length{ std::numeric_limits<double>::quiet_NaN() };
   /** Finding sites of the group, and its first comment, which viewers show as its label. */

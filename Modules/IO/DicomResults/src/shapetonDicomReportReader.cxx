@@ -274,6 +274,7 @@ public:
     }
     DicomReportPoints points;
     points.name = graphic.name;
+    points.type = graphic.type;
     points.length = graphic.length;
     points.sites = graphic.sites;
     points.comment = graphic.comment;

@@ -5,6 +5,10 @@
 #include "shapetonDicomReading.h"
 #include "shapetonExceptions.h"
 #include "shapetonMappedImage.h"
+#include "shapetonNumberText.h"
+#include "shapetonPi.h"
+
+#include "itkVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +24,9 @@ namespace
 /** Largest compression ratios: that of deflate, and that of an empty 2 MB frame in JPEG 2000. */
 constexpr std::uint64_t MaximumDeflateRatio = 1032;
 constexpr std::uint64_t MaximumFrameRatio = 20000;
+
+/** Distance of a frame from its slice, as a fraction of a voxel: some writers round positions. */
+constexpr double PlaneTolerance = 0.05;
 
 const std::vector<std::string> segmentationClasses{ UID_SegmentationStorage, LabelMapSegmentationStorageUID };
 
@@ -341,65 +348,82 @@ CopySegmentPixels(const std::string & path, std::size_t bytes, char * shared)
 
 // ---- in this process ----
 
-/** The positions of frames in the slices of a series. */
-class SeriesPlanes
+[[noreturn]] void
+RefusePlanes(const DicomSegmentationFile & file, const std::string & reason)
 {
-public:
-  SeriesPlanes(const DicomSegmentationFile & file, const DicomSeries & series) : m_File(file), m_Series(series)
-  {
-    bool isSame = file.columns == series.size[0] && file.rows == series.size[1];
-    for (unsigned int k = 0; k < 3; ++k)
-    {
-      isSame = isSame && std::abs(series.direction(k, 0) - file.orientation[k]) <= 1e-3 &&
-               std::abs(series.direction(k, 1) - file.orientation[3 + k]) <= 1e-3;
-    }
-    for (unsigned int axis = 0; axis < 2; ++axis)
-    {
-      const double extent = series.size[axis] * std::abs(series.spacing[axis] - file.spacing[axis]);
-      isSame = isSame && extent <= Tolerance * series.spacing[axis];
-    }
-    if (!isSame)
-    {
-      this->Refuse();
-    }
-  }
+  throw InputError("\"" + file.path + "\" does not match the slices of the given series: " + reason +
+                   "; resample the segmentation to the series, for example in 3D Slicer");
+}
 
-  std::size_t
-  SliceOf(const DicomSegmentFrame & frame) const
+/** "0.75 x 1.25". */
+std::string
+Pair(double first, double second)
+{
+  return NumberText(first) + " x " + NumberText(second);
+}
+
+/** Checks the planes of frames against the slices of a series. */
+void
+RequirePlanesOf(const DicomSegmentationFile & file, const DicomSeries & series)
+{
+  constexpr double cosines = 1e-3;
+  for (unsigned int k = 0; k < 3; ++k)
   {
-    const auto & slices = m_Series.slices;
-    const auto   distance = [&](const DicomSlice & slice) {
-      return frame.position.SquaredEuclideanDistanceTo(slice.imagePosition);
-    };
-    const auto nearest =
-      std::min_element(slices.begin(), slices.end(), [&](const DicomSlice & a, const DicomSlice & b) {
-        return distance(a) < distance(b);
-      });
-    const auto step = m_Series.direction.GetTranspose() * (frame.position - nearest->imagePosition).GetVnlVector();
-    for (unsigned int axis = 0; axis < 3; ++axis)
+    if (!(std::abs(series.direction(k, 0) - file.orientation[k]) <= cosines &&
+          std::abs(series.direction(k, 1) - file.orientation[3 + k]) <= cosines))
     {
-      if (!(std::abs(step[axis]) <= Tolerance * m_Series.spacing[axis]))
+      const itk::Vector<double, 3> normal =
+        itk::CrossProduct(itk::Vector<double, 3>(file.orientation), itk::Vector<double, 3>(file.orientation + 3));
+      double cosine = 0.0;
+      for (unsigned int axis = 0; axis < 3; ++axis)
       {
-        this->Refuse();
+        cosine += normal[axis] * series.direction(axis, 2);
       }
+      const double degrees = DegreesPerRadian * std::acos(std::min(std::abs(cosine), 1.0));
+      RefusePlanes(file,
+                   degrees < 0.5 ? "rows and columns of its frames have other directions"
+                                 : "its frames are inclined to them by " + NumberText(degrees, 3) + " degrees");
     }
-    return static_cast<std::size_t>(nearest - slices.begin());
   }
-
-private:
-  static constexpr double Tolerance = 0.05; // fraction of a voxel, because some writers round positions
-
-  [[noreturn]] void
-  Refuse() const
+  if (file.columns != series.size[0] || file.rows != series.size[1])
   {
-    throw InputError("\"" + m_File.path +
-                     "\" has frames that do not match the slices of the given series; resample the segmentation to "
-                     "the series, for example in 3D Slicer");
+    RefusePlanes(file,
+                 "its frames have " + Pair(file.columns, file.rows) + " pixels, the slices " +
+                   Pair(series.size[0], series.size[1]));
   }
+  for (unsigned int axis = 0; axis < 2; ++axis)
+  {
+    const double extent = series.size[axis] * std::abs(series.spacing[axis] - file.spacing[axis]);
+    if (!(extent <= PlaneTolerance * series.spacing[axis]))
+    {
+      RefusePlanes(file,
+                   "its pixels have " + Pair(file.spacing[0], file.spacing[1]) + " mm, those of the slices " +
+                     Pair(series.spacing[0], series.spacing[1]) + " mm");
+    }
+  }
+}
 
-  const DicomSegmentationFile & m_File;
-  const DicomSeries &           m_Series;
-};
+/** The slice of a series at the position of a frame; the number of slices if there is none. */
+std::size_t
+SliceOf(const DicomSegmentFrame & frame, const DicomSeries & series)
+{
+  const auto & slices = series.slices;
+  const auto   distance = [&](const DicomSlice & slice) {
+    return frame.position.SquaredEuclideanDistanceTo(slice.imagePosition);
+  };
+  const auto nearest = std::min_element(slices.begin(), slices.end(), [&](const DicomSlice & a, const DicomSlice & b) {
+    return distance(a) < distance(b);
+  });
+  const auto step = series.direction.GetTranspose() * (frame.position - nearest->imagePosition).GetVnlVector();
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    if (!(std::abs(step[axis]) <= PlaneTolerance * series.spacing[axis]))
+    {
+      return slices.size();
+    }
+  }
+  return static_cast<std::size_t>(nearest - slices.begin());
+}
 
 /** The labels of a slice, into which frames are painted. */
 struct Canvas
@@ -511,15 +535,29 @@ RequireSegments(const DicomSegmentationFile & file, const std::vector<int> & num
 std::vector<std::size_t>
 SlicesOf(const DicomSegmentationFile & file, const DicomSeries & series)
 {
-  const SeriesPlanes                    planes(file, series);
+  RequirePlanesOf(file, series);
   std::vector<std::size_t>              slices;
   std::set<std::pair<int, std::size_t>> taken;
+  std::size_t                           outside = 0;
   for (const DicomSegmentFrame & frame : file.frames)
   {
-    slices.push_back(planes.SliceOf(frame));
-    if (!taken.insert({ frame.segment, slices.back() }).second)
+    slices.push_back(SliceOf(frame, series));
+    outside += slices.back() == series.slices.size() ? 1 : 0;
+  }
+  if (outside > 0)
+  {
+    const auto   first = std::find(slices.begin(), slices.end(), series.slices.size()) - slices.begin();
+    const auto & place = file.frames[static_cast<std::size_t>(first)].position;
+    RefusePlanes(file,
+                 std::to_string(outside) + " of its " + std::to_string(slices.size()) +
+                   " frames lie at no slice, the first at (" + NumberText(place[0]) + ", " + NumberText(place[1]) +
+                   ", " + NumberText(place[2]) + ") mm LPS");
+  }
+  for (std::size_t i = 0; i < slices.size(); ++i)
+  {
+    if (!taken.insert({ file.frames[i].segment, slices[i] }).second)
     {
-      throw InputError('"' + file.path + "\" has two frames of segment " + std::to_string(frame.segment) +
+      throw InputError('"' + file.path + "\" has two frames of segment " + std::to_string(file.frames[i].segment) +
                        " in one plane; write it again");
     }
   }

@@ -285,7 +285,39 @@ TEST(DicomSegmentation, RefusesAnotherGrid)
   EXPECT_TRUE(Refuses([&] { WriteDicomSegmentation(other, written.Segments(), HeaderOfTest(), written.path); },
                       "is not on the grid of the series"));
   EXPECT_TRUE(Refuses([&] { ReadDicomSegments(ReadDicomSegmentation(written.path), { 1 }, other); },
-                      "do not match the slices of the given series"));
+                      "does not match the slices of the given series: 15 of its 15 frames lie at no slice"));
+}
+
+TEST(DicomSegmentation, SaysHowItDiffersFromTheSlices)
+{
+  const Written               written(ObliqueFixture());
+  const DicomSegmentationFile file = ReadDicomSegmentation(written.path);
+  const auto                  refuses = [&](const std::function<void(DicomSeries &)> & change, const char * reason) {
+    DicomSource other = written.source;
+    change(other.series);
+    return Refuses([&] { ReadDicomSegments(file, { 1 }, other); }, reason);
+  };
+  EXPECT_TRUE(refuses([](DicomSeries & series) { series.size[0] = 8; }, "frames have 7 x 9 pixels, the slices 8 x 9"));
+  EXPECT_TRUE(refuses([](DicomSeries & series) { series.spacing[0] = 1.5; },
+                      "pixels have 0.75 x 1.25 mm, those of the slices 1.5 x 1.25 mm"));
+  EXPECT_TRUE(refuses(
+    [](DicomSeries & series) {
+      for (unsigned int k = 0; k < 3; ++k)
+      {
+        std::swap(series.direction(k, 0), series.direction(k, 2));
+      }
+    },
+    "frames are inclined to them by 90 degrees"));
+  EXPECT_TRUE(refuses(
+    [](DicomSeries & series) {
+      for (unsigned int k = 0; k < 3; ++k)
+      {
+        series.direction(k, 0) *= -1.0;
+      }
+    },
+    "rows and columns of its frames have other directions"));
+  EXPECT_TRUE(
+    refuses([](DicomSeries & series) { series.slices.resize(3); }, "of its 15 frames lie at no slice, the first at ("));
 }
 
 TEST(DicomSegmentation, RefusesWhatIsNoSegmentation)

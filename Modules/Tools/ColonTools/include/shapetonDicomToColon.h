@@ -50,9 +50,10 @@ VerdictsOfReport(const std::vector<DicomReportPoints> & points,
                  const DicomSource &                    source,
                  Remarks &                              remarks);
 
-/** Point lists, named after their measurements. */
+/** Point lists, named after their measurements. The labels of vertices of lines and of centers of circles say so;
+ * `remarks` receives their numbers. */
 ShapetonColonTools_EXPORT std::vector<Markup>
-                          MarkupsOfReport(const std::vector<DicomReportPoints> & points);
+                          MarkupsOfReport(const std::vector<DicomReportPoints> & points, Remarks & remarks);
 ///@}
 } // namespace shapeton
 

@@ -76,17 +76,32 @@ TableOfSegments(const DicomSegmentationFile & file, const std::vector<int> & num
 }
 
 std::vector<Markup>
-MarkupsOfReport(const std::vector<DicomReportPoints> & points)
+MarkupsOfReport(const std::vector<DicomReportPoints> & points, Remarks & remarks)
 {
-  Markup markup;
+  Markup      markup;
+  std::size_t vertices = 0;
+  std::size_t centers = 0;
   markup.name = "Points of the report";
   for (const DicomReportPoints & one : points)
   {
-    for (const auto & place : one.places)
+    const bool hasVertices = one.type == "POLYLINE" || one.type == "POLYGON";
+    const bool hasCenter = one.type == "CIRCLE" || one.type == "ELLIPSE" || one.type == "ELLIPSOID";
+    vertices += hasVertices ? one.places.size() : 0;
+    centers += hasCenter ? 1 : 0;
+    for (std::size_t i = 0; i < one.places.size(); ++i)
     {
+      const auto & place = one.places[i];
       markup.points.emplace_back(place[0], place[1], place[2]);
-      markup.labels.push_back(one.name);
+      markup.labels.push_back(one.name + (hasVertices ? " (vertex " + std::to_string(i + 1) + ")"
+                                          : hasCenter ? " (center)"
+                                                      : ""));
     }
+  }
+  if (vertices + centers > 0)
+  {
+    remarks.push_back("of " + std::to_string(markup.points.size()) + " markers, " + std::to_string(vertices) +
+                      " are vertices of lines or polygons and " + std::to_string(centers) +
+                      " are centers of circles or ellipses; their labels say so");
   }
   return { markup };
 }

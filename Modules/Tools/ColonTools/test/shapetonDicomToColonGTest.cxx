@@ -65,8 +65,28 @@ TEST(DicomToColon, PointsAreNamedByTheirMeasurements)
   points.name = "lesion 4";
   points.places.resize(2);
   points.places[1][2] = 7.5;
-  const auto markups = MarkupsOfReport({ points });
+  Remarks    remarks;
+  const auto markups = MarkupsOfReport({ points }, remarks);
   ASSERT_EQ(markups.size(), 1u);
   EXPECT_EQ(markups[0].labels, (std::vector<std::string>{ "lesion 4", "lesion 4" }));
+  EXPECT_TRUE(remarks.empty());
   EXPECT_EQ(markups[0].points[1], Eigen::Vector3d(0.0, 0.0, 7.5));
+}
+
+TEST(DicomToColon, VerticesAndCentersAreMarkedAsSuch)
+{
+  DicomReportPoints line;
+  line.name = "ruler";
+  line.type = "POLYLINE";
+  line.places.resize(2);
+  DicomReportPoints circle;
+  circle.name = "region";
+  circle.type = "CIRCLE";
+  circle.places.resize(1);
+  Remarks remarks;
+  EXPECT_EQ(MarkupsOfReport({ line, circle }, remarks)[0].labels,
+            (std::vector<std::string>{ "ruler (vertex 1)", "ruler (vertex 2)", "region (center)" }));
+  EXPECT_EQ(remarks,
+            (Remarks{ "of 3 markers, 2 are vertices of lines or polygons and 1 are centers of circles or ellipses; "
+                      "their labels say so" }));
 }
