@@ -138,6 +138,6 @@ run HeatTransferFunction aneurism.nii.gz aneurysm.nrrd aneurysm.vp --lines 0.081
   --picture aneurysm.png
 panels 2 420 "$(rendering aneurysm-published.png)=p = 7.5, 100,000 steps, as published" "$(rendering aneurysm.png)=ours" \
   "$(slices aneurysm-published.png)" "$(slices aneurysm.png)"
-differs 'Published: p = 7.5, 100,000 steps; these give five classes, which the default colors do not distinguish. Ours, chosen' \
+differs 'Published: p = 7.5, 100,000 steps; these give five classes, in which blob and vessels mix. Ours, chosen' \
   'from the data: p = 8.11. **Agrees:** blob (yellow), large (red) and thin vessels (green) are distinguished, with some' \
   'mixed voxels, as published; heat falls with thickness. **Differs:** we use 1,200 steps.'

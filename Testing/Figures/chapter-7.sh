@@ -17,8 +17,8 @@ run CumulativeHeatDiffusion bonsai.nii.gz bonsai-chosen.nrrd --snapshots 64 --re
 panels 2 480 "$(histogram bonsai/histogram.png)=all heats" "$(histogram bonsai/histogram-range.png)=0.15 to 0.75" \
   "$(rendering bonsai/rendering-range.png)=the lines inside" "$(rendering bonsai-chosen/rendering.png)=chosen parameters"
 differs 'Published: p and steps not printed. Ours: window 0 to 80, p = 8.5 (Table 2.1), 20,000 steps; with this p for the whole' \
-  'window, all heat leaks within 300,000 steps. Below right: chosen from the data. **Agrees:** tree and pot are found.' \
-  '**Differs:** the default colors do not distinguish them. See [histograms that open' \
+  'window, all heat leaks within 300,000 steps. Below right: chosen from the data. **Agrees:** trunk and pot have different lines.' \
+  '**Differs:** with chosen parameters, many branches have no line. See [histograms that open' \
   'up](heat-diffusion.md#histograms-that-open-up).'
 
 figure 7.2-head 'ventricles of an MR head, opened up'
