@@ -4,6 +4,8 @@
 #include "shapetonJsonForward.h"
 #include "shapetonSurfaceConnectivity.h"
 
+#include <array>
+
 namespace shapeton
 {
 /** Defects of a surface, as ascending indices. RepairSurface() repairs all except zeroAreaFaces.
@@ -19,7 +21,7 @@ struct SurfaceDefects
   std::vector<int> duplicateFaces;
   /** Vertices not used by any face. */
   std::vector<int> unreferencedVertices;
-  /** Vertices at exactly the position of an earlier one. */
+  /** Vertices at the position of an earlier one, within 1e-9 of the largest extent. */
   std::vector<int> coincidentVertices;
   /** Edges (of SurfaceConnectivity) with more than two faces. */
   std::vector<int> nonManifoldEdges;
@@ -83,6 +85,11 @@ struct SurfaceQuality
   /** Longest side over 2 sqrt(3) inscribed radii: 1 for an equilateral triangle. Zero-area faces are skipped. */
   SurfaceStatistics aspectRatio;
   SurfaceDefects    defects;
+  /** Ends of SurfaceDefects::nonManifoldEdges. */
+  std::vector<std::array<Eigen::Vector3d, 2>> nonManifoldEdges;
+  /** The components that RepairSurface() returns, which tools compute with; empty if there are neither coincident nor
+   * non-manifold vertices, because the repair then keeps the topology. */
+  std::vector<SurfaceComponent> componentsAfterRepair;
 };
 
 /** Computes the statistics of a surface in linear time and memory. Throws InputError as RequireSound() does.
@@ -104,8 +111,9 @@ EnclosedVolume(const VertexMatrix & V, const FaceMatrix & F);
  * vertices, edges, boundaryLoops, eulerCharacteristic, manifold, orientable, genus), boundaryLoops (a list of
  * vertices, length), edgeLength, smallestAngle, largestAngle, aspectRatio (minimum, percentile1, median, percentile99,
  * maximum), defects (counts: degenerateFaces, zeroAreaFaces, duplicateFaces, unreferencedVertices, coincidentVertices,
- * nonManifoldEdges, nonManifoldVertices, inconsistentEdges). Numbers are rounded to 9 significant digits.
- * \ingroup ShapetonSurfaceMesh */
+ * nonManifoldEdges, nonManifoldVertices, inconsistentEdges), nonManifoldEdges (a list of at most ten, each with the
+ * coordinates of both ends), componentsAfterRepair (a list like components; null if equal to it). Numbers are rounded
+ * to 9 significant digits. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT Json
 SurfaceQualityToJson(const SurfaceQuality & quality);
 

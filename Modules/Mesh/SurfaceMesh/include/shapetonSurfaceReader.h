@@ -34,8 +34,8 @@ struct SurfaceFile
  *
  * - Polygons are triangulated (ear clipping), and triangle strips and fans are split; points and lines are skipped with
  *   a note.
- * - STL stores corners only, and glTF repeats vertices along seams: vertices at equal positions are merged. Other
- *   formats keep their vertices.
+ * - STL stores corners only, and glTF repeats vertices along seams: vertices at equal positions (within 1e-9 of the
+ *   largest extent, the rounding of transforms) are merged. Other formats keep their vertices.
  * - glTF: the unit is the meter, as its standard requires. Node transforms are applied. Axes are kept (y is NOT rotated
  *   to z), as is the corner order, unless a transform mirrors the mesh. Skinned and morphed meshes are read in their
  *   rest pose. Draco and meshopt compression and sparse accessors are rejected.

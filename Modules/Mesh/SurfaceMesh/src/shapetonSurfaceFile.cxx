@@ -162,7 +162,7 @@ SurfaceOfPolygons(PolygonSurface && polygons, const std::string & path)
   }
   if (polygons.repeatsVertices)
   {
-    MergeVertices(file.mesh, 0.0);
+    MergeVertices(file.mesh);
   }
   return file;
 }

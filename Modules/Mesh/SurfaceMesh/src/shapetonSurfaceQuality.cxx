@@ -1,4 +1,6 @@
 #include "shapetonSurfaceQuality.h"
+#include "shapetonSurfaceRepair.h"
+#include "shapetonVertexMerging.h"
 #include "shapetonParallelFor.h"
 #include "shapetonPi.h"
 #include "shapetonQuantiles.h"
@@ -88,27 +90,17 @@ DuplicateFaces(const FaceMatrix & F, const SurfaceConnectivity & connectivity)
 }
 
 std::vector<int>
-CoincidentVertices(const VertexMatrix & V)
+CoincidentVertices(const SurfaceMesh & mesh)
 {
-  std::vector<std::pair<std::array<double, 3>, int>> places;
-  places.reserve(V.rows());
-  for (int v = 0; v < V.rows(); ++v)
+  const std::vector<int> firsts = FirstAtPosition(mesh);
+  std::vector<int>       coincident;
+  for (int v = 0; v < mesh.NumberOfVertices(); ++v)
   {
-    if (V.row(v).allFinite()) // other vertices may have any position
+    if (firsts[v] != v)
     {
-      places.emplace_back(std::array<double, 3>{ V(v, 0), V(v, 1), V(v, 2) }, v);
+      coincident.push_back(v);
     }
   }
-  std::sort(places.begin(), places.end());
-  std::vector<int> coincident;
-  for (std::size_t i = 1; i < places.size(); ++i)
-  {
-    if (places[i].first == places[i - 1].first)
-    {
-      coincident.push_back(places[i].second);
-    }
-  }
-  std::sort(coincident.begin(), coincident.end());
   return coincident;
 }
 
@@ -228,7 +220,7 @@ FindSurfaceDefects(const SurfaceMesh & mesh, const SurfaceConnectivity & connect
   }
   defects.duplicateFaces = DuplicateFaces(mesh.F, connectivity);
   defects.unreferencedVertices = UnreferencedVertices(mesh);
-  defects.coincidentVertices = CoincidentVertices(mesh.V);
+  defects.coincidentVertices = CoincidentVertices(mesh);
   for (int e = 0; e < connectivity.NumberOfEdges(); ++e)
   {
     if (connectivity.IsNonManifoldEdge(e))
@@ -317,6 +309,15 @@ InspectSurface(const SurfaceMesh & mesh)
   MeasureEdges(mesh, connectivity, quality);
   MeasureFaces(mesh, quality);
   quality.defects = FindSurfaceDefects(mesh, connectivity);
+  for (const int edge : quality.defects.nonManifoldEdges)
+  {
+    const auto & ends = connectivity.VerticesOfEdge(edge);
+    quality.nonManifoldEdges.push_back({ mesh.V.row(ends[0]), mesh.V.row(ends[1]) });
+  }
+  if (!quality.defects.coincidentVertices.empty() || !quality.defects.nonManifoldVertices.empty())
+  {
+    quality.componentsAfterRepair = SurfaceConnectivity(RepairSurface(mesh)).Components();
+  }
   return quality;
 }
 } // namespace shapeton

@@ -123,14 +123,43 @@ More(std::size_t number)
 }
 
 std::string
-ListOfComponents(const SurfaceQuality & quality)
+ListOfComponents(const std::string & name, const std::vector<SurfaceComponent> & components)
 {
-  std::string text = Line("Components", std::to_string(quality.components.size()));
-  for (std::size_t i = 0; i < std::min(quality.components.size(), MostLines); ++i)
+  std::string text = Line(name, std::to_string(components.size()));
+  for (std::size_t i = 0; i < std::min(components.size(), MostLines); ++i)
   {
-    text += Line("", std::to_string(i + 1) + ": " + Text(quality.components[i]));
+    text += Line("", std::to_string(i + 1) + ": " + Text(components[i]));
   }
-  return text + More(quality.components.size());
+  return text + More(components.size());
+}
+
+Json
+ToJson(const std::vector<SurfaceComponent> & components)
+{
+  Json list = Json::array();
+  for (const SurfaceComponent & component : components)
+  {
+    list.push_back(ToJson(component));
+  }
+  return list;
+}
+
+std::string
+Text(const Eigen::Vector3d & place)
+{
+  return "(" + Short(place[0]) + ", " + Short(place[1]) + ", " + Short(place[2]) + ")";
+}
+
+std::string
+ListOfNonManifoldEdges(const SurfaceQuality & quality)
+{
+  std::string text;
+  for (std::size_t i = 0; i < std::min(quality.nonManifoldEdges.size(), MostLines); ++i)
+  {
+    const auto & ends = quality.nonManifoldEdges[i];
+    text += Line(i == 0 ? "Not manifold" : "", "edge from " + Text(ends[0]) + " to " + Text(ends[1]) + " mm");
+  }
+  return text + More(quality.nonManifoldEdges.size());
 }
 
 std::string
@@ -178,11 +207,9 @@ SurfaceQualityToJson(const SurfaceQuality & quality)
   json["extent"] = ToJson(quality.highestCorner - quality.lowestCorner);
   json["lowestCorner"] = ToJson(quality.lowestCorner);
   json["highestCorner"] = ToJson(quality.highestCorner);
-  json["components"] = Json::array();
-  for (const SurfaceComponent & component : quality.components)
-  {
-    json["components"].push_back(ToJson(component));
-  }
+  json["components"] = ToJson(quality.components);
+  json["componentsAfterRepair"] =
+    quality.componentsAfterRepair.empty() ? Json(nullptr) : ToJson(quality.componentsAfterRepair);
   json["boundaryLoops"] = Json::array();
   for (std::size_t i = 0; i < quality.boundaryLoopLengths.size(); ++i)
   {
@@ -198,6 +225,12 @@ SurfaceQualityToJson(const SurfaceQuality & quality)
   for (const DefectCount & defect : CountsOf(quality.defects))
   {
     json["defects"][defect.key] = defect.count;
+  }
+  json["nonManifoldEdges"] = Json::array();
+  for (std::size_t i = 0; i < std::min(quality.nonManifoldEdges.size(), MostLines); ++i)
+  {
+    json["nonManifoldEdges"].push_back(
+      { ToJson(quality.nonManifoldEdges[i][0]), ToJson(quality.nonManifoldEdges[i][1]) });
   }
   return json;
 }
@@ -215,7 +248,7 @@ FormatSurfaceQuality(const SurfaceQuality & quality)
   text += Line("Kind", kind);
   text += Line("Euler number", std::to_string(quality.eulerCharacteristic));
   text += Line("Genus", quality.genus ? std::to_string(*quality.genus) : "not defined");
-  text += ListOfComponents(quality);
+  text += ListOfComponents("Components", quality.components);
   text += ListOfLoops(quality);
   text += Line("Extent", Short(extent[0]) + " x " + Short(extent[1]) + " x " + Short(extent[2]) + " mm");
   text += Line("Area", Short(quality.area) + " mm^2");
@@ -224,6 +257,8 @@ FormatSurfaceQuality(const SurfaceQuality & quality)
   text += Line("Smallest angles", Text(quality.smallestAngle, " degrees"));
   text += Line("Largest angles", Text(quality.largestAngle, " degrees"));
   text += Line("Aspect ratios", Text(quality.aspectRatio, ""));
-  return text + ListOfDefects(quality.defects);
+  text += ListOfDefects(quality.defects) + ListOfNonManifoldEdges(quality);
+  return quality.componentsAfterRepair.empty() ? text
+                                               : text + ListOfComponents("After repair", quality.componentsAfterRepair);
 }
 } // namespace shapeton

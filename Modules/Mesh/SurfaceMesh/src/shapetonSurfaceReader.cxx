@@ -6,6 +6,7 @@
 #include "shapetonSurfaceFormats.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonSurfaceRepair.h"
+#include "shapetonVertexMerging.h"
 #include "shapetonExceptions.h"
 
 #include <algorithm>
@@ -140,19 +141,14 @@ TextOfNonManifoldEdges(const SurfaceMesh & mesh, const SurfaceConnectivity & con
 void
 JoinSeams(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, DisjointSets<> & sets)
 {
-  using Position = std::array<double, 3>;
-  std::map<std::pair<Position, Position>, std::vector<int>> facesBetween;
+  const std::vector<int>                          firsts = FirstAtPosition(mesh);
+  std::map<std::pair<int, int>, std::vector<int>> facesBetween;
   for (int edge = 0; edge < connectivity.NumberOfEdges(); ++edge)
   {
     if (connectivity.IsBoundaryEdge(edge))
     {
-      Position ends[2];
-      for (int i = 0; i < 2; ++i)
-      {
-        const int vertex = connectivity.VerticesOfEdge(edge)[i];
-        ends[i] = { mesh.V(vertex, 0), mesh.V(vertex, 1), mesh.V(vertex, 2) };
-      }
-      facesBetween[std::minmax(ends[0], ends[1])].push_back(connectivity.FacesOfEdge(edge)[0]);
+      const auto & ends = connectivity.VerticesOfEdge(edge);
+      facesBetween[std::minmax(firsts[ends[0]], firsts[ends[1]])].push_back(connectivity.FacesOfEdge(edge)[0]);
     }
   }
   for (const auto & between : facesBetween)
@@ -291,7 +287,16 @@ TakeComponent(SurfaceFile & file, const SurfaceReadOptions & options, bool isCut
     file.notes.push_back(TextOfNonManifoldEdges(file.mesh, connectivity) + "; after cutting there it has " +
                          std::to_string(count) + " components: " + ListOfComponents(file.mesh, components));
   }
+  else if (isCut && !isManifold)
+  {
+    const std::string edges = TextOfNonManifoldEdges(file.mesh, connectivity);
+    if (!edges.empty())
+    {
+      file.notes.push_back(edges + "; it was cut there, which adds boundaries");
+    }
+  }
 }
+
 Surface
 ReadChosen(const std::string & path, const SurfaceReadOptions & options, bool isCut)
 {

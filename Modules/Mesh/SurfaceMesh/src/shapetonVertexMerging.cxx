@@ -2,7 +2,9 @@
 
 #include "shapetonDisjointSets.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <unordered_map>
@@ -28,70 +30,76 @@ struct HashOfCell
   }
 };
 
-/** Equal positions, hashed by their bits; -0 equals 0. */
-void
-JoinEqual(const VertexMatrix & V, DisjointSets<> & groups)
+/** Vertices in cubic cells. */
+class VertexCells
 {
-  std::unordered_map<Cell, int, HashOfCell> first;
-  first.reserve(V.rows());
-  for (int v = 0; v < V.rows(); ++v)
+public:
+  VertexCells(const SurfaceMesh & mesh, double side)
+    : m_V(mesh.V), m_Corner(CornersOfFaces(mesh)[0]), m_Side(side), m_Next(mesh.V.rows(), -1)
   {
-    Cell key;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double value = V(v, axis) + 0.0;
-      static_assert(sizeof(value) == sizeof(key[0]), "a double has 64 bits");
-      std::copy_n(reinterpret_cast<const char *>(&value), sizeof(value), reinterpret_cast<char *>(&key[axis]));
-    }
-    const auto [place, isNew] = first.emplace(key, v);
+    m_First.reserve(mesh.V.rows());
+  }
+
+  void
+  Add(int v)
+  {
+    const auto [place, isNew] = m_First.emplace(this->CellOf(v), v);
     if (!isNew)
     {
-      groups.Join(place->second, v);
+      m_Next[v] = place->second;
+      place->second = v;
     }
   }
-}
 
-/** Close positions: each vertex is compared with those in the 27 surrounding cells of side `distance`. */
-void
-JoinNear(const VertexMatrix & V, double distance, DisjointSets<> & groups)
-{
-  const auto         isPosition = [&](int v) { return V.row(v).allFinite(); };
-  Eigen::RowVector3d corner = Eigen::RowVector3d::Constant(std::numeric_limits<double>::infinity());
-  for (int v = 0; v < V.rows(); ++v)
+  /** Calls visit(w) for the added vertices in the cells up to `distance` around v, which is at most the side. */
+  template <typename TVisit>
+  void
+  VisitNear(int v, double distance, const TVisit & visit) const
   {
-    if (isPosition(v))
-    {
-      corner = corner.cwiseMin(V.row(v));
-    }
-  }
-  std::unordered_map<Cell, std::vector<int>, HashOfCell> cells;
-  for (int v = 0; v < V.rows(); ++v)
-  {
-    if (!isPosition(v))
-    {
-      continue;
-    }
-    constexpr double farthest = 1e15;
-    Cell             own;
+    const Cell own = this->CellOf(v);
+    int        low[3], high[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      // Far cells are clamped: they only become larger, and all their vertices are compared.
-      own[axis] = static_cast<std::int64_t>(std::min((V(v, axis) - corner[axis]) / distance, farthest));
+      const double place = m_V(v, axis) - m_Corner[axis] - static_cast<double>(own[axis]) * m_Side;
+      low[axis] = place > distance ? 0 : -1;
+      high[axis] = m_Side - place > distance ? 0 : 1;
     }
-    for (int i = 0; i < 27; ++i)
+    for (int i = low[0]; i <= high[0]; ++i)
     {
-      const auto near = cells.find({ own[0] + i % 3 - 1, own[1] + i / 3 % 3 - 1, own[2] + i / 9 - 1 });
-      for (std::size_t k = 0; near != cells.end() && k < near->second.size(); ++k)
+      for (int j = low[1]; j <= high[1]; ++j)
       {
-        if ((V.row(near->second[k]) - V.row(v)).squaredNorm() <= distance * distance)
+        for (int k = low[2]; k <= high[2]; ++k)
         {
-          groups.Join(near->second[k], v);
+          const auto near = m_First.find({ own[0] + i, own[1] + j, own[2] + k });
+          for (int w = near == m_First.end() ? -1 : near->second; w >= 0; w = m_Next[w])
+          {
+            visit(w);
+          }
         }
       }
     }
-    cells[own].push_back(v);
   }
-}
+
+private:
+  Cell
+  CellOf(int v) const
+  {
+    constexpr double farthest = 1e15; // farther cells are one cell, whose vertices are all compared
+    Cell             cell;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      cell[axis] = static_cast<std::int64_t>(
+        std::floor(std::clamp((m_V(v, axis) - m_Corner[axis]) / m_Side, -farthest, farthest)));
+    }
+    return cell;
+  }
+
+  const VertexMatrix &                      m_V;
+  Eigen::RowVector3d                        m_Corner;
+  double                                    m_Side;
+  std::unordered_map<Cell, int, HashOfCell> m_First;
+  std::vector<int>                          m_Next;
+};
 
 void
 KeepRows(SurfaceMesh & mesh, const std::vector<int> & kept)
@@ -113,28 +121,52 @@ KeepRows(SurfaceMesh & mesh, const std::vector<int> & kept)
 }
 } // namespace
 
+std::vector<int>
+FirstAtPosition(const SurfaceMesh & mesh, double distance)
+{
+  const auto       corners = CornersOfFaces(mesh);
+  const double     tolerance = CoincidentPositions * (corners[1] - corners[0]).maxCoeff();
+  const double     reach = std::max({ distance, tolerance, std::numeric_limits<double>::min() });
+  constexpr double cells = 1000.0;        // tolerances per side of a cell; few vertices then lie near another cell
+  DisjointSets     groups(mesh.V.rows()); // represented by the lowest vertex
+  VertexCells      placed(mesh, std::max(reach, cells * tolerance));
+  for (int v = 0; v < mesh.NumberOfVertices(); ++v)
+  {
+    if (mesh.V.row(v).allFinite()) // others belong to no face
+    {
+      placed.VisitNear(v, reach, [&](int w) {
+        if ((mesh.V.row(w) - mesh.V.row(v)).squaredNorm() <= reach * reach)
+        {
+          groups.Join(w, v);
+        }
+      });
+      placed.Add(v);
+    }
+  }
+  std::vector<int> first(mesh.V.rows());
+  for (int v = 0; v < mesh.NumberOfVertices(); ++v)
+  {
+    first[v] = groups.Find(v); // at most v
+  }
+  return first;
+}
+
 int
 MergeVertices(SurfaceMesh & mesh, double distance)
 {
-  DisjointSets groups(mesh.V.rows()); // represented by the lowest vertex
-  JoinEqual(mesh.V, groups);
-  if (distance > 0.0)
-  {
-    JoinNear(mesh.V, distance, groups);
-  }
-  std::vector<int> newIndex(mesh.V.rows());
-  std::vector<int> kept;
+  const std::vector<int> firsts = FirstAtPosition(mesh, distance);
+  std::vector<int>       newIndex(mesh.V.rows());
+  std::vector<int>       kept;
   for (int v = 0; v < mesh.NumberOfVertices(); ++v)
   {
-    const int first = groups.Find(v); // at most v
-    if (first == v)
+    if (firsts[v] == v)
     {
       newIndex[v] = static_cast<int>(kept.size());
       kept.push_back(v);
     }
     else
     {
-      newIndex[v] = newIndex[first];
+      newIndex[v] = newIndex[firsts[v]];
     }
   }
   const int merged = mesh.NumberOfVertices() - static_cast<int>(kept.size());

@@ -123,6 +123,29 @@ TEST(SurfaceQuality, UnsoundSurfacesAreRefused)
   EXPECT_THROW(shapeton::InspectSurface(mesh), shapeton::InputError);
 }
 
+// A tube split into coincident halves, and two tetrahedra that share an edge.
+TEST(SurfaceQuality, NumbersAfterRepairAreStatedToo)
+{
+  shapeton::SurfaceMesh two = Together({ Cylinder(6, 5, 3, 9), Cylinder(6, 5, 3, 9) });
+  two.V.bottomRows(two.NumberOfVertices() / 2).col(2).array() += 9.0;
+  const shapeton::SurfaceQuality split = shapeton::InspectSurface(two);
+  EXPECT_EQ(split.components.size(), 2u);
+  EXPECT_EQ(split.boundaryLoopLengths.size(), 4u);
+  ASSERT_EQ(split.componentsAfterRepair.size(), 1u);
+  EXPECT_EQ(split.componentsAfterRepair[0].boundaryLoops, 2);
+  EXPECT_EQ(shapeton::SurfaceQualityToJson(split).at("componentsAfterRepair").size(), 1u);
+
+  const shapeton::SurfaceQuality edge = shapeton::InspectSurface(FromLists(
+    { { 0, 0, 0 }, { 0, 0, 9 }, { 5, 1, 4 }, { 5, -1, 4 }, { -5, 1, 4 }, { -5, -1, 4 } },
+    { { 0, 1, 2 }, { 0, 3, 1 }, { 0, 2, 3 }, { 1, 3, 2 }, { 0, 4, 1 }, { 0, 1, 5 }, { 0, 5, 4 }, { 1, 4, 5 } }));
+  ASSERT_EQ(edge.nonManifoldEdges.size(), 1u);
+  EXPECT_EQ(edge.nonManifoldEdges[0][1], Eigen::Vector3d(0, 0, 9));
+  EXPECT_EQ(edge.componentsAfterRepair.size(), 2u);
+  const std::string text = shapeton::FormatSurfaceQuality(edge);
+  EXPECT_NE(text.find("Not manifold    edge from (0, 0, 0) to (0, 0, 9) mm"), std::string::npos) << text;
+  EXPECT_NE(text.find("After repair    2"), std::string::npos) << text;
+}
+
 TEST(SurfaceQuality, JsonAndTextSayTheSame)
 {
   const shapeton::SurfaceQuality quality = shapeton::InspectSurface(Cylinder(6, 2, 3.0, 4.0));

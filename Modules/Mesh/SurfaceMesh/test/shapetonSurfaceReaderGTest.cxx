@@ -69,6 +69,45 @@ TEST(SurfaceReader, SeamsDoNotSplitASurface)
   }
 }
 
+// Transforms of glTF nodes round differently: 0.1 + 0.2 is not 0.3.
+TEST(SurfaceReader, SeamsThatDifferByRoundingAreSeams)
+{
+  const shapeton::SurfaceMesh tube = Cylinder(12, 10, 20, 90);
+  shapeton::SurfaceMesh       split = WithSeam(tube, [](int f) { return f >= 5 * 24; });
+  const Folder                folder;
+  for (const double factor : { 1.0 + 4e-16, 1.0 + 1e-12, 1.0 + 1e-7 })
+  {
+    shapeton::SurfaceMesh moved = split;
+    moved.V.bottomRows(split.NumberOfVertices() - tube.NumberOfVertices()) *= factor;
+    shapeton::WriteSurface(moved, folder / "a.vtp");
+    shapeton::SurfaceReadOptions options;
+    options.component = 2;
+    const bool isOne = FaultOfReading(folder / "a.vtp", options).find("there are 1") != std::string::npos;
+    EXPECT_EQ(isOne, factor < 1.0 + 1e-8) << factor;
+    if (isOne)
+    {
+      const shapeton::Surface repaired = shapeton::ReadRepairedSurface(folder / "a.vtp");
+      EXPECT_EQ(repaired.mesh.NumberOfVertices(), tube.NumberOfVertices());
+      EXPECT_EQ(shapeton::SurfaceConnectivity(repaired.mesh).BoundaryLoops().size(), 2u);
+    }
+  }
+}
+
+TEST(SurfaceReader, ACutAtAnEdgeOfMoreFacesIsNoted)
+{
+  const Folder folder;
+  // Two open tetrahedra with a common edge, joined beside it by a triangle.
+  shapeton::WriteSurface(
+    FromLists({ { 0, 0, 0 }, { 0, 0, 20 }, { 20, 5, 10 }, { 20, -5, 10 }, { -20, 5, 10 }, { -20, -5, 10 } },
+              { { 0, 1, 2 }, { 0, 3, 1 }, { 0, 4, 1 }, { 0, 1, 5 }, { 2, 1, 3 }, { 4, 5, 1 }, { 0, 2, 4 } }),
+    folder / "a.ply");
+  const shapeton::Surface surface = shapeton::ReadRepairedSurface(folder / "a.ply");
+  ASSERT_EQ(surface.notes.size(), 1u);
+  EXPECT_EQ(surface.notes[0],
+            "it is not manifold: 1 edge has more than two faces, the first from (0, 0, 0) to (0, 0, 20) mm; it was cut "
+            "there, which adds boundaries");
+}
+
 TEST(SurfaceReader, ClosedSurfacesThatTouchAreTwo)
 {
   shapeton::SurfaceMesh beside = CubeOfSixSquares(20);
