@@ -121,7 +121,7 @@ private:
         this->Advance();
         return {};
       }
-      return this->ReadChain(this->NodeOf(name));
+      return this->ReadChain(this->NodesFrom(name));
     }
     return this->ReadChain(this->ReadEnd());
   }
@@ -138,7 +138,22 @@ private:
     return { m_Builder.NodeOf(name.text) };
   }
 
-  /** An end of an edge: a node or a subgraph. */
+  /** The nodes of a list separated by commas, whose first name was just read. */
+  Nodes
+  NodesFrom(const DotToken & first)
+  {
+    Nodes nodes = this->NodeOf(first);
+    while (this->SkipSymbol(","))
+    {
+      this->Expect(m_Token.IsName() && !m_Token.IsKeyword("subgraph"), "a node");
+      const DotToken name = m_Token;
+      this->Advance();
+      nodes.push_back(this->NodeOf(name).front());
+    }
+    return nodes;
+  }
+
+  /** An end of an edge: a list of nodes or a subgraph. */
   Nodes
   ReadEnd()
   {
@@ -146,7 +161,7 @@ private:
     {
       const DotToken name = m_Token;
       this->Advance();
-      return this->NodeOf(name);
+      return this->NodesFrom(name);
     }
     if (this->SkipKeyword("subgraph") && m_Token.IsName())
     {

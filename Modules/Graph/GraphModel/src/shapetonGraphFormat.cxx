@@ -98,9 +98,60 @@ FormatOfContent(std::string_view bytes)
   return first == "p" ? &PaceFormat : nullptr;
 }
 
+/** A format that is recognized but not read. */
+struct OtherFormat
+{
+  std::string_view start; ///< of the first word, in lower case
+  std::string_view name;
+  std::string_view advice;
+};
+
+void
+RefuseOtherFormats(const GraphText & text)
+{
+  constexpr std::string_view networkx = "convert it to GraphML, for example with networkx (read_pajek, write_graphml)";
+  constexpr std::string_view igraph = "convert it to GraphML, for example with igraph (read.graph, write.graph)";
+  constexpr std::string_view edges = "write its edges without direction as an edge list, two node names per line";
+  constexpr OtherFormat      others[]{ { "*vertices", "Pajek", networkx },
+                                       { "*network", "Pajek", networkx },
+                                       { "dl", "DL of UCINET", igraph },
+                                       { "graph:", "VCG", "convert it to DOT, for example with graph-easy --as=graphviz" },
+                                       { ">>digraph6<<", "digraph6, whose graph is directed", edges },
+                                       { "&", "digraph6, whose graph is directed", edges } };
+  LineReader                 lines(text.bytes);
+  std::string_view           line;
+  while (lines.Next(line) && Words(line).empty())
+  {}
+  const std::vector<std::string_view> words = Words(line, ",=");
+  const std::string_view              first = words.empty() ? std::string_view() : words[0];
+  for (const OtherFormat & other : others)
+  {
+    const bool isAmbiguous = other.start == "dl" ? words.size() > 1 && !EqualWithoutCase(words[1], "n")
+                                                 : other.start == "&" && words.size() > 1;
+    const bool isWord = other.start != "dl" || first.size() == other.start.size();
+    if (isWord && !isAmbiguous && EqualWithoutCase(first.substr(0, other.start.size()), other.start))
+    {
+      text.Refuse(0, "the format is " + std::string(other.name) + ", which is not read", std::string(other.advice));
+    }
+  }
+}
+
 void
 RequireText(const GraphText & text)
 {
+  const std::pair<std::string_view, const char *> archives[]{ { "\x1F\x8B", "gunzip" },
+                                                              { "BZh", "bunzip2" },
+                                                              { "\xFD"
+                                                                "7zXZ",
+                                                                "unxz" },
+                                                              { "PK\3\4", "unzip" } };
+  for (const auto & [magic, program] : archives)
+  {
+    text.Require(!StartsWith(text.bytes, magic),
+                 0,
+                 "the file is compressed",
+                 std::string("decompress it, for example with ") + program);
+  }
   text.Require(text.bytes.find_first_not_of(" \t\r\n\f\v") != std::string::npos,
                0,
                "the file is empty",
@@ -120,6 +171,7 @@ GraphFormat
 FormatOf(const GraphText & text)
 {
   RequireText(text);
+  RefuseOtherFormats(text);
   if (const GraphFormat * const format = FormatOfContent(text.bytes))
   {
     return *format;

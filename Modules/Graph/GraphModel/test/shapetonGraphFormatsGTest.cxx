@@ -53,6 +53,13 @@ TEST(Dot, ChainsSubgraphsPortsAndQuotes)
   EXPECT_EQ("-1.5-<<b>x</b>> (-1.5 <<b>x</b>>)", AnswerTo("a.gv", "graph { -1.5 -- <<b>x</b>> /* c */ }"));
 }
 
+TEST(Dot, ListsOfNodes)
+{
+  EXPECT_EQ("a-c b-c (a b c)", AnswerTo("a.gv", "graph { a, b -- c }"));
+  EXPECT_EQ("a-c a-d b-c b-d (a b c d e)", AnswerTo("a.gv", "graph { a, b:n -- c, \"d\" [w=1]; d, e [shape=box] }"));
+  EXPECT_EQ("InputError", AnswerTo("a.gv", "graph { a, -- c }").substr(0, 10));
+}
+
 TEST(Dot, CommentsOfEachKind)
 {
   EXPECT_EQ("a-b b-c (a b c)",

@@ -44,6 +44,19 @@ TEST(GraphRefusals, EmptyAndBinaryFiles)
                   { "a.edges", "# nothing\n", "the graph has no nodes" } });
 }
 
+TEST(GraphRefusals, FormatsThatAreNotReadAreNamed)
+{
+  ExpectRefused({ { "a.net", "*Vertices 2\n1 \"a\"\n2 \"b\"\n*Edges\n1 2\n", "the format is Pajek" },
+                  { "a.edges", "\n*network x\n*vertices 2\n", "with networkx" },
+                  { "a.txt", "DL N = 2\nformat = edgelist1\ndata:\n1 2\n", "the format is DL of UCINET" },
+                  { "a.dl", "dl n=2 format=edgelist1\ndata:\n1 2\n", "the format is DL of UCINET" },
+                  { "a.vcg", "graph: { node: { title: \"a\" } }\n", "the format is VCG" },
+                  { "a.d6", "&BP_\n", "the format is digraph6" },
+                  { "a.graphml", "\x1F\x8B\x08", "the file is compressed; decompress it, for example with gunzip" },
+                  { "a.dot", "BZh9", "with bunzip2" } });
+  EXPECT_EQ(AnswerTo("a.edges", "dl &x\n&x b\n"), "dl-&x &x-b (dl &x b)"); // names, not formats
+}
+
 TEST(GraphRefusals, DirectedGraphs)
 {
   ExpectRefused(
