@@ -304,13 +304,24 @@ RaiseGenus(const Graph & graph, const CombinatorialMap & map, int genus)
 void
 RequireGenus(int genus, const SurfaceEmbedding & least, const CombinatorialMap & greatest)
 {
-  if (greatest.Genus() != genus)
+  if (greatest.Genus() == genus)
   {
-    throw InputError("no embedding of genus " + std::to_string(genus) + " was found, only genus " +
-                     std::to_string(least.map.Genus()) + " to " + std::to_string(greatest.Genus()) +
-                     (genus < least.lowerBound ? "; the lower bound is " + std::to_string(least.lowerBound) : "") +
-                     "; choose one of these");
+    return;
   }
+  const std::string bound = "the lower bound is " + std::to_string(least.lowerBound);
+  const std::string found = std::to_string(least.map.Genus());
+  const std::string wanted = "no embedding of genus " + std::to_string(genus);
+  if (genus < least.lowerBound)
+  {
+    throw InputError(wanted + " exists: " + bound + ", and the smallest genus found is " + found + "; choose that one");
+  }
+  throw InputError(wanted + " was found: the search found " +
+                   (genus < least.map.Genus()
+                      ? found + " or more; " + bound +
+                          ", so a smaller genus is not excluded; try another parameter "
+                          "\"seed\", or choose " +
+                          found
+                      : "genus " + found + " to " + std::to_string(greatest.Genus()) + "; choose one of these"));
 }
 } // namespace
 
