@@ -111,7 +111,7 @@ WriteProbabilities(CommandLine & commandLine, const FilterType * filter, const V
 }
 
 void
-Segment(CommandLine & commandLine)
+LabelVoxels(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
   const Volume volume = ReadVolume(commandLine, "inputVolume");
@@ -124,8 +124,13 @@ Segment(CommandLine & commandLine)
   commandLine.Watch(filter, "Diffusing heat from the seeds", 0.0, 0.95);
   filter->Update();
   commandLine.Warn(filter->GetRemarks());
-  WriteSeededLabels(
-    filter->GetOutput(), filter->GetLabelValues(), commandLine.MainOutput("outputLabels"), commandLine.GetProvenance());
+  const std::string    path = commandLine.MainOutput("outputLabels");
+  std::vector<Segment> segments;
+  if (commandLine.GetString("automaticSeeds") != "components")
+  {
+    segments = SegmentsOfFile(commandLine.GetString("seeds"));
+  }
+  WriteSeededLabels(filter->GetOutput(), filter->GetLabelValues(), segments, path, commandLine.GetProvenance());
   const auto metadata = ProvenanceMetadata(commandLine.GetProvenance());
   if (commandLine.IsGiven("uncertainty"))
   {
@@ -141,5 +146,5 @@ Segment(CommandLine & commandLine)
 int
 main(int argc, char * argv[])
 {
-  return CommandLine::Run(ToolXML, argc, argv, Segment);
+  return CommandLine::Run(ToolXML, argc, argv, LabelVoxels);
 }

@@ -265,6 +265,14 @@ NrrdFrame::NrrdFrame(const std::string & path)
 {
   const TextHeader header = ReadNrrdHeader(path);
   RequireFields(path, header);
+  const std::vector<std::string> kinds = WordsOf(header.ValueOf("kinds", ':'));
+  const std::string              layers = WordsOf(header.ValueOf("sizes", ':')).front();
+  if (!header.ValueOf("segment0_id", ':').empty() && !kinds.empty() && kinds.front() == "list" && layers != "1")
+  {
+    ThrowUnsuitable(path,
+                    "its segments overlap and are stored in " + Printable(layers) +
+                      " layers; export them as a label map, or segments that do not overlap");
+  }
   RequireNumbers(path, header, "space directions", { "none" });
   RequireNumbers(path, header, "space origin", {});
   RequireNumbers(path, header, "spacings", { "nan" });

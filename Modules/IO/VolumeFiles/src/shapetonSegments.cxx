@@ -1,6 +1,13 @@
 #include "shapetonSegments.h"
 
 #include "shapetonCsvTable.h"
+#include "shapetonPrintable.h"
+#include "shapetonStoredVoxels.h"
+#include "shapetonTextHeader.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
 
 namespace shapeton
 {
@@ -45,8 +52,42 @@ SegmentMetadata(const itk::ImageBase<3> * labels, const std::vector<Segment> & s
                       { key + "LabelValue", std::to_string(segment.label) },
                       { key + "Layer", "0" },
                       { key + "Extent", ExtentOf(labels) },
-                      { key + "Tags", terminology } });
+                      { key + "Tags", segment.tags.empty() ? terminology : segment.tags } });
   }
   return metadata;
+}
+
+std::vector<Segment>
+SegmentsOfFile(const std::string & path)
+{
+  std::vector<Segment> segments;
+  if (ImageFormatOf(path) != ImageFormat::nrrd)
+  {
+    return segments;
+  }
+  const TextHeader header = ReadNrrdHeader(path);
+  const auto       valueOf = [&](std::size_t number, const std::string & name) {
+    const std::string value = header.ValueOf("segment" + std::to_string(number) + "_" + name, ':');
+    return Printable(value.substr(value.compare(0, 1, "=") == 0 ? 1 : 0));
+  };
+  for (std::size_t i = 0; !valueOf(i, "id").empty(); ++i)
+  {
+    Segment            segment;
+    const std::string  value = valueOf(i, "labelvalue");
+    std::istringstream color(valueOf(i, "color"));
+    color >> segment.color[0] >> segment.color[1] >> segment.color[2];
+    segment.label = static_cast<unsigned int>(std::strtoul(value.c_str(), nullptr, 10));
+    segment.name = valueOf(i, "name");
+    segment.tags = valueOf(i, "tags");
+    for (double & channel : segment.color)
+    {
+      channel = std::clamp(channel, 0.0, 1.0);
+    }
+    if (segment.label > 0)
+    {
+      segments.push_back(segment);
+    }
+  }
+  return segments;
 }
 } // namespace shapeton

@@ -32,4 +32,15 @@ TEST(Segments, AreEntriesOfTheHeaderThat3DSlicerReads)
     EXPECT_NE(file.find(entry), std::string::npos) << entry;
   }
   EXPECT_EQ(shapeton::ReadVolume(path).image->GetBufferPointer()[5], 7.0F) << "it is still a volume";
+
+  const auto read = shapeton::SegmentsOfFile(path);
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[1].label, 7U);
+  EXPECT_EQ(read[1].name, "class 7: heat 0.1 to 0.2");
+  EXPECT_EQ(read[0].color, (std::array<double, 3>{ 1.0, 0.5, 0.0 }));
+  auto named = read;
+  named[0].tags = "TerminologyEntry:mine|";
+  shapeton::WriteVolume<unsigned char>(labels, path, shapeton::SegmentMetadata(labels, named));
+  EXPECT_EQ(shapeton::SegmentsOfFile(path)[0].tags, "TerminologyEntry:mine|");
+  EXPECT_EQ(shapeton::SegmentsOfFile(path)[1].tags, read[1].tags);
 }

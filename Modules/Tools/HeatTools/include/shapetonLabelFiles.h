@@ -6,6 +6,7 @@
 #include "shapetonHeatClasses.h"
 #include "shapetonHeatObjects.h"
 #include "shapetonProvenance.h"
+#include "shapetonSegments.h"
 #include "shapetonShapeQuantity.h"
 
 #include "itkImage.h"
@@ -32,11 +33,12 @@ WriteObjectLabels(const HeatObjectList::LabelImage * labels,
                   const std::string &                path,
                   const Provenance &                 provenance);
 
-/** Writes labels grown from seeds, as a segmentation whose segments are named by their labels. Throws as WriteVolume().
- * \ingroup ShapetonHeatTools */
+/** Writes labels grown from seeds, as a segmentation. Segments keep names, colors and terms of the segments of the
+ * seeds; others are named by their labels. Throws as WriteVolume(). \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT void
 WriteSeededLabels(const itk::Image<unsigned short, 3> * labels,
                   const std::vector<unsigned short> &   labelValues,
+                  const std::vector<Segment> &          ofSeeds,
                   const std::string &                   path,
                   const Provenance &                    provenance);
 } // namespace shapeton

@@ -3,7 +3,8 @@
 #include "shapetonAxisTicks.h"
 #include "shapetonHeatColoring.h"
 #include "shapetonObjectColors.h"
-#include "shapetonSegments.h"
+
+#include <algorithm>
 
 namespace shapeton
 {
@@ -69,13 +70,17 @@ WriteObjectLabels(const HeatObjectList::LabelImage * labels,
 void
 WriteSeededLabels(const itk::Image<unsigned short, 3> * labels,
                   const std::vector<unsigned short> &   labelValues,
+                  const std::vector<Segment> &          ofSeeds,
                   const std::string &                   path,
                   const Provenance &                    provenance)
 {
   std::vector<Segment> segments;
   for (const unsigned short label : labelValues)
   {
-    segments.push_back(MakeSegment(label, "label " + std::to_string(label), ColorOfObject(label)));
+    const auto known =
+      std::find_if(ofSeeds.begin(), ofSeeds.end(), [&](const Segment & seed) { return seed.label == label; });
+    segments.push_back(
+      known != ofSeeds.end() ? *known : MakeSegment(label, "label " + std::to_string(label), ColorOfObject(label)));
   }
   WriteSegments(labels, segments, path, provenance);
 }
