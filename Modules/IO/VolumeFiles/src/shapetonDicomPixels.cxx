@@ -62,12 +62,15 @@ ReadNativeFrame(DcmDataset & dataset, DcmPixelData & pixelData, unsigned int fra
 {
   Uint32            fragment = 0;
   OFString          colorModel;
-  const OFCondition status =
-    pixelData.getUncompressedFrame(&dataset, frame, fragment, pixels, static_cast<Uint32>(bytes), colorModel);
+  std::vector<char> even(bytes % 2 == 0 ? 0 : bytes + 1); // DCMTK requires a buffer of whole words
+  char * const      target = even.empty() ? pixels : even.data();
+  const auto        size = static_cast<Uint32>(bytes + bytes % 2);
+  const OFCondition status = pixelData.getUncompressedFrame(&dataset, frame, fragment, target, size, colorModel);
   if (status.bad())
   {
     throw std::runtime_error(std::string("its pixels cannot be read (") + status.text() + ")");
   }
+  std::copy_n(even.begin(), even.empty() ? 0 : bytes, pixels);
 }
 
 struct Fragment
@@ -194,17 +197,34 @@ ReadGdcmPixelFormat(DcmDataset & dataset)
   return gdcm::PixelFormat(1, allocated, stored, high, representation);
 }
 
-/** Returns the precision given in the compressed stream. */
+std::string
+JoinedFragments(const std::vector<Fragment> & fragments)
+{
+  std::string joined;
+  for (const Fragment & fragment : fragments)
+  {
+    joined.append(fragment.data, fragment.size);
+  }
+  return joined;
+}
+
+/** Returns the precision given in the compressed stream. The fragments of a frame are joined, because GDCM does not read
+ * JPEG 2000 in several. */
 std::uint16_t
 DecodeFragments(DcmDataset & dataset, const std::vector<Fragment> & fragments, std::size_t bytes, char * pixels)
 {
-  auto sequence = gdcm::SequenceOfFragments::New();
-  for (const Fragment & fragment : fragments)
+  gdcm::Fragment frame;
+  if (fragments.size() == 1)
   {
-    gdcm::Fragment copy;
-    copy.SetByteValue(fragment.data, static_cast<std::uint32_t>(fragment.size));
-    sequence->AddFragment(copy);
+    frame.SetByteValue(fragments.front().data, static_cast<std::uint32_t>(fragments.front().size));
   }
+  else
+  {
+    const std::string joined = JoinedFragments(fragments);
+    frame.SetByteValue(joined.data(), static_cast<std::uint32_t>(joined.size()));
+  }
+  auto sequence = gdcm::SequenceOfFragments::New();
+  sequence->AddFragment(frame);
   gdcm::DataElement element(gdcm::Tag(0x7fe0, 0x0010), 0, gdcm::VR::OB);
   element.SetValue(*sequence);
 
@@ -290,11 +310,7 @@ DecodeFragmentsOfBits(DcmDataset & dataset, const std::vector<Fragment> & fragme
 void
 InflateFragments(const std::vector<Fragment> & fragments, std::size_t bytes, char * pixels)
 {
-  std::string deflated;
-  for (const Fragment & fragment : fragments)
-  {
-    deflated.append(fragment.data, fragment.size);
-  }
+  std::string deflated = JoinedFragments(fragments);
   z_stream stream{};
   if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) // negative: without a header
   {
