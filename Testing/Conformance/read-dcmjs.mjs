@@ -11,12 +11,16 @@ function pixelsOf(image) {
   const buffer = [].concat(image.PixelData)[0];
   const signed = image.PixelRepresentation === 1;
   const Words = image.BitsAllocated === 8 ? (signed ? Int8Array : Uint8Array) : signed ? Int16Array : Uint16Array;
-  return Array.from(new Words(buffer.slice(0, Math.floor(buffer.byteLength / Words.BYTES_PER_ELEMENT) * Words.BYTES_PER_ELEMENT)));
+  const words = Array.from(new Words(buffer.slice(0, Math.floor(buffer.byteLength / Words.BYTES_PER_ELEMENT) * Words.BYTES_PER_ELEMENT)));
+  const unused = 32 - image.BitsStored;
+  return words.map((word) => (signed ? (word << unused) >> unused : (word << unused) >>> unused));
 }
 
 function planesOf(image) {
   const pixels = pixelsOf(image);
   const count = image.Rows * image.Columns;
+  const frames = Number(image.NumberOfFrames ?? 1);
+  if (pixels.length < frames * count) throw new Error('the pixels are truncated');
   const groups = [].concat(image.PerFrameFunctionalGroupsSequence ?? [null]);
   const shared = [].concat(image.SharedFunctionalGroupsSequence ?? [{}])[0];
   return groups.map((own, k) => {
@@ -42,7 +46,10 @@ for (const path of process.argv.slice(2)) {
   const file = dcmjs.data.DicomMessage.readFile(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length));
   const image = dcmjs.data.DicomMetaDictionary.naturalizeDataset(file.dict);
   const syntax = file.meta['00020010'].Value[0];
-  if (!/^1\.2\.840\.10008\.1\.2(\.1|\.2|\.1\.99)?$/.test(syntax)) throw new Error('compressed pixels are left to codecs: ' + syntax);
-  planes.push(...planesOf(image));
+  if (!/^1\.2\.840\.10008\.1\.2(\.1|\.1\.99)?$/.test(syntax)) throw new Error('pixels are left to the caller: ' + syntax);
+  const own = planesOf(image);
+  const places = own.flatMap((plane) => [...plane.position, ...plane.orientation, ...plane.spacing]);
+  if (!places.every(Number.isFinite)) throw new Error('a number of the plane is missing or malformed');
+  planes.push(...own);
 }
 console.log(JSON.stringify(planes));

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""run-readers.py CASES RESULTS [READER...]
+"""run-readers.py CASES RESULTS [--baseline MATRIX.csv] [READER...]
 
-Runs readers on the cases of make-cases.py and writes RESULTS/matrix.csv and RESULTS/matrix.md: right, refused, wrong, or wrong
-with a warning; with the versions. See README.md for the definitions.
+Runs readers (default: the installed ones) on the cases of make-cases.py and writes RESULTS/matrix.csv and RESULTS/matrix.md: right,
+refused, wrong, or wrong with a warning; with the versions. See README.md for the definitions. With --baseline, ends with status 1
+if an outcome differs from that matrix.
 """
+import argparse
 import csv
 import pathlib
 import subprocess
@@ -91,18 +93,21 @@ def version_of(reader):
         "nibabel": "dpkg-query -W -f '${Version}' python3-nibabel",
         "dcmjs": "node -p \"require('$SHAPETON_NODE_MODULES/node_modules/dcmjs/package.json').version\"",
     }
-    return subprocess.run(commands[reader], shell=True, capture_output=True, text=True).stdout.strip().split()[-1]
+    return subprocess.run(commands[reader], shell=True, capture_output=True, text=True).stdout.strip().rpartition(" ")[2]
 
 
-def write_matrix(cases, names, outcomes, results):
+def write_matrix(cases, versions, outcomes, results):
+    names = list(versions)
     with open(results / "matrix.csv", "w", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
-        table.writerow(["name", "format", "clause", *names])
+        table.writerow(["name", "format", "title", "clause", *names])
+        table.writerow(["version", "", "", "", *versions.values()])
         for case in cases:
-            table.writerow([case["name"], case["format"], case["clause"], *(outcomes[case["name"], n] for n in names)])
+            own = (outcomes[case["name"], name] for name in names)
+            table.writerow([case["name"], case["format"], case["title"], case["clause"], *own])
     marks = {"right": "right", "refused": "-", "wrong": "**wrong**", "wrong, warns": "**wrong**, warns", "": ""}
     lines = ["| case | " + " | ".join(names) + " |", "|---|" + "---|" * len(names)]
-    lines.append("| version | " + " | ".join(map(version_of, names)) + " |")
+    lines.append("| version | " + " | ".join(versions.values()) + " |")
     for outcome in ("right", "refused", "wrong"):
         counts = [sum(outcomes[c["name"], n].startswith(outcome) for c in cases) for n in names]
         lines.append(f"| {outcome} | " + " | ".join(map(str, counts)) + " |")
@@ -112,22 +117,43 @@ def write_matrix(cases, names, outcomes, results):
     (results / "matrix.md").write_text("\n".join(lines) + "\n")
 
 
+def changes(outcomes, baseline):
+    """Lines about outcomes that differ from a matrix."""
+    with open(baseline) as file:
+        before = {row["name"]: row for row in csv.DictReader(file)}
+    return [
+        f"{case}: {reader} was {before.get(case, {}).get(reader)!r}, is {outcome!r}"
+        for (case, reader), outcome in outcomes.items()
+        if before.get(case, {}).get(reader) != outcome
+    ]
+
+
 def main():
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    folder, results = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-    names = sys.argv[3:] or list(readers.READERS)
-    with open(folder / "cases.csv") as file:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("cases", type=pathlib.Path)
+    parser.add_argument("results", type=pathlib.Path)
+    parser.add_argument("--baseline")
+    parser.add_argument("readers", nargs="*", choices=[*readers.READERS, []])
+    given = parser.parse_args()
+    versions = {name: version_of(name) for name in given.readers or readers.READERS}
+    missing = [name for name, version in versions.items() if not version]
+    if missing:
+        print("not installed, left out: " + ", ".join(missing))
+        versions = {name: version for name, version in versions.items() if version}
+    with open(given.cases / "cases.csv") as file:
         cases = list(csv.DictReader(file))
-    results.mkdir(parents=True, exist_ok=True)
+    given.results.mkdir(parents=True, exist_ok=True)
     outcomes = {}
-    with open(results / "log.txt", "w") as log:
+    with open(given.results / "log.txt", "w") as log:
         for case in cases:
-            for name in names:
-                outcomes[case["name"], name], last = judge(case, folder, name)
+            for name in versions:
+                outcomes[case["name"], name], last = judge(case, given.cases, name)
                 log.write(f"{case['name']}\t{name}\t{outcomes[case['name'], name]}\t{last}\n")
                 log.flush()
-    write_matrix(cases, names, outcomes, results)
+    write_matrix(cases, versions, outcomes, given.results)
+    found = changes(outcomes, given.baseline) if given.baseline else []
+    print("\n".join(found))
+    sys.exit(1 if found else 0)
 
 
 if __name__ == "__main__":

@@ -11,6 +11,8 @@
 
 #include "itk_zlib.h"
 
+#include <bzlib.h>
+
 #include <stdexcept>
 
 namespace
@@ -93,6 +95,9 @@ AddOtherDicomSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
   shapeton::SetText(*slice, DCM_SeriesDescription, "Hong=\x1b$)C\xfb\xf3");
   add(*slice);
   add(*fixture.MakeLabelMap({ fixture.origin, fixture.SlicePosition(4.0) }, std::vector<Uint16>(126, 1), 8, { 1 }));
+  constexpr std::size_t groupLength = 140; // its place in a file
+  seeds.push_back(FuzzSeed(seeds.back()));
+  seeds.back().bytes[groupLength] = '\x10'; // wrong
 }
 
 void
@@ -128,6 +133,17 @@ AddImageSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
   seeds.push_back(
     { ".nrrd",
       "NRRD0005\ntype: int\ndimension: 3\nsizes: 2 2 2\nspacings: 1 2 3\nencoding: ascii\n\n1 2 3 4 5 6 7 8\n" });
+  std::string  numbers(16, '\1');
+  std::string  zipped(200, '\0');
+  unsigned int length = 200;
+  BZ2_bzBuffToBuffCompress(zipped.data(), &length, numbers.data(), 16, 1, 0, 0);
+  seeds.push_back(
+    { ".nrrd",
+      "NRRD0004\ntype: short\nendian: big\ndimension: 4\nsizes: 1 2 2 2\nkinds: list domain domain domain\n"
+      "space: left-anterior-superior\nspace directions: none (1,0,0) (0,2,0) (0,0,3)\n"
+      "space origin: (4,5,6)\nspace units: \"cm\" \"cm\" \"cm\"\nencoding: bz2\nline skip: 1\n"
+      "Segmentation_Extent:=10 11 20 21 30 31\n\na line\n" +
+        zipped.substr(0, length) });
 }
 
 void

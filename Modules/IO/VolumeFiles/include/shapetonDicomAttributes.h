@@ -71,8 +71,9 @@ ShapetonVolumeFiles_EXPORT DicomEncoding
 DicomEncodingOf(DcmFileFormat & file);
 
 /** Loads a file; values of more than `maximumEagerValue` bytes stay on disk until they are accessed. Also parses
- * Deflated Image Frame Compression, which DCMTK 3.6.7 does not know; the data set then states RLE as its transfer
- * syntax, and DicomEncodingOf() states the true one. Returns a description of the fault; empty if there is none. */
+ * Deflated Image Frame Compression and High-Throughput JPEG 2000, which DCMTK 3.6.7 does not know; the data set then
+ * states RLE or JPEG 2000 as its transfer syntax, and DicomEncodingOf() states the true one. Returns a description of
+ * the fault; empty if there is none. */
 ShapetonVolumeFiles_EXPORT std::string
 LoadDicomFile(DcmFileFormat & file, const std::string & path, unsigned int maximumEagerValue);
 

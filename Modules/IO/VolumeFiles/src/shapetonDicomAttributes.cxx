@@ -198,6 +198,10 @@ DicomEncodingOf(DcmFileFormat & file)
   {
     return { "Deflated Image Frame Compression", true, false, true, false };
   }
+  if (SyntaxOfHighThroughput(stated) != EXS_Unknown)
+  {
+    return { NameOfNewTransferSyntax(stated), true, false, false, true };
+  }
   encoding.isUnknown = !stated.empty() && DcmXfer(stated.c_str()).getXfer() == EXS_Unknown;
   const DcmXfer syntax(file.getDataset()->getOriginalXfer());
   encoding.name = encoding.isUnknown ? NameOfNewTransferSyntax(stated) : std::string(syntax.getXferName());
@@ -213,9 +217,15 @@ LoadDicomFile(DcmFileFormat & file, const std::string & path, unsigned int maxim
   if (!meta.isLengthWrong)
   {
     OFCondition status = file.loadFile(path.c_str(), EXS_Unknown, EGL_noChange, maximumEagerValue, ERM_autoDetect);
+    const E_TransferSyntax highThroughput =
+      SyntaxOfHighThroughput(Trimmed(BytesOf(*file.getMetaInfo(), DCM_TransferSyntaxUID)));
     if (DicomEncodingOf(file).hasDeflatedFrames)
     {
       status = ReadDataset(file, path, meta.end, EXS_RLELossless, maximumEagerValue); // encapsulated in the same way
+    }
+    else if (highThroughput != EXS_Unknown)
+    {
+      status = ReadDataset(file, path, meta.end, highThroughput, maximumEagerValue);
     }
     return status.bad() ? status.text() : std::string();
   }

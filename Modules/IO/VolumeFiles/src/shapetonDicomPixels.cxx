@@ -208,8 +208,8 @@ JoinedFragments(const std::vector<Fragment> & fragments)
   return joined;
 }
 
-/** Returns the precision given in the compressed stream. The fragments of a frame are joined, because GDCM does not read
- * JPEG 2000 in several. */
+/** Returns the precision given in the compressed stream. The fragments of a frame are joined, because GDCM does not
+ * read JPEG 2000 in several. */
 std::uint16_t
 DecodeFragments(DcmDataset & dataset, const std::vector<Fragment> & fragments, std::size_t bytes, char * pixels)
 {
@@ -311,7 +311,7 @@ void
 InflateFragments(const std::vector<Fragment> & fragments, std::size_t bytes, char * pixels)
 {
   std::string deflated = JoinedFragments(fragments);
-  z_stream stream{};
+  z_stream    stream{};
   if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) // negative: without a header
   {
     throw std::runtime_error("its compressed pixels cannot be decoded");

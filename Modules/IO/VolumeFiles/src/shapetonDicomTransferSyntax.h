@@ -38,6 +38,17 @@ IsSupported(E_TransferSyntax syntax)
   }
 }
 
+/** The syntax of JPEG 2000 as which DCMTK parses High-Throughput JPEG 2000, and OpenJPEG 2.5 decodes it; EXS_Unknown
+ * for other syntaxes. */
+inline E_TransferSyntax
+SyntaxOfHighThroughput(const std::string & uid)
+{
+  const std::string family = "1.2.840.10008.1.2.4.20";
+  return uid == family + "1" || uid == family + "2" ? EXS_JPEG2000LosslessOnly
+         : uid == family + "3"                      ? EXS_JPEG2000
+                                                    : EXS_Unknown;
+}
+
 /** True for encodings that are always lossy; for the others see Lossy Image Compression. */
 inline bool
 IsLossy(E_TransferSyntax syntax)
