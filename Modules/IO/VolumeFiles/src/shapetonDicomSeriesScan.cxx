@@ -115,12 +115,12 @@ void
 RemarkOnCopies(const std::map<std::string, std::string> & copies, DicomSeries & series)
 {
   DicomDefect remark{ DicomDefectKind::copiedFile, {}, {}, {} };
-  for (const auto & [copy, original] : copies)
+  for (const auto & copy : copies)
   {
-    const auto isOriginal = [&](const DicomSlice & slice) { return slice.file == original; };
+    const auto isOriginal = [&](const DicomSlice & slice) { return slice.file == copy.second; };
     if (std::any_of(series.slices.begin(), series.slices.end(), isOriginal))
     {
-      remark.files.push_back(copy);
+      remark.files.push_back(copy.first);
     }
   }
   if (!remark.files.empty())

@@ -103,11 +103,12 @@ RequireEndian(const std::string & path, const TextHeader & header)
   const std::string       type = LowerCase(header.ValueOf("type", ':'));
   const std::string       encoding = LowerCase(header.ValueOf("encoding", ':'));
   const bool              isText = encoding == "ascii" || encoding == "text" || encoding == "txt";
-  if (std::regex_match(type, oneByte))
+  constexpr std::size_t   longestType = 40;
+  if (type.size() < longestType && std::regex_match(type, oneByte))
   {
     return;
   }
-  if (!std::regex_match(type, more))
+  if (type.size() >= longestType || !std::regex_match(type, more))
   {
     ThrowUnknown(path, "type", type, "repair the header");
   }
@@ -190,11 +191,12 @@ ReadSpace(const std::string & path, const TextHeader & header, NrrdFrame & frame
   {
     ThrowUnsuitable(path, "its space is left-handed, and coordinates of a patient are right-handed; mirror an axis");
   }
-  else if (space == "3d-right-handed" || space == "3drh" || space == "scanner-xyz" || space == "scannerxyz")
+  else if (space == "3d-right-handed" || space == "3drh" || space == "scanner-xyz" || space == "scannerxyz" ||
+           (space.empty() && !header.ValueOf("space dimension", ':').empty()))
   {
-    frame.notes.push_back("its space, " + space +
-                          ", does not state the orientation of a patient: x, y and z are taken as " +
-                          "left, posterior and superior");
+    frame.notes.push_back("its space" + (space.empty() ? " without a name" : ", " + space + ",") +
+                          " does not state the orientation of a patient: x, y and z are taken as left, posterior and "
+                          "superior");
   }
   else if (!space.empty() && space != "lps" && space != "left-posterior-superior")
   {

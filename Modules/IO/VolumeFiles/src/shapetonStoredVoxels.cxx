@@ -10,8 +10,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <limits>
-#include <numeric>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
@@ -34,11 +32,14 @@ EndsWith(const std::string & text, const std::string & end)
 std::vector<std::string>
 NamesOf(const std::string & pattern, long first, long last, long step)
 {
-  constexpr std::size_t    mostFiles = 100'000; // more than slices of any volume
+  constexpr std::size_t    mostFiles = 100'000;     // more than slices of any volume
+  constexpr long           largest = 1'000'000'000; // of the numbers
+  constexpr std::size_t    longestName = 1000;      // std::regex recurses for each character
   static const std::regex  one("([^%]*)%(0?)([0-9]{0,2})[di]([^%]*)");
   std::smatch              parts;
   std::vector<std::string> names;
-  if (!std::regex_match(pattern, parts, one) || step == 0)
+  if (pattern.size() > longestName || std::max({ std::abs(first), std::abs(last), std::abs(step) }) > largest ||
+      step == 0 || !std::regex_match(pattern, parts, one))
   {
     return names;
   }

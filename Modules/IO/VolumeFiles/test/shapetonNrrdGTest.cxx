@@ -104,6 +104,10 @@ TEST(Nrrd, OtherSpacesAreNamed)
   EXPECT_NE(volume.notes[0].find("does not state the orientation of a patient"), std::string::npos);
   EXPECT_EQ(LastVoxelOf(volume), (Point{ 12, 23, 34 }));
   EXPECT_NE(InputErrorOf([] { ReadVolume(InSpace("3D-left-handed")); }).find("left-handed"), std::string::npos);
+  const shapeton::Volume unnamed =
+    ReadVolume(WriteNrrd("space dimension: 3\nspace directions: (2,0,0) (0,3,0) (0,0,4)\nspace origin: (10,20,30)\n"));
+  ASSERT_EQ(unnamed.notes.size(), 1U);
+  EXPECT_NE(unnamed.notes[0].find("its space without a name"), std::string::npos) << unnamed.notes[0];
 }
 
 TEST(Nrrd, UnitsBecomeMillimeters)

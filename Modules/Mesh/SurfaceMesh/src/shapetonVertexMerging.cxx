@@ -1,6 +1,7 @@
 #include "shapetonVertexMerging.h"
 
 #include "shapetonDisjointSets.h"
+#include "shapetonSurfaceFormats.h"
 
 #include <algorithm>
 #include <array>
