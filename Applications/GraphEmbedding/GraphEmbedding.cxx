@@ -122,13 +122,12 @@ Embed(CommandLine & commandLine)
   if (!commandLine.IsGiven("rotation"))
   {
     certificate.statistics.emplace_back("genusLowerBound", surface.lowerBound);
-    const std::string genus = std::to_string(surface.map.Genus());
-    commandLine.Warn(surface.minimal || commandLine.IsGiven("genus")
-                       ? Remarks{}
-                       : Remarks{ "genus " + genus +
-                                  " is the smallest found, but not proved to be the smallest: the lower "
-                                  "bound is " +
-                                  std::to_string(surface.lowerBound) });
+    if (!surface.minimal && !commandLine.IsGiven("genus"))
+    {
+      commandLine.Warn("genus " + std::to_string(surface.map.Genus()) +
+                       " is the smallest found, but not proved to be the smallest: the lower bound is " +
+                       std::to_string(surface.lowerBound));
+    }
   }
   commandLine.Warn(certificate.warnings);
   certificate.provenance = commandLine.GetProvenance();

@@ -115,7 +115,7 @@ RefuseOtherFormats(const GraphText & text)
   constexpr OtherFormat      others[]{ { "*vertices", "Pajek", networkx },
                                        { "*network", "Pajek", networkx },
                                        { "dl", "DL of UCINET", igraph },
-                                       { "graph:", "VCG", "convert it to DOT, for example with graph-easy --as=graphviz" },
+                                       { "graph:", "VCG", "convert it to DOT, for example with graph-easy" },
                                        { ">>digraph6<<", "digraph6, whose graph is directed", edges },
                                        { "&", "digraph6, whose graph is directed", edges } };
   LineReader                 lines(text.bytes);

@@ -73,7 +73,7 @@ struct DicomFile
   bool isInverted{ false };
   /** The image has functional groups, so its frames are slices. */
   bool isMultiFrame{ false };
-  /** Of a Siemens mosaic, whose tiles are the frames; 1 for other images. */
+  /** Tiles in a row of a Siemens mosaic, whose tiles are the frames; 1 for other images. */
   unsigned int tilesPerRow{ 1 };
   /** Further frames of a multi-frame image without positions. */
   unsigned int unplacedFrames{ 0 };

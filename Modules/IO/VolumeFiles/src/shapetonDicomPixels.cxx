@@ -376,7 +376,7 @@ BytesOf(const DicomSlice & slice, std::size_t pixels)
   return pixels * (slice.pixels.bitsAllocated / 8);
 }
 
-/** Of the image that contains the slice. */
+/** Bytes of the image that contains the slice. */
 std::size_t
 StoredBytesOf(const DicomSlice & slice, std::size_t pixels)
 {

@@ -238,7 +238,7 @@ RefuseSingleSlices(const DicomScan & scan, const SeriesList & slices)
   const bool isOneScan =
     haveOne(&DicomSeries::studyUID) && haveOne(&DicomSeries::frameOfReferenceUID) && haveOne(&DicomSeries::description);
   ThrowUnsuitable(scan.path,
-                  std::to_string(slices.size()) + " series of one slice each, which are no volume" +
+                  std::to_string(slices.size()) + " series of one slice each, which do not form a volume" +
                     (isOneScan
                        ? ", although they share study, frame of reference and description; give them one Series "
                          "Instance UID, for example with dcmodify"
