@@ -133,9 +133,12 @@ def main():
     parser.add_argument("cases", type=pathlib.Path)
     parser.add_argument("results", type=pathlib.Path)
     parser.add_argument("--baseline")
-    parser.add_argument("readers", nargs="*", choices=[*readers.READERS, []])
-    given = parser.parse_args()
-    versions = {name: version_of(name) for name in given.readers or readers.READERS}
+    parser.add_argument("readers", nargs="*", default=list(readers.READERS))
+    given = parser.parse_intermixed_args()
+    unknown = sorted(set(given.readers) - set(readers.READERS))
+    if unknown:
+        parser.error("unknown reader " + ", ".join(unknown) + "; known: " + ", ".join(readers.READERS))
+    versions = {name: version_of(name) for name in given.readers}
     missing = [name for name, version in versions.items() if not version]
     if missing:
         print("not installed, left out: " + ", ".join(missing))
