@@ -145,7 +145,7 @@ def _(folder):
 
 @case("ct-overlay-in-high-bits", "DICOM", "an overlay in bit 12 beside pixels of 12 bits", PIXELS)
 def _(folder):
-    grid = Grid(size=(16, 10, 6))  # GDCM 3.0 ends the process if the bits of an overlay are no whole bytes
+    grid = Grid(size=(16, 10, 6))  # GDCM 3.0 ends the process unless an overlay fills whole bytes
     voxels = phantom(grid)
     files = slices("ct-overlay-in-high-bits", grid, voxels, bits_stored=12)
     for ds in files:

@@ -28,7 +28,7 @@ def enhanced(name, grid, stored, order, rescale=lambda k: (1, 0), shares=True):
     measures = sequence(PixelSpacing=decimals(grid.spacing[1::-1]), SliceThickness=decimals(grid.spacing[2:])[0])
     shared = Dataset()
     frames = []
-    for place, k in enumerate(order):
+    for k in order:
         frame = Dataset()
         frame.FrameContentSequence = sequence(
             FrameAcquisitionNumber=1, StackID="1", InStackPositionNumber=int(k) + 1, DimensionIndexValues=[1, int(k) + 1]
@@ -36,8 +36,8 @@ def enhanced(name, grid, stored, order, rescale=lambda k: (1, 0), shares=True):
         frame.PlanePositionSequence = sequence(ImagePositionPatient=decimals(grid.place(0, 0, k)))
         slope, intercept = decimals(rescale(k))
         frame.PixelValueTransformationSequence = sequence(RescaleSlope=slope, RescaleIntercept=intercept, RescaleType="HU")
-        for item in [shared] if shares and place == 0 else [] if shares else [frame]:
-            item.PlaneOrientationSequence, item.PixelMeasuresSequence = orientation, measures
+        item = shared if shares else frame
+        item.PlaneOrientationSequence, item.PixelMeasuresSequence = orientation, measures
         frames.append(frame)
     shared.CTImageFrameTypeSequence = sequence(
         FrameType=ds.ImageType, PixelPresentation="MONOCHROME", VolumetricProperties="VOLUME", VolumeBasedCalculationTechnique="NONE"

@@ -4,7 +4,7 @@ import subprocess
 
 import numpy as np
 import pydicom
-from case_files import Grid
+from case_files import Grid, phantom
 from pydicom.dataset import Dataset, FileDataset, FileMetaDataset
 from pydicom.uid import ExplicitVRLittleEndian
 
@@ -115,8 +115,6 @@ def encapsulated(frames):
 
 def plain(folder, case, grid=None, syntax=ExplicitVRLittleEndian, **options):
     """Writes a plain series of CT and returns its grid and intensities."""
-    from case_files import phantom
-
     grid = grid or Grid()
     voxels = phantom(grid)
     save_all(slices(case, grid, voxels, **options), folder, syntax)

@@ -14,13 +14,13 @@ import tempfile
 
 import numpy as np
 import readers
+from case_files import BRIGHT
 
 HERE = pathlib.Path(__file__).parent
 PLACE_TOLERANCE = 0.02  # voxels; rounding of decimal strings and single precision is smaller
 VALUE_TOLERANCE = 0.01  # intensities are multiples of 1/8
 CENTER_TOLERANCE = 0.75  # mm; a resampled box of 9 to 13 mm; slices at wrong places move it by 2 mm or more
 EXTENT_TOLERANCE = 0.15  # of the standard deviation
-BRIGHT = 500.0
 
 
 def has_voxels(case, expected, pieces):

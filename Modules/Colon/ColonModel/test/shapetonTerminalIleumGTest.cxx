@@ -52,7 +52,7 @@ TEST(TerminalIleum, IsNoHaustrumAndNoColon)
 }
 
 /** A line through the colon to the height of the ileum, back and forth in the cecum, and then through the ileum to its
- * end, or to the pole if there is no ileum. The radius at a point is that of the largest ball inside. \param turns
+ * end, or to the pole if there is no ileum. The radius at a point is that of the largest inscribed ball. \param turns
  * number of extra turns, 48 mm each. */
 shapeton::CurveSet
 LineThroughIleum(const cecalscene::Scene & scene, int turns = 0)

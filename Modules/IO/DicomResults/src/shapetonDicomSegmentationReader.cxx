@@ -366,7 +366,8 @@ Pair(double first, double second)
 void
 RequirePlanesOf(const DicomSegmentationFile & file, const DicomSeries & series)
 {
-  constexpr double cosines = 1e-3;
+  constexpr double cosines = 1e-3;     // chosen; rounding of written direction cosines
+  constexpr double leastDegrees = 0.5; // of an inclination; smaller ones are rotations within the plane
   for (unsigned int k = 0; k < 3; ++k)
   {
     if (!(std::abs(series.direction(k, 0) - file.orientation[k]) <= cosines &&
@@ -381,8 +382,9 @@ RequirePlanesOf(const DicomSegmentationFile & file, const DicomSeries & series)
       }
       const double degrees = DegreesPerRadian * std::acos(std::min(std::abs(cosine), 1.0));
       RefusePlanes(file,
-                   degrees < 0.5 ? "rows and columns of its frames have other directions"
-                                 : "its frames are inclined to them by " + NumberText(degrees, 3) + " degrees");
+                   degrees < leastDegrees
+                     ? "rows and columns of its frames have other directions"
+                     : "its frames are inclined to them by " + NumberText(degrees, 3) + " degrees");
     }
   }
   if (file.columns != series.size[0] || file.rows != series.size[1])
