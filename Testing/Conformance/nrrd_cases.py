@@ -51,7 +51,7 @@ nrrd("nrrd-ascii", "numbers as text", "encoding", encoding="ascii",
 nrrd("nrrd-big-endian", "big endian", "endian", endian="big", data=lambda b: np.frombuffer(b, "<i2").byteswap().tobytes())
 nrrd("nrrd-byte-skip-last", "byte skip -1: the voxels are the last bytes", "byte skip", byte_skip="-1", data=lambda b: b"x" * 77 + b)
 nrrd("nrrd-line-skip-gzip", "two lines before gzip data", "line skip", line_skip="2", encoding="gzip",
-     data=lambda b: b"one\ntwo\n" + gzip.compress(b))  # fmt: skip
+     data=lambda b: b"one\ntwo\n" + gzip.compress(b, mtime=0))  # fmt: skip
 
 
 @case("nrrd-list-of-one", "NRRD", "a list axis of one component before x, y, z", SPEC + "kinds")
