@@ -46,23 +46,6 @@ AddBridges(const OccupancyImage * occupancy, const CurveSet & centerline, double
 ShapetonColonModel_EXPORT SurfaceMesh
 ExtractWall(const OccupancyImage * occupancy, const LumenMaskImage * mask = nullptr);
 
-/** Limits on the motion of vertices during smoothing. See SmoothWall(). \ingroup ShapetonColonModel */
-struct WallSmoothingOptions
-{
-  /** Number of pairs of shrinking and inflating steps (Taubin: A signal processing approach to fair surface design,
-   * 1995), at least 0. */
-  int iterations{ 10 };
-  /** Maximum displacement of a vertex along its normal, mm, at least 0. */
-  double normalLimit{ 0.15 };
-  /** Maximum displacement along the surface, mm, at least 0. */
-  double tangentialLimit{ 0.5 };
-};
-
-/** Moves vertices to improve triangle shape and flatten stairs. Boundary vertices, faces and arrays are unchanged. The
- * result does not depend on the number of threads. \ingroup ShapetonColonModel */
-ShapetonColonModel_EXPORT SurfaceMesh
-SmoothWall(const SurfaceMesh & mesh, const WallSmoothingOptions & options);
-
 /** Discs to remove from a closed wall at rectum and cecum. See OpenColonEnds(). \ingroup ShapetonColonModel */
 struct OpenEndsOptions
 {

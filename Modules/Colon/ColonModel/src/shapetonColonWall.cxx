@@ -12,6 +12,7 @@
 #include "shapetonSurfaceConnectivity.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonSurfaceSimplification.h"
+#include "shapetonSurfaceSmoothing.h"
 #include "shapetonExceptions.h"
 
 #include <algorithm>
@@ -131,12 +132,12 @@ private:
     this->Advance(Step::Repaired);
   }
 
-  WallSmoothingOptions
+  SurfaceSmoothingOptions
   Smoothing(double normalLimit) const
   {
-    const auto           spacing = m_Occupancy->GetSpacing();
-    const double         finest = std::min({ spacing[0], spacing[1], spacing[2] });
-    WallSmoothingOptions smoothing;
+    const auto              spacing = m_Occupancy->GetSpacing();
+    const double            finest = std::min({ spacing[0], spacing[1], spacing[2] });
+    SurfaceSmoothingOptions smoothing;
     smoothing.tangentialLimit = m_Options.tangentialLimit * finest;
     smoothing.normalLimit = normalLimit * finest;
     return smoothing;
@@ -145,14 +146,14 @@ private:
   Remarks
   MakeRaw()
   {
-    m_Wall.raw = SmoothWall(ExtractWall(m_Bridges.occupancy), this->Smoothing(0.0));
+    m_Wall.raw = SmoothSurface(ExtractWall(m_Bridges.occupancy), this->Smoothing(0.0));
     return this->OpenRaw();
   }
 
   void
   MakeRepaired()
   {
-    m_Wall.repaired = SmoothWall(ExtractWall(m_RepairedField, m_Mask), this->Smoothing(m_Options.normalLimit));
+    m_Wall.repaired = SmoothSurface(ExtractWall(m_RepairedField, m_Mask), this->Smoothing(m_Options.normalLimit));
     this->Advance(Step::Extracted);
     OpenWall opened = OpenColonEnds(m_Wall.repaired, m_Centerline, m_Options.ends);
     m_Wall.repaired = std::move(opened.mesh);
@@ -172,8 +173,10 @@ private:
     m_Wall.report.simplifiedGenusBefore = m_Wall.report.repairedGenus;
     if (m_Options.topology != WallTopology::Repaired)
     {
-      OpenWall opened = OpenColonEnds(
-        SmoothWall(ExtractWall(m_RepairedField), this->Smoothing(m_Options.normalLimit)), m_Centerline, m_Options.ends);
+      OpenWall opened =
+        OpenColonEnds(SmoothSurface(ExtractWall(m_RepairedField), this->Smoothing(m_Options.normalLimit)),
+                      m_Centerline,
+                      m_Options.ends);
       m_Unrepaired = std::move(opened.mesh);
       m_Wall.report.simplifiedGenusBefore = opened.genus;
     }

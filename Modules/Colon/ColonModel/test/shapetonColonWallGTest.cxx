@@ -3,6 +3,7 @@
 #include "shapetonLumenShapes.h"
 #include "shapetonSurfaceConnectivity.h"
 #include "shapetonSurfaceQuality.h"
+#include "shapetonSurfaceSmoothing.h"
 #include "shapetonExceptions.h"
 #include "shapetonTestImages.h"
 #include "shapetonTestThreads.h"
@@ -203,11 +204,11 @@ TEST(ColonWall, RefusesAnEmptyField)
 
 TEST(ColonWall, SmoothingKeepsItsLimitsAndShapesTriangles)
 {
-  const auto                     mesh = shapeton::ExtractWall(TubeOccupancy(ObliqueGrid(false)));
-  shapeton::WallSmoothingOptions options;
+  const auto                        mesh = shapeton::ExtractWall(TubeOccupancy(ObliqueGrid(false)));
+  shapeton::SurfaceSmoothingOptions options;
   options.normalLimit = 0.1;
   options.tangentialLimit = 0.4;
-  const auto smooth = shapeton::SmoothWall(mesh, options);
+  const auto smooth = shapeton::SmoothSurface(mesh, options);
   EXPECT_GE(std::hypot(0.1, 0.4) + 1e-9, (smooth.V - mesh.V).rowwise().norm().maxCoeff());
   EXPECT_GT(2.0, shapeton::InspectSurface(mesh).smallestAngle.percentile1);
   EXPECT_LT(15.0, shapeton::InspectSurface(smooth).smallestAngle.percentile1);

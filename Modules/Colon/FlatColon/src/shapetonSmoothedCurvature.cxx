@@ -1,6 +1,7 @@
 #include "shapetonSmoothedCurvature.h"
 
 #include "shapetonSurfaceDiffusion.h"
+#include "shapetonSurfaceQuality.h"
 #include "shapetonExceptions.h"
 
 #include <Eigen/Geometry>
@@ -13,24 +14,6 @@ namespace
 {
 /** 1/mm, the curvature of a ball with a radius of 1 mm. Higher values are mesh defects, such as needles. */
 constexpr double greatestCurvature = 1.0;
-
-/** Area-weighted means of the face normals, normalized or zero. */
-VertexMatrix
-VertexNormals(const VertexMatrix & V, const FaceMatrix & F)
-{
-  VertexMatrix normals = VertexMatrix::Zero(V.rows(), 3);
-  for (Eigen::Index face = 0; face < F.rows(); ++face)
-  {
-    const Eigen::Vector3d a = V.row(F(face, 0)), b = V.row(F(face, 1)), c = V.row(F(face, 2));
-    const Eigen::Vector3d normal = (b - a).cross(c - a);
-    for (int k = 0; k < 3; ++k)
-    {
-      normals.row(F(face, k)) += normal;
-    }
-  }
-  normals.rowwise().normalize();
-  return normals;
-}
 
 void
 ClearBoundary(const SurfaceConnectivity & connectivity, Eigen::VectorXd & values)

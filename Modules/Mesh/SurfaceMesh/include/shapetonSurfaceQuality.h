@@ -101,6 +101,11 @@ InspectSurface(const SurfaceMesh & mesh);
 ShapetonSurfaceMesh_EXPORT double
 SurfaceArea(const VertexMatrix & V, const FaceMatrix & F);
 
+/** Unit normals of the vertices, weighted by the areas of their faces; zero for a vertex whose faces have no area.
+ * \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT VertexMatrix
+VertexNormals(const VertexMatrix & V, const FaceMatrix & F);
+
 /** Volume enclosed by a closed oriented surface (mm^3, divergence theorem); negative if its faces point inward.
  * \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT double

@@ -260,6 +260,26 @@ StatisticsOf(std::vector<double> values)
   return statistics;
 }
 
+VertexMatrix
+VertexNormals(const VertexMatrix & V, const FaceMatrix & F)
+{
+  VertexMatrix normals = VertexMatrix::Zero(V.rows(), 3);
+  for (Eigen::Index f = 0; f < F.rows(); ++f)
+  {
+    const Triangle        t = TriangleOf(V, F, static_cast<int>(f));
+    const Eigen::Vector3d normal = (t.b - t.a).cross(t.c - t.a);
+    for (int k = 0; k < 3; ++k)
+    {
+      normals.row(F(f, k)) += normal;
+    }
+  }
+  for (Eigen::Index i = 0; i < normals.rows(); ++i)
+  {
+    normals.row(i).normalize(); // keeps zeros, unlike rowwise()
+  }
+  return normals;
+}
+
 double
 SurfaceArea(const VertexMatrix & V, const FaceMatrix & F)
 {

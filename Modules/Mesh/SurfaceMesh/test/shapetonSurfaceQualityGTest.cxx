@@ -35,6 +35,14 @@ TEST(SurfaceQuality, VolumeIsNegativeInsideOutAndIndependentOfThePlace)
   EXPECT_NEAR(*shapeton::InspectSurface(mesh).volume, -volume, 1e-9 * volume);
 }
 
+TEST(SurfaceQuality, NormalsOfVertices)
+{
+  shapeton::SurfaceMesh mesh = Octahedron();
+  EXPECT_LT((shapeton::VertexNormals(mesh.V, mesh.F) - mesh.V).cwiseAbs().maxCoeff(), 1e-12); // outward, of unit length
+  mesh.V.setZero();
+  EXPECT_EQ(shapeton::VertexNormals(mesh.V, mesh.F).cwiseAbs().maxCoeff(), 0.0); // no area: not NaN
+}
+
 TEST(SurfaceQuality, LoopsOfACylinderHaveTheLengthOfItsPolygon)
 {
   const int                      around = 12;

@@ -2,6 +2,7 @@
 
 #include "shapetonPi.h"
 #include "shapetonSampleComposition.h"
+#include "shapetonSurfaceQuality.h"
 
 #include <Eigen/Geometry>
 

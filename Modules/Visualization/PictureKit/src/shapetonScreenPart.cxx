@@ -1,6 +1,7 @@
 #include "shapetonScreenPart.h"
 
 #include "shapetonParallelFor.h"
+#include "shapetonSurfaceQuality.h"
 
 #include <Eigen/Geometry>
 
@@ -26,27 +27,6 @@ ScreenPlace(double pixel)
   // Far outside any picture, but small enough for products of two differences in 64 bits.
   constexpr double limit = 1 << 28;
   return static_cast<int>(std::lround(std::clamp((pixel + 0.5) * samplesAlongPixel * subsamples, -limit, limit)));
-}
-
-VertexMatrix
-VertexNormals(const VertexMatrix & V, const FaceMatrix & F)
-{
-  VertexMatrix normals = VertexMatrix::Zero(V.rows(), 3);
-  for (Eigen::Index face = 0; face < F.rows(); ++face)
-  {
-    const Row a = V.row(F(face, 0));
-    const Row normal = (V.row(F(face, 1)) - a).cross(V.row(F(face, 2)) - a);
-    for (int k = 0; k < 3; ++k)
-    {
-      normals.row(F(face, k)) += normal;
-    }
-  }
-  for (Eigen::Index i = 0; i < V.rows(); ++i)
-  {
-    const double length = normals.row(i).norm();
-    normals.row(i) *= length > 0.0 ? 1.0 / length : 0.0;
-  }
-  return normals;
 }
 
 ScreenPart

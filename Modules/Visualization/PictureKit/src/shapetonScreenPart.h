@@ -42,10 +42,6 @@ struct ScreenPart
 int
 ScreenPlace(double pixel);
 
-/** Area-weighted vertex normals of unit length. */
-VertexMatrix
-VertexNormals(const VertexMatrix & V, const FaceMatrix & F);
-
 /** Projects a mesh, without colors. */
 ScreenPart
 ProjectMesh(const SurfaceMesh & mesh, const PatientView & view);

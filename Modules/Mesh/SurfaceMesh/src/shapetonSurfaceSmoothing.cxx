@@ -1,10 +1,13 @@
-#include "shapetonColonWall.h"
+#include "shapetonSurfaceSmoothing.h"
 #include "shapetonInterruption.h"
 #include "shapetonParallelFor.h"
+#include "shapetonSurfaceQuality.h"
 #include "shapetonExceptions.h"
 #include "shapetonVertexNeighbors.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
+
+#include <algorithm>
 
 namespace shapeton
 {
@@ -13,29 +16,6 @@ namespace
 // The pass band is 1 / ShrinkingStep + 1 / GrowingStep = 0.1, the default of VTK's windowed sinc filter.
 constexpr double ShrinkingStep = 0.5;
 constexpr double GrowingStep = -0.5263157894736842;
-
-VertexMatrix
-VertexNormals(const SurfaceMesh & mesh)
-{
-  VertexMatrix normals = VertexMatrix::Zero(mesh.V.rows(), 3);
-  for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
-  {
-    const Eigen::Vector3d a = mesh.V.row(mesh.F(f, 0));
-    const Eigen::Vector3d b = mesh.V.row(mesh.F(f, 1));
-    const Eigen::Vector3d c = mesh.V.row(mesh.F(f, 2));
-    const Eigen::Vector3d normal = (b - a).cross(c - a);
-    for (int k = 0; k < 3; ++k)
-    {
-      normals.row(mesh.F(f, k)) += normal;
-    }
-  }
-  for (Eigen::Index i = 0; i < normals.rows(); ++i)
-  {
-    const double length = normals.row(i).norm();
-    normals.row(i) /= length > 0.0 ? length : 1.0;
-  }
-  return normals;
-}
 
 /** Vertices whose neighbors do not form a ring: boundary vertices and isolated ones. */
 std::vector<char>
@@ -62,7 +42,7 @@ FixedVertices(const SurfaceMesh & mesh)
 }
 
 Eigen::Vector3d
-LimitedMove(const Eigen::Vector3d & move, const Eigen::Vector3d & normal, const WallSmoothingOptions & options)
+LimitedMove(const Eigen::Vector3d & move, const Eigen::Vector3d & normal, const SurfaceSmoothingOptions & options)
 {
   const double    along = move.dot(normal);
   Eigen::Vector3d tangential = move - along * normal;
@@ -76,14 +56,14 @@ LimitedMove(const Eigen::Vector3d & move, const Eigen::Vector3d & normal, const 
 } // namespace
 
 SurfaceMesh
-SmoothWall(const SurfaceMesh & mesh, const WallSmoothingOptions & options)
+SmoothSurface(const SurfaceMesh & mesh, const SurfaceSmoothingOptions & options)
 {
   RequireParameter(options.iterations >= 0 && options.normalLimit >= 0.0 && options.tangentialLimit >= 0.0,
                    "iterations and limits of smoothing must not be negative");
-  RequireSound(mesh, "the wall");
+  RequireSound(mesh, "the surface");
   const VertexNeighbors neighbors(mesh);
   Interruption::Check();
-  const VertexMatrix normals = VertexNormals(mesh);
+  const VertexMatrix normals = VertexNormals(mesh.V, mesh.F);
   Interruption::Check();
   const std::vector<char> isFixed = FixedVertices(mesh);
   SurfaceMesh             result = mesh;
