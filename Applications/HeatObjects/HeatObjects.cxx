@@ -12,7 +12,6 @@
 #include "shapetonImageGrid.h"
 #include "shapetonLabelFiles.h"
 #include "shapetonToolVolumes.h"
-#include "shapetonVolumeWriter.h"
 
 namespace
 {
@@ -57,9 +56,8 @@ BuildTree(CommandLine & commandLine, const HeatImage * heat)
 void
 ListObjects(CommandLine & commandLine)
 {
-  RequireVolumeName(commandLine.GetString("labels"));
   CheckHeatObjectSelection(commandLine);
-  const std::string  labelsFile = commandLine.MainOutput("labels");
+  const SegmentFiles files(commandLine, "labels");
   const std::string  table = commandLine.OutputOf("table");
   const std::string  picture = commandLine.OutputOf("picture");
   HeatObjectExplorer explorer(commandLine);
@@ -73,7 +71,7 @@ ListObjects(CommandLine & commandLine)
   HeatObjectTable(list, selection.listed, volume.image).Write(table);
   explorer.Write(volume.image, heat.image, heat.file, tree, list);
   const auto labels = selection.isOfSome ? LabelsOfObjects(list, selection.chosen) : list.labels;
-  WriteObjectLabels(labels, selection.chosen, labelsFile, commandLine.GetProvenance());
+  files.WriteObjects(labels, selection.chosen);
   if (!picture.empty())
   {
     WritePng(DrawHeatObjects(volume.image, labels, selection.chosen, selection.title), picture);

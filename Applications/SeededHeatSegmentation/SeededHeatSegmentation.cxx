@@ -44,7 +44,6 @@ CheckUsage(const CommandLine & commandLine)
                    "--components requires --automaticSeeds components");
   RequireParameter(automatic == "off" || !IsMarkups(commandLine.GetString("seeds")),
                    "--automaticSeeds: markups are already seeds; use a map of classes");
-  RequireVolumeName(commandLine.GetString("outputLabels"));
   RequireVolumeName(commandLine.GetString("uncertainty"));
 }
 
@@ -114,6 +113,8 @@ void
 LabelVoxels(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
+  const SegmentFiles files(commandLine, "outputLabels");
+
   const Volume volume = ReadVolume(commandLine, "inputVolume");
   auto         filter = FilterType::New();
   filter->SetInput(volume.image);
@@ -124,13 +125,12 @@ LabelVoxels(CommandLine & commandLine)
   commandLine.Watch(filter, "Diffusing heat from the seeds", 0.0, 0.95);
   filter->Update();
   commandLine.Warn(filter->GetRemarks());
-  const std::string    path = commandLine.MainOutput("outputLabels");
   std::vector<Segment> segments;
   if (commandLine.GetString("automaticSeeds") != "components")
   {
     segments = SegmentsOfFile(commandLine.GetString("seeds"));
   }
-  WriteSeededLabels(filter->GetOutput(), filter->GetLabelValues(), segments, path, commandLine.GetProvenance());
+  files.WriteSeeded(filter->GetOutput(), filter->GetLabelValues(), segments);
   const auto metadata = ProvenanceMetadata(commandLine.GetProvenance());
   if (commandLine.IsGiven("uncertainty"))
   {

@@ -16,6 +16,7 @@ itk_module(ShapetonHeatTools
     ITKCommon
   PRIVATE_DEPENDS
     ShapetonDicomResults
+    ShapetonMeshBridge
     ShapetonCommandLine
     ShapetonPages
   TEST_DEPENDS

@@ -19,7 +19,7 @@ using DicomLabelImage = itk::Image<unsigned short, 3>;
 /** A segment to write. \ingroup ShapetonDicomResults */
 struct DicomSegment
 {
-  /** At most 64 characters, as trackingID. */
+  /** At most 64 characters, as trackingID; any characters in UTF-8. */
   std::string name;
   std::string description;
   DicomCode   category;
@@ -33,6 +33,8 @@ struct DicomSegment
   /** Its voxels have the value `label` in `labels`, on the grid of the source. */
   const DicomLabelImage * labels{ nullptr };
   unsigned short          label{ 1 };
+  /** Whether a person guided the computation, as with seeds. */
+  bool isSemiautomatic{ false };
 };
 
 /** The written segmentation. \ingroup ShapetonDicomResults */

@@ -167,13 +167,10 @@ PutEvidence(DicomItem root, const DicomSource & source, const std::vector<DicomI
 
 /** Whether all texts of the tree are ASCII. */
 bool
-IsAscii(const DicomContent & content)
+HasOnlyAscii(const DicomContent & content)
 {
-  const auto isAscii = [](const std::string & text) {
-    return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
-  };
-  return isAscii(content.text) && isAscii(content.code.meaning) && isAscii(content.name.meaning) &&
-         std::all_of(content.children.begin(), content.children.end(), IsAscii);
+  return IsAscii(content.text + content.code.meaning + content.name.meaning) &&
+         std::all_of(content.children.begin(), content.children.end(), HasOnlyAscii);
 }
 } // namespace
 
@@ -300,7 +297,7 @@ WriteDicomReport(const DicomSource &                source,
   const char * const sopClass =
     kind == DicomReportKind::ColonCAD ? UID_ColonCADSRStorage : UID_Comprehensive3DSRStorage;
   DicomResultObject object(source, sopClass, "SR", header);
-  if (!IsAscii(root))
+  if (!HasOnlyAscii(root))
   {
     object.ConvertToUtf8();
   }

@@ -9,6 +9,7 @@
 #include "dcmtk/dcmdata/dcistrmb.h"
 #include "dcmtk/dcmdata/dcrleerg.h"
 
+#include <algorithm>
 #include <ctime>
 #include <regex>
 #include <set>
@@ -129,6 +130,12 @@ ConvertHeaderToUtf8(DcmDataset & dataset)
   }
 }
 } // namespace
+
+bool
+IsAscii(const std::string & text)
+{
+  return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
 
 std::string
 PatientIDOf(const DicomSource & source)

@@ -6,6 +6,9 @@
 
 namespace shapeton
 {
+bool
+IsAscii(const std::string & text);
+
 /** \class DicomResultObject
  * \brief A DICOM object derived from a source series: attributes common to all results, and writing.
  *

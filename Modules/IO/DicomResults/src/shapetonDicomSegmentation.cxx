@@ -226,7 +226,7 @@ PutSegment(DicomItem item, const DicomSegment & segment, int number, const Dicom
   item.Integers(DCM_SegmentNumber, { static_cast<Uint32>(number) })
     .Text(DCM_SegmentLabel, segment.name)
     .Text(DCM_SegmentDescription, segment.description)
-    .Text(DCM_SegmentAlgorithmType, "AUTOMATIC")
+    .Text(DCM_SegmentAlgorithmType, segment.isSemiautomatic ? "SEMIAUTOMATIC" : "AUTOMATIC")
     .Text(DCM_SegmentAlgorithmName, "Shapeton " + header.tool + ' ' + header.version)
     .Code(DCM_SegmentedPropertyCategoryCodeSequence, segment.category)
     .Code(DCM_SegmentedPropertyTypeCodeSequence, segment.type)
@@ -237,6 +237,15 @@ PutSegment(DicomItem item, const DicomSegment & segment, int number, const Dicom
   {
     item.Code(DCM_AnatomicRegionSequence, *segment.region);
   }
+}
+
+bool
+AreAscii(const std::vector<DicomSegment> & segments)
+{
+  return std::all_of(segments.begin(), segments.end(), [](const DicomSegment & segment) {
+    return IsAscii(segment.name + segment.description + segment.trackingID + segment.category.meaning +
+                   segment.type.meaning + (segment.region ? segment.region->meaning : ""));
+  });
 }
 
 /** Whether segments may overlap, that is, whether there are several label images. */
@@ -374,6 +383,10 @@ WriteDicomSegmentation(const DicomSource &               source,
   const std::size_t bytesPerVoxel = number > greatestByte ? 2 : 1;
   DicomResultObject object(
     source, IsLabelMap(format) ? LabelMapSegmentationStorageUID : UID_SegmentationStorage, "SEG", header);
+  if (!AreAscii(segments))
+  {
+    object.ConvertToUtf8();
+  }
   PutImage(object, source, IsLabelMap(format) ? static_cast<unsigned int>(8 * bytesPerVoxel) : 1U);
   for (std::size_t k = 0; k < segments.size(); ++k)
   {

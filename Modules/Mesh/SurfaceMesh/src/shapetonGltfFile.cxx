@@ -48,7 +48,8 @@ AddTriangles(const std::vector<std::int64_t> & indices,
 class GltfReader
 {
 public:
-  GltfReader(const std::string & bytes, const std::string & path) : m_Path(path), m_Scene(bytes, path)
+  GltfReader(const std::string & bytes, const std::string & path)
+    : m_Path(path), m_Scene(bytes, path), m_IsTurned(m_Scene.IsTurnedLps())
   {
     m_Surface.unit = SurfaceUnit::Meter;
     m_Surface.repeatsVertices = true;
@@ -88,7 +89,7 @@ private:
     for (std::size_t i = 0; i + 2 < positions.size(); i += 3)
     {
       const Eigen::Vector4d p = transform * Eigen::Vector4d(positions[i], positions[i + 1], positions[i + 2], 1.0);
-      m_Surface.AddPoint(p[0], p[1], p[2]);
+      m_IsTurned ? m_Surface.AddPoint(p[0], -p[2], p[1]) : m_Surface.AddPoint(p[0], p[1], p[2]);
     }
     if (m_Surface.points.size() > MostPoints) // a few bytes can reference one mesh many times
     {
@@ -125,6 +126,7 @@ private:
 
   std::string    m_Path;
   GltfScene      m_Scene;
+  bool           m_IsTurned;
   PolygonSurface m_Surface;
   int            m_LeftOut{ 0 };
 };

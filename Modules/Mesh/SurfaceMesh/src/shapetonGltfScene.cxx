@@ -15,10 +15,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr std::uint32_t Magic = 0x46546C67;       // "glTF"
-constexpr std::uint32_t JsonChunk = 0x4E4F534A;   // "JSON", little-endian
-constexpr std::uint32_t BinaryChunk = 0x004E4942; // "BIN", little-endian
-constexpr int           DeepestNode = 1000;       // levels; chosen, bounds the recursion for malformed files
+constexpr int DeepestNode = 1000; // levels; chosen, bounds the recursion for malformed files
 
 const char * const Truncated = "truncated: the file ends within its data";
 const char * const Again = "copy or write the file again";
@@ -100,6 +97,13 @@ GltfScene::GltfScene(const std::string & bytes, const std::string & path) : m_Pa
 
 GltfScene::~GltfScene() = default;
 
+bool
+GltfScene::IsTurnedLps() const
+{
+  const Json extras = m_Document.at("asset").value("extras", Json::object());
+  return extras.is_object() && extras.value("SPACE", Json()) == "LPS";
+}
+
 void
 GltfScene::RefuseExtensions() const
 {
@@ -122,7 +126,7 @@ GltfScene::ReadChunks(const std::string & bytes)
   std::string document = bytes;
   std::string binary;
   bool        hasBinary = false;
-  if (bytes.size() >= 4 && ValueAt<std::uint32_t>(bytes, 0) == Magic)
+  if (bytes.size() >= 4 && ValueAt<std::uint32_t>(bytes, 0) == GlbMagic)
   {
     constexpr std::size_t headers = 20; // bytes of the file header and the first chunk header
     if (bytes.size() < headers || ValueAt<std::uint32_t>(bytes, 8) > bytes.size())
@@ -140,11 +144,11 @@ GltfScene::ReadChunks(const std::string & bytes)
       {
         RefuseSurface(m_Path, Truncated, Again);
       }
-      if (kind == JsonChunk && document.empty())
+      if (kind == GlbJsonChunk && document.empty())
       {
         document = bytes.substr(place, size);
       }
-      else if (kind == BinaryChunk && !hasBinary)
+      else if (kind == GlbBinaryChunk && !hasBinary)
       {
         hasBinary = true;
         binary = bytes.substr(place, size);

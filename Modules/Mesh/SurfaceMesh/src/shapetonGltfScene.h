@@ -12,6 +12,17 @@
 
 namespace shapeton
 {
+/** \name Words of a GLB file, little endian. */
+///@{
+constexpr std::uint32_t GlbMagic = 0x46546C67;       // "glTF"
+constexpr std::uint32_t GlbJsonChunk = 0x4E4F534A;   // "JSON"
+constexpr std::uint32_t GlbBinaryChunk = 0x004E4942; // "BIN"
+///@}
+
+/** Column by column: LPS in mm to the axes of glTF in meters, where a model looks along z, y is up, and x is its left.
+ */
+constexpr double GltfOfLps[16] = { 1e-3, 0, 0, 0, 0, 0, -1e-3, 0, 0, 1e-3, 0, 0, 0, 0, 0, 1 };
+
 /** A nonnegative integer. Throws std::out_of_range for any other value. */
 std::size_t
 GltfIndex(const Json & json);
@@ -44,6 +55,10 @@ public:
   {
     return m_Document;
   }
+
+  /** Whether the file is from WriteSurfaceScene(): its nodes turn LPS by GltfOfLps. */
+  bool
+  IsTurnedLps() const;
 
   /** Positions of an accessor: three floats for each vertex. */
   std::vector<double>

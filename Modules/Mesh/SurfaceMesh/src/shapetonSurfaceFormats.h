@@ -82,6 +82,8 @@ void
 WriteObj(const SurfaceMesh & mesh, const std::string & path);
 void
 WritePly(const SurfaceMesh & mesh, const std::string & path);
+void
+WriteGlb(const SurfaceMesh & mesh, const std::string & path);
 ///@}
 
 /** Checks indices, triangulates polygons, converts RAS to LPS and scales to mm. */

@@ -1,15 +1,19 @@
 #include "shapetonBase64Text.h"
+#include "shapetonExceptions.h"
+#include "shapetonJson.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonSurfaceRepair.h"
 #include "shapetonGltfTestFiles.h"
 #include "shapetonSurfaceTestFiles.h"
+#include "shapetonSurfaceScene.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonTestSurfaces.h"
 
 #include "gtest/gtest.h"
 
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -98,6 +102,65 @@ TEST(SurfaceFormats, StlKeepsTheSurfaceInSinglePrecision)
     }
   }
   EXPECT_TRUE(shapeton::InspectSurface(back).isClosed);
+}
+
+/** A little endian word. */
+std::size_t
+WordAt(const std::string & bytes, std::size_t offset)
+{
+  std::size_t word = 0;
+  for (int i = 3; i >= 0; --i)
+  {
+    word = 256 * word + static_cast<unsigned char>(bytes[offset + i]);
+  }
+  return word;
+}
+
+TEST(SurfaceFormats, GlbKeepsTheSurfaceInSinglePrecision)
+{
+  shapeton::SurfaceMesh mesh = MeshWithArrays();
+  mesh.V.conservativeResize(mesh.V.rows() + 1, Eigen::NoChange); // an unused vertex, which is dropped
+  mesh.V.bottomRows(1).setConstant(std::numeric_limits<double>::quiet_NaN());
+  mesh.pointArrays.clear();
+  const shapeton::SurfaceMesh back = RoundTrip(mesh, "glb");
+  ASSERT_EQ(back.V.rows(), mesh.V.rows() - 1);
+  EXPECT_EQ(back.F, mesh.F);
+  EXPECT_LT((back.V - mesh.V.topRows(back.V.rows())).cwiseAbs().maxCoeff(), 1e-5);
+  EXPECT_GT(*shapeton::InspectSurface(back).volume, 0.0);
+}
+
+TEST(SurfaceFormats, ScenesHaveNamesColorsAndUprightPatients)
+{
+  const Folder                folder;
+  const std::string           path = folder / "scene.glb";
+  const shapeton::SurfaceMesh ball = Icosphere(1, 10);
+  shapeton::SurfaceMesh       head = Icosphere(2, 5); // above and in front of the ball, on its left
+  head.V.rowwise() += Eigen::RowVector3d(3, -20, 40);
+  shapeton::WriteSurfaceScene({ { "ball", { { 1.0, 0.5, 0.0 } }, ball }, { "head", {}, head } }, path);
+
+  const shapeton::SurfaceFile file = shapeton::ReadSurfaceFile(path);
+  ASSERT_EQ(file.parts.size(), 2u);
+  EXPECT_EQ(file.parts[0].name, "ball");
+  EXPECT_EQ(file.parts[1].name, "head");
+  EXPECT_LT((file.mesh.V.bottomRows(head.V.rows()) - head.V).cwiseAbs().maxCoeff(), 1e-5); // LPS, mm
+
+  // Without the note of the space, a reader gets the axes of glTF in meters: left, superior, anterior.
+  std::string bytes = shapeton::ReadFileBytes(path);
+  bytes.replace(bytes.find("\"SPACE\":\"LPS\""), 13, "\"SPACE\":\"any\"");
+  shapeton::WriteFileBytes(path, bytes);
+  const auto center = shapeton::ReadSurfaceFile(path).mesh.V.bottomRows(head.V.rows()).colwise().mean().eval();
+  EXPECT_LT((center - Eigen::RowVector3d(3, 40, 20)).norm(), 1e-4);
+
+  const auto document = shapeton::Json::parse(bytes.substr(20, WordAt(bytes, 12)));
+  const auto color = document["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"];
+  EXPECT_NEAR(color[1].get<double>(), 0.214041, 1e-6); // of 0.5 in sRGB, IEC 61966-2-1
+  for (const auto & view : document["bufferViews"])
+  {
+    EXPECT_EQ(view["byteOffset"].get<int>() % 4, 0);
+  }
+  EXPECT_EQ(WordAt(bytes, 8), bytes.size());
+  EXPECT_THROW(shapeton::WriteSurfaceScene({ { "empty", {}, {} } }, path), shapeton::InputError);
+  EXPECT_THROW(shapeton::WriteSurfaceScene({}, folder / "scene.gltf"), shapeton::ParameterError);
 }
 
 TEST(SurfaceFormats, FilesStateLpsWhere3DSlicerLooks)

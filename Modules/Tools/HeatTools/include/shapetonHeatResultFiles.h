@@ -14,7 +14,7 @@
 namespace shapeton
 {
 class CommandLine;
-class DicomMapOutput;
+class DicomOutput;
 
 /** \class HeatResultFiles
  * \brief The output files of a heat diffusion tool, declared by the parameters of its XML.
@@ -67,16 +67,16 @@ private:
   void
   WriteHeat(const itk::Image<float, 3> * heat, std::uint64_t timeStep, const std::string & path) const;
 
-  CommandLine &                         m_CommandLine;
-  std::string                           m_Heat;
-  std::string                           m_InitialHeat;
-  std::string                           m_Labels;
-  std::string                           m_ClassTable;
-  std::string                           m_Histogram;
-  std::string                           m_HistogramTable;
-  std::string                           m_Report;
-  HeatRanges                            m_Ranges;
-  std::shared_ptr<const DicomMapOutput> m_DicomMap;
+  CommandLine &                      m_CommandLine;
+  std::string                        m_Heat;
+  std::string                        m_InitialHeat;
+  std::string                        m_Labels;
+  std::string                        m_ClassTable;
+  std::string                        m_Histogram;
+  std::string                        m_HistogramTable;
+  std::string                        m_Report;
+  HeatRanges                         m_Ranges;
+  std::shared_ptr<const DicomOutput> m_DicomMap;
 
   std::unique_ptr<HeatExplorer> m_Explorer; // null without a report
 };

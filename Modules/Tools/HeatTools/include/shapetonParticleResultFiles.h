@@ -13,7 +13,7 @@
 namespace shapeton
 {
 class CommandLine;
-class DicomMapOutput;
+class DicomOutput;
 struct ShapeAnalysis;
 struct Volume;
 
@@ -75,13 +75,13 @@ public:
   ///@}
 
 private:
-  CommandLine &                         m_CommandLine;
-  std::string                           m_Density;
-  std::string                           m_Labels;
-  std::string                           m_ClassTable;
-  std::string                           m_Report;
-  HeatRanges                            m_Ranges;
-  std::shared_ptr<const DicomMapOutput> m_DicomMap;
+  CommandLine &                      m_CommandLine;
+  std::string                        m_Density;
+  std::string                        m_Labels;
+  std::string                        m_ClassTable;
+  std::string                        m_Report;
+  HeatRanges                         m_Ranges;
+  std::shared_ptr<const DicomOutput> m_DicomMap;
 
   std::unique_ptr<HeatExplorer> m_Explorer; // null without a report
 };

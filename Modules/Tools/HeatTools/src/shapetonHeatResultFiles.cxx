@@ -2,7 +2,7 @@
 
 #include "shapetonCommandLine.h"
 #include "shapetonCsvTable.h"
-#include "shapetonDicomMapOutput.h"
+#include "shapetonDicomOutput.h"
 #include "shapetonHeatSnapshot.h"
 #include "shapetonLabelFiles.h"
 #include "shapetonOpenedRanges.h"
@@ -21,7 +21,7 @@ HeatResultFiles::HeatResultFiles(CommandLine & commandLine)
   , m_HistogramTable(commandLine.OutputOf("histogramTable"))
   , m_Report(commandLine.GetString("report"))
   , m_Ranges(ReadOpenedRanges(commandLine))
-  , m_DicomMap(std::make_shared<DicomMapOutput>(commandLine))
+  , m_DicomMap(std::make_shared<DicomOutput>(commandLine, "dicomMap"))
 {
   commandLine.RecordRun(commandLine.GetString("outputHeat") + ".run.json");
   if (!m_Report.empty())
@@ -37,7 +37,7 @@ HeatResultFiles::Write(HeatReportContent content, const itk::Image<unsigned char
 {
   OpenRanges(m_CommandLine, m_Ranges, content);
   this->WriteHeat(content.heat, content.timeStep.value_or(0), m_Heat);
-  m_DicomMap->Write(content.heat, "HEAT", "Cumulative heat");
+  m_DicomMap->WriteMap(content.heat, "HEAT", "Cumulative heat");
   if (!m_Labels.empty())
   {
     WriteClassLabels(labels, content.classes, content.quantity, m_Labels, m_CommandLine.GetProvenance());

@@ -2,7 +2,7 @@
 
 #include "shapetonAxisTicks.h"
 #include "shapetonCommandLine.h"
-#include "shapetonDicomMapOutput.h"
+#include "shapetonDicomOutput.h"
 #include "shapetonLabelFiles.h"
 #include "shapetonOpenedRanges.h"
 #include "shapetonReportFolder.h"
@@ -160,7 +160,7 @@ ParticleResultFiles::ParticleResultFiles(CommandLine & commandLine)
   , m_ClassTable(commandLine.OutputOf("classTable"))
   , m_Report(commandLine.GetString("report"))
   , m_Ranges(ReadOpenedRanges(commandLine))
-  , m_DicomMap(std::make_shared<DicomMapOutput>(commandLine))
+  , m_DicomMap(std::make_shared<DicomOutput>(commandLine, "dicomMap"))
 {
   commandLine.RecordRun(commandLine.GetString("outputDensity") + ".run.json");
   if (!m_Report.empty())
@@ -194,7 +194,7 @@ ParticleResultFiles::Write(const FilterType *              filter,
                            const Volume &                  volume) const
 {
   this->WriteDensity(filter->GetOutput(), filter->GetMeasures().step);
-  m_DicomMap->Write(filter->GetOutput(), "VISITS", "Visits of shapetons");
+  m_DicomMap->WriteMap(filter->GetOutput(), "VISITS", "Visits of shapetons");
   if (m_Labels.empty() && m_ClassTable.empty() && m_Report.empty())
   {
     return;

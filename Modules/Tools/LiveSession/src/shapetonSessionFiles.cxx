@@ -306,14 +306,14 @@ SessionFiles::WriteObjects(const SavedResult & result, const HeatObjectList & li
   this->AddMask("barrier", result.barrier, all);
   Append(all, arguments);
   this->RunTool(HeatObjectsXML, "HeatObjects", all, [&](CommandLine & commandLine) {
-    const std::string labelsFile = commandLine.MainOutput("labels");
-    const std::string tableFile = commandLine.OutputOf("table");
+    const SegmentFiles files(commandLine, "labels");
+    const std::string  tableFile = commandLine.OutputOf("table");
     this->AddInput(commandLine);
     commandLine.AddInput("heatVolume", ReadVolume(commandLine.GetString("heatVolume")).identity);
     ReadDomain(commandLine, m_Volume.image); // for the identity of the barrier
     HeatObjectTable(list, numbers, m_Volume.image).Write(tableFile);
     const auto image = isAll ? list.labels : LabelsOfObjects(list, numbers);
-    WriteObjectLabels(image, numbers, labelsFile, commandLine.GetProvenance());
+    files.WriteObjects(image, numbers);
   });
   this->NoteCommand("HeatObjects", { heat, labels, table }, arguments);
   this->NoteMask("barrier", result.barrier);
