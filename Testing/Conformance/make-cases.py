@@ -16,6 +16,7 @@ import dicom_cases  # noqa: F401 (registers its cases)
 import dicom_enhanced_cases  # noqa: F401
 import nifti_cases  # noqa: F401
 import nrrd_cases  # noqa: F401
+import segment_cases  # noqa: F401
 
 
 def main():

@@ -57,6 +57,53 @@ def nibabel(folder):
     return [(array.T, RAS @ np.diag([scale, scale, scale, 1.0]) @ image.affine)]
 
 
+def grid_of(files):
+    """Size and matrix of a regular series, from its positions."""
+    import pydicom as library
+
+    slices = [library.dcmread(path, stop_before_pixels=True) for path in files]
+    first = slices[0]
+    normal = np.cross(first.ImageOrientationPatient[:3], first.ImageOrientationPatient[3:])
+    slices.sort(key=lambda ds: np.dot(ds.ImagePositionPatient, normal))
+    distance = np.dot(np.subtract(slices[1].ImagePositionPatient, slices[0].ImagePositionPatient), normal)
+    matrix = affine(first.ImageOrientationPatient, first.PixelSpacing, slices[0].ImagePositionPatient, distance)
+    return (len(slices), first.Rows, first.Columns), matrix, first
+
+
+def segments_by_pydicom(folder):
+    """The segment number of each voxel of the series: pixels of pixel_array, at the Image Position (Patient) of their frame."""
+    import pydicom as library
+
+    size, matrix, first = grid_of(dicom_files(folder / "series"))
+    ds = library.dcmread(folder / "seg.dcm")
+    if ds.FrameOfReferenceUID != first.FrameOfReferenceUID:
+        raise RefusalError("another frame of reference")
+    labels = np.zeros(size)
+    shared = ds.SharedFunctionalGroupsSequence[0]
+    half = ds.get("MaximumFractionalValue", 1) / 2
+    for frame, pixels in zip(ds.PerFrameFunctionalGroupsSequence, ds.pixel_array):
+        orientation = shared.PlaneOrientationSequence[0].ImageOrientationPatient
+        spacing = shared.PixelMeasuresSequence[0].PixelSpacing
+        own = affine(orientation, spacing, frame.PlanePositionSequence[0].ImagePositionPatient)
+        is_map = "SegmentIdentificationSequence" not in frame
+        number = None if is_map else frame.SegmentIdentificationSequence[0].ReferencedSegmentNumber
+        row, column = np.nonzero(pixels if is_map else pixels >= half)
+        index = np.linalg.inv(matrix) @ own @ np.stack([column, row, 0 * row, 0 * row + 1])
+        i, j, k = np.rint(index[:3]).astype(int)
+        labels[k, j, i] = pixels[row, column] if is_map else number
+    return [(labels, matrix)]
+
+
+def places(points):
+    """Bright voxels at points."""
+    pieces = []
+    for point in points:
+        matrix = np.eye(4)
+        matrix[:3, 3] = point
+        pieces.append((np.full((1, 1, 1), 1000.0), matrix))
+    return pieces
+
+
 def dicom_files(folder):
     return sorted(path for path in folder.rglob("*") if path.is_file())
 
@@ -66,6 +113,8 @@ def pydicom(folder):
     import pydicom as library
     from pydicom.pixel_data_handlers.util import apply_modality_lut
 
+    if (folder / "seg.dcm").exists():
+        return segments_by_pydicom(folder)
     pieces = []
     for path in dicom_files(folder):
         try:
@@ -143,7 +192,23 @@ def volumes_in(folder, pattern="*.nii"):
     return pieces
 
 
+def results_by_shapeton(folder):
+    """Labels of a segmentation, or points of a report."""
+    with tempfile.TemporaryDirectory() as result:
+        tool = pathlib.Path(os.environ["SHAPETON_TOOLS"]) / "DicomResultsToColon"
+        if (folder / "seg.dcm").exists():
+            run([tool, folder / "seg.dcm", folder / "series", "--labels", result + "/labels.nii", "--quiet"])
+            return volumes_in(pathlib.Path(result))
+        markers = pathlib.Path(result) / "points.mrk.json"
+        run([tool, folder / "sr.dcm", folder / "series", "--markers", markers, "--quiet"])
+        markups = json.loads(markers.read_text())["markups"]
+        sign = {"LPS": (1, 1, 1), "RAS": (-1, -1, 1)}
+        return places(np.multiply(point["position"], sign[one["coordinateSystem"]]) for one in markups for point in one["controlPoints"])
+
+
 def shapeton(folder):
+    if (folder / "series").exists():
+        return results_by_shapeton(folder)
     with tempfile.TemporaryDirectory() as result:
         source = folder if is_dicom(folder) else only_file(folder)
         tool = pathlib.Path(os.environ["SHAPETON_TOOLS"]) / "DicomSeriesToImage"
@@ -179,23 +244,38 @@ def dcm2niix(folder):
 def dcmjs(folder):
     """The pixels of uncompressed files, with slope, intercept and plane of each file."""
     text = run(["node", HERE / "read-dcmjs.mjs", *dicom_files(folder)], cwd=os.environ["SHAPETON_NODE_MODULES"])
-    pieces = []
-    for image in json.loads(text.splitlines()[-1]):
-        array = np.array(image["pixels"], float).reshape(1, image["rows"], image["columns"])
-        pieces.append((array * image["slope"] + image["intercept"], affine(image["orientation"], image["spacing"], image["position"])))
+    pieces = planes(json.loads(text.splitlines()[-1]))
     if not pieces:
         raise RefusalError("no file is DICOM")
     return pieces
 
 
+def planes(images):
+    pieces = []
+    for image in images:
+        array = np.array(image["pixels"], float).reshape(1, image["rows"], image["columns"])
+        pieces.append((array * image["slope"] + image["intercept"], affine(image["orientation"], image["spacing"], image["position"])))
+    return pieces
+
+
+def ohif(folder):
+    """The pixels, labels or points that the viewer holds in Chromium, after Orthanc took the files."""
+    with tempfile.TemporaryDirectory() as work:
+        package = os.environ["SHAPETON_NODE_MODULES"] + "/ohif"
+        text = run(["node", HERE / "read-ohif.mjs", package, work + "/orthanc", folder])
+    found = json.loads(next(line for line in text.splitlines() if line.startswith('{"p')))
+    return places(found["points"]) if "points" in found else planes(found["planes"])
+
+
 READERS = {
-    "shapeton": (shapeton, ("DICOM", "NIfTI", "NRRD")),
+    "shapeton": (shapeton, ("DICOM", "NIfTI", "NRRD", "SEG", "SR")),
     "itk": (itk, ("DICOM", "NIfTI", "NRRD")),
     "plastimatch": (plastimatch, ("DICOM", "NIfTI", "NRRD")),
     "dcm2niix": (dcm2niix, ("DICOM",)),
     "gdcm": (gdcm, ("DICOM",)),
-    "pydicom": (pydicom, ("DICOM",)),
+    "pydicom": (pydicom, ("DICOM", "SEG")),
     "dcmjs": (dcmjs, ("DICOM",)),
+    "ohif": (ohif, ("DICOM", "SEG", "SR")),
     "nibabel": (nibabel, ("NIfTI",)),
 }
 

@@ -17,6 +17,7 @@ import readers
 from case_files import BRIGHT
 
 HERE = pathlib.Path(__file__).parent
+OHIF = HERE.parent / "Ohif/ohif.mjs"
 PLACE_TOLERANCE = 0.02  # voxels; rounding of decimal strings and single precision is smaller
 VALUE_TOLERANCE = 0.01  # intensities are multiples of 1/8
 CENTER_TOLERANCE = 0.75  # mm; a resampled box of 9 to 13 mm; slices at wrong places move it by 2 mm or more
@@ -91,6 +92,7 @@ def version_of(reader):
         "gdcm": "dpkg-query -W -f '${Version}' python3-gdcm",
         "pydicom": "dpkg-query -W -f '${Version}' python3-pydicom",
         "nibabel": "dpkg-query -W -f '${Version}' python3-nibabel",
+        "ohif": "command -v Orthanc chromium > /dev/null && sed -n \"s/^const PACKAGE = '@ohif.app@\\(.*\\)';/\\1/p\" " + str(OHIF),
         "dcmjs": "node -p \"require('$SHAPETON_NODE_MODULES/node_modules/dcmjs/package.json').version\"",
     }
     return subprocess.run(commands[reader], shell=True, capture_output=True, text=True).stdout.strip().rpartition(" ")[2]

@@ -3,7 +3,7 @@
 
 const PAUSE = 500; // milliseconds; OHIF scrolls to a first slice after drawing, and fails if the viewport is replaced before
 
-const addHelpers = () => {
+export const addHelpers = () => {
   const uidOf = (set) => set.SOPInstanceUID || set.instances[0].SOPInstanceUID;
   const sets = () => services.displaySetService.getActiveDisplaySets();
   const viewportId = () => services.viewportGridService.getActiveViewportId();

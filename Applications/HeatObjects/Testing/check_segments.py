@@ -48,7 +48,7 @@ def segments_of(header):
         value = {key: header[f"Segment{i}_{key}"] for key in ("Name", "Color", "LabelValue", "Tags")}
         terms = value["Tags"].split(":", 1)[1].split("|")[0].split("~")
         segments[int(value["LabelValue"])] = {
-            "name": value["Name"],
+            "name": value["Name"].replace("\\\\", "\\"),
             "color": [float(c) for c in value["Color"].split()],
             "terms": [tuple(term.split("^")) for term in (terms[1], terms[2], terms[5])],
         }

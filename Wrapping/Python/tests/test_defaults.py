@@ -81,6 +81,8 @@ OPTIONS_ALONE = {
     "device": "equal bytes on every device",
     "autoParameters": "p=None",
     "resume": "checkpoints of the tool",
+    "labelMap": "a DICOM file of the tool",
+    "surfaceFormat": "files of the tool",
     ("ColonFlattening", "coloring"): "a picture",
     ("ColonFolds", "publishedHigh"): "scheme \"published\" with fixed values",
     ("ColonFolds", "publishedLow"): "scheme \"published\" with fixed values",

@@ -2,20 +2,15 @@
 
 #include "shapetonByteStream.h"
 #include "shapetonDicomAttributes.h"
+#include "shapetonDicomFramePlaces.h"
 #include "shapetonDicomReading.h"
 #include "shapetonExceptions.h"
 #include "shapetonMappedImage.h"
-#include "shapetonNumberText.h"
-#include "shapetonPi.h"
-
-#include "itkVector.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <set>
 #include <stdexcept>
-#include <utility>
 
 namespace shapeton
 {
@@ -24,9 +19,6 @@ namespace
 /** Largest compression ratios: that of deflate, and that of an empty 2 MB frame in JPEG 2000. */
 constexpr std::uint64_t MaximumDeflateRatio = 1032;
 constexpr std::uint64_t MaximumFrameRatio = 20000;
-
-/** Distance of a frame from its slice, as a fraction of a voxel: some writers round positions. */
-constexpr double PlaneTolerance = 0.05;
 
 const std::vector<std::string> segmentationClasses{ UID_SegmentationStorage, LabelMapSegmentationStorageUID };
 
@@ -348,104 +340,6 @@ CopySegmentPixels(const std::string & path, std::size_t bytes, char * shared)
 
 // ---- in this process ----
 
-[[noreturn]] void
-RefusePlanes(const DicomSegmentationFile & file, const std::string & reason)
-{
-  throw InputError("\"" + file.path + "\" does not match the slices of the given series: " + reason +
-                   "; resample the segmentation to the series, for example in 3D Slicer");
-}
-
-/** "0.75 x 1.25". */
-std::string
-Pair(double first, double second)
-{
-  return NumberText(first) + " x " + NumberText(second);
-}
-
-/** Checks the planes of frames against the slices of a series. */
-void
-RequirePlanesOf(const DicomSegmentationFile & file, const DicomSeries & series)
-{
-  constexpr double cosines = 1e-3;     // chosen; rounding of written direction cosines
-  constexpr double leastDegrees = 0.5; // of an inclination; smaller ones are rotations within the plane
-  for (unsigned int k = 0; k < 3; ++k)
-  {
-    if (!(std::abs(series.direction(k, 0) - file.orientation[k]) <= cosines &&
-          std::abs(series.direction(k, 1) - file.orientation[3 + k]) <= cosines))
-    {
-      const itk::Vector<double, 3> normal =
-        itk::CrossProduct(itk::Vector<double, 3>(file.orientation), itk::Vector<double, 3>(file.orientation + 3));
-      double cosine = 0.0;
-      for (unsigned int axis = 0; axis < 3; ++axis)
-      {
-        cosine += normal[axis] * series.direction(axis, 2);
-      }
-      const double degrees = DegreesPerRadian * std::acos(std::min(std::abs(cosine), 1.0));
-      RefusePlanes(file,
-                   degrees < leastDegrees
-                     ? "rows and columns of its frames have other directions"
-                     : "its frames are inclined to them by " + NumberText(degrees, 3) + " degrees");
-    }
-  }
-  if (file.columns != series.size[0] || file.rows != series.size[1])
-  {
-    RefusePlanes(file,
-                 "its frames have " + Pair(file.columns, file.rows) + " pixels, the slices " +
-                   Pair(series.size[0], series.size[1]));
-  }
-  for (unsigned int axis = 0; axis < 2; ++axis)
-  {
-    const double extent = series.size[axis] * std::abs(series.spacing[axis] - file.spacing[axis]);
-    if (!(extent <= PlaneTolerance * series.spacing[axis]))
-    {
-      RefusePlanes(file,
-                   "its pixels have " + Pair(file.spacing[0], file.spacing[1]) + " mm, those of the slices " +
-                     Pair(series.spacing[0], series.spacing[1]) + " mm");
-    }
-  }
-}
-
-/** The slice of a series at the position of a frame; the number of slices if there is none. */
-std::size_t
-SliceOf(const DicomSegmentFrame & frame, const DicomSeries & series)
-{
-  const auto & slices = series.slices;
-  const auto   distance = [&](const DicomSlice & slice) {
-    return frame.position.SquaredEuclideanDistanceTo(slice.imagePosition);
-  };
-  const auto nearest = std::min_element(slices.begin(), slices.end(), [&](const DicomSlice & a, const DicomSlice & b) {
-    return distance(a) < distance(b);
-  });
-  const auto step = series.direction.GetTranspose() * (frame.position - nearest->imagePosition).GetVnlVector();
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    if (!(std::abs(step[axis]) <= PlaneTolerance * series.spacing[axis]))
-    {
-      return slices.size();
-    }
-  }
-  return static_cast<std::size_t>(nearest - slices.begin());
-}
-
-/** The labels of a slice, into which frames are painted. */
-struct Canvas
-{
-  unsigned short * labels;
-  /** Offset from one row to the next, in pixels. */
-  std::size_t pitch;
-};
-
-/** The grid position of a slice of a source, to the nearest pixel. */
-Canvas
-CanvasOf(DicomLabelImage * labels, const DicomSlice & slice, std::size_t number)
-{
-  const auto size = labels->GetLargestPossibleRegion().GetSize();
-  const auto first = labels->TransformPhysicalPointToContinuousIndex<double>(slice.imagePosition);
-  const auto column = static_cast<std::size_t>(std::max(0L, std::lround(first[0])));
-  const auto row = static_cast<std::size_t>(std::max(0L, std::lround(first[1])));
-  return { labels->GetBufferPointer() + (number * size[1] + row) * size[0] + column, size[0] };
-}
-
 /** The pixels of a file. */
 class FramePixels
 {
@@ -478,18 +372,25 @@ private:
 
 /** Returns the number of painted voxels. */
 std::size_t
-PaintFrame(const DicomSegmentationFile & file, std::size_t frame, const char * data, int number, const Canvas & canvas)
+PaintFrame(const DicomSegmentationFile & file,
+           std::size_t                   frame,
+           const char *                  data,
+           int                           number,
+           const DicomFramePlace &       place,
+           DicomLabelImage *             labels)
 {
   const FramePixels pixels(file, data);
   std::size_t       next = frame * file.columns * file.rows;
   std::size_t       painted = 0;
-  for (std::size_t row = 0; row < file.rows; ++row)
+  itk::Index<3>     firstOfRow = place.first;
+  for (std::size_t row = 0; row < file.rows; ++row, firstOfRow += place.alongColumn)
   {
-    for (std::size_t column = 0; column < file.columns; ++column, ++next)
+    itk::Index<3> voxel = firstOfRow;
+    for (std::size_t column = 0; column < file.columns; ++column, ++next, voxel += place.alongRow)
     {
       if (pixels.IsIn(next, number))
       {
-        canvas.labels[row * canvas.pitch + column] = static_cast<unsigned short>(number);
+        labels->SetPixel(voxel, static_cast<unsigned short>(number));
         ++painted;
       }
     }
@@ -531,39 +432,6 @@ RequireSegments(const DicomSegmentationFile & file, const std::vector<int> & num
     RequireParameter(std::count(numbers.begin(), numbers.end(), number) == 1,
                      "segment " + std::to_string(number) + " is requested twice");
   }
-}
-
-/** The slice index of each frame. */
-std::vector<std::size_t>
-SlicesOf(const DicomSegmentationFile & file, const DicomSeries & series)
-{
-  RequirePlanesOf(file, series);
-  std::vector<std::size_t>              slices;
-  std::set<std::pair<int, std::size_t>> taken;
-  std::size_t                           outside = 0;
-  for (const DicomSegmentFrame & frame : file.frames)
-  {
-    slices.push_back(SliceOf(frame, series));
-    outside += slices.back() == series.slices.size() ? 1 : 0;
-  }
-  if (outside > 0)
-  {
-    const auto   first = std::find(slices.begin(), slices.end(), series.slices.size()) - slices.begin();
-    const auto & place = file.frames[static_cast<std::size_t>(first)].position;
-    RefusePlanes(file,
-                 std::to_string(outside) + " of its " + std::to_string(slices.size()) +
-                   " frames lie at no slice, the first at (" + NumberText(place[0]) + ", " + NumberText(place[1]) +
-                   ", " + NumberText(place[2]) + ") mm LPS");
-  }
-  for (std::size_t i = 0; i < slices.size(); ++i)
-  {
-    if (!taken.insert({ file.frames[i].segment, slices[i] }).second)
-    {
-      throw InputError('"' + file.path + "\" has two frames of segment " + std::to_string(file.frames[i].segment) +
-                       " in one plane; write it again");
-    }
-  }
-  return slices;
 }
 } // namespace
 
@@ -618,7 +486,7 @@ DicomSegmentVoxels
 ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & numbers, const DicomSource & source)
 {
   RequireSegments(file, numbers);
-  const auto         slices = SlicesOf(file, source.series);
+  const auto         places = PlacesOfFrames(file, source);
   DicomSegmentVoxels read{ NewImageOn<DicomLabelImage>(source.grid, true),
                            std::vector<std::size_t>(numbers.size(), 0) };
   const auto         paint = [&](const std::string &, const char * data) {
@@ -632,8 +500,7 @@ ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & n
       {
         if (file.frames[i].segment == numbers[k] || file.bytesPerLabel > 0)
         {
-          const Canvas canvas = CanvasOf(read.labels, source.series.slices[slices[i]], slices[i]);
-          read.voxels[k] += PaintFrame(file, i, data, numbers[k], canvas);
+          read.voxels[k] += PaintFrame(file, i, data, numbers[k], places[i], read.labels);
         }
       }
     }

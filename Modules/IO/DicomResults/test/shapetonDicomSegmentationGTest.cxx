@@ -3,6 +3,8 @@
 #include "shapetonFileBytes.h"
 #include "shapetonImageGrid.h"
 #include "shapetonMappedImage.h"
+#include "shapetonPi.h"
+#include "shapetonTestImages.h"
 
 #include <filesystem>
 #include <functional>
@@ -297,27 +299,37 @@ TEST(DicomSegmentation, SaysHowItDiffersFromTheSlices)
     change(other.series);
     return Refuses([&] { ReadDicomSegments(file, { 1 }, other); }, reason);
   };
-  EXPECT_TRUE(refuses([](DicomSeries & series) { series.size[0] = 8; }, "frames have 7 x 9 pixels, the slices 8 x 9"));
+  EXPECT_TRUE(refuses([](DicomSeries & series) { series.size[0] = 6; }, "15 of its 15 frames extend beyond the slices"));
   EXPECT_TRUE(refuses([](DicomSeries & series) { series.spacing[0] = 1.5; },
                       "pixels have 0.75 x 1.25 mm, those of the slices 1.5 x 1.25 mm"));
-  EXPECT_TRUE(refuses(
-    [](DicomSeries & series) {
-      for (unsigned int k = 0; k < 3; ++k)
-      {
-        std::swap(series.direction(k, 0), series.direction(k, 2));
-      }
-    },
-    "frames are inclined to them by 90 degrees"));
-  EXPECT_TRUE(refuses(
-    [](DicomSeries & series) {
-      for (unsigned int k = 0; k < 3; ++k)
-      {
-        series.direction(k, 0) *= -1.0;
-      }
-    },
-    "rows and columns of its frames have other directions"));
+  const double degree = Pi / 180.0;
+  EXPECT_TRUE(
+    refuses([&](DicomSeries & series) { series.direction *= basetest::Rotation(1, 30.0 * degree); },
+            "frames are inclined to them by 30 degrees"));
+  EXPECT_TRUE(refuses([&](DicomSeries & series) { series.direction *= basetest::Rotation(2, 45.0 * degree); },
+                      "rows and columns of its frames have other directions"));
   EXPECT_TRUE(
     refuses([](DicomSeries & series) { series.slices.resize(3); }, "of its 15 frames lie at no slice, the first at ("));
+}
+
+TEST(DicomSegmentation, MirroredFramesAreReadToTheirPlaces)
+{
+  const Written         written(ObliqueFixture());
+  DicomSegmentationFile file = ReadDicomSegmentation(written.path);
+  const auto            size = written.labels->GetLargestPossibleRegion().GetSize();
+  for (unsigned int k = 0; k < 3; ++k)
+  {
+    file.orientation[k] *= -1.0;
+    for (DicomSegmentFrame & frame : file.frames)
+    {
+      frame.position[k] += written.source.series.direction(k, 0) * written.source.series.spacing[0] * (size[0] - 1.0);
+    }
+  }
+  const auto mirrored = ReadDicomSegments(file, { 1, 2 }, written.source).labels;
+  basetest::ForVoxels(mirrored, [&](const itk::Index<3> & index, const itk::Point<double, 3> &) {
+    const itk::Index<3> other{ { static_cast<long>(size[0]) - 1 - index[0], index[1], index[2] } };
+    EXPECT_EQ(mirrored->GetPixel(index), written.labels->GetPixel(other)) << index;
+  });
 }
 
 TEST(DicomSegmentation, RefusesWhatIsNoSegmentation)

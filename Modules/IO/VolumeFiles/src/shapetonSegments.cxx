@@ -29,6 +29,20 @@ ExtentOf(const itk::ImageBase<3> * image)
   }
   return extent;
 }
+
+/** The value of a key in a NRRD header, in which backslashes and line ends are escaped. */
+std::string
+Unescaped(const std::string & text)
+{
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const bool isEscape = text[i] == '\\' && i + 1 < text.size() && (text[i + 1] == '\\' || text[i + 1] == 'n');
+    i += isEscape ? 1 : 0;
+    plain += isEscape && text[i] == 'n' ? '\n' : text[i];
+  }
+  return plain;
+}
 } // namespace
 
 VolumeMetadata
@@ -68,7 +82,7 @@ SegmentsOfFile(const std::string & path)
   const TextHeader header = ReadNrrdHeader(path);
   const auto       valueOf = [&](std::size_t number, const std::string & name) {
     const std::string value = header.ValueOf("segment" + std::to_string(number) + "_" + name, ':');
-    return Printable(value.substr(value.compare(0, 1, "=") == 0 ? 1 : 0));
+    return Printable(Unescaped(value.substr(value.compare(0, 1, "=") == 0 ? 1 : 0)));
   };
   for (std::size_t i = 0; !valueOf(i, "id").empty(); ++i)
   {

@@ -40,7 +40,9 @@ TEST(Segments, AreEntriesOfTheHeaderThat3DSlicerReads)
   EXPECT_EQ(read[0].color, (std::array<double, 3>{ 1.0, 0.5, 0.0 }));
   auto named = read;
   named[0].tags = "TerminologyEntry:mine|";
+  named[0].name = "left\\new"; // escaped in the file
   shapeton::WriteVolume<unsigned char>(labels, path, shapeton::SegmentMetadata(labels, named));
   EXPECT_EQ(shapeton::SegmentsOfFile(path)[0].tags, "TerminologyEntry:mine|");
+  EXPECT_EQ(shapeton::SegmentsOfFile(path)[0].name, "left\\new");
   EXPECT_EQ(shapeton::SegmentsOfFile(path)[1].tags, read[1].tags);
 }
