@@ -63,11 +63,11 @@ const objectOf = (modality) => {
 
 // ---- the case ----
 async function read(page, server) {
-  const studies = await (await fetch(`${server.url}/dicom-web/studies`)).json();
-  if (!studies.length) throw new Error('no file is DICOM');
+  const [study] = await server.studies();
+  if (!study) throw new Error('no file is DICOM');
   await page.visit(`${server.url}/app-config.js`);
   await page.evaluate(() => localStorage.setItem('shownTours', JSON.stringify(['basicViewerTour'])));
-  await page.visit(`${server.url}/viewer?StudyInstanceUIDs=${studies[0]['0020000D'].Value[0]}`);
+  await page.visit(`${server.url}/viewer?StudyInstanceUIDs=${study}`);
   await page.until(() => Boolean(globalThis.services?.displaySetService && globalThis.cornerstone));
   await page.evaluate(addHelpers);
   await page.until(() => helpers.sets().length > 0);

@@ -173,7 +173,7 @@ def _(folder):
     return make(folder, "seg-oblique", planes_of, Grid(direction=oblique()))
 
 
-@case("seg-random-order", "SEG", "frames in any order, told by their position and segment only", FRAMES)
+@case("seg-random-order", "SEG", "frames in any order; only position and segment identify them", FRAMES)
 def _(folder):
     def shuffled(count):
         return [(5 * i + 3) % count for i in range(count)] if count % 5 else list(range(count))[::-1]

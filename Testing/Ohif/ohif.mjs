@@ -126,6 +126,11 @@ export async function serve(packageFolder, workFolder) {
       const status = await ask(orthanc.port, 'POST', '/instances', readFileSync(file));
       if (status !== OK) throw new Error(`Orthanc does not store ${file}: status ${status}`);
     },
+    // UIDs of the stored studies.
+    async studies() {
+      const all = JSON.parse(await get(orthanc.port, '/studies?expand'));
+      return all.map(({ MainDicomTags }) => MainDicomTags.StudyInstanceUID);
+    },
     // Orthanc's identifiers of all files.
     async files() { return JSON.parse(await get(orthanc.port, '/instances')); },
     fileOf: (identifier) => get(orthanc.port, `/instances/${identifier}/file`),

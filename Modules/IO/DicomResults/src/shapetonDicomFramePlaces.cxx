@@ -85,9 +85,7 @@ AxesOfFrames(const DicomSegmentationFile & file, const DicomSeries & series)
 }
 
 void
-RequireSpacing(const DicomSegmentationFile &    file,
-               const DicomSeries &              series,
-               const std::array<FrameAxis, 2> & axes)
+RequireSpacing(const DicomSegmentationFile & file, const DicomSeries & series, const std::array<FrameAxis, 2> & axes)
 {
   const unsigned int counts[] = { file.columns, file.rows };
   for (unsigned int i = 0; i < 2; ++i)
@@ -206,11 +204,11 @@ private:
 std::vector<DicomFramePlace>
 PlacesOfFrames(const DicomSegmentationFile & file, const DicomSource & source)
 {
-  const FrameLocator              locator(file, source);
-  std::vector<DicomFramePlace>    places(file.frames.size());
-  std::set<std::pair<int, long>>  taken;
+  const FrameLocator                 locator(file, source);
+  std::vector<DicomFramePlace>       places(file.frames.size());
+  std::set<std::pair<int, long>>     taken;
   std::vector<itk::Point<double, 3>> outside;
-  std::string                     fault;
+  std::string                        fault;
   for (std::size_t i = 0; i < file.frames.size(); ++i)
   {
     const DicomSegmentFrame & frame = file.frames[i];

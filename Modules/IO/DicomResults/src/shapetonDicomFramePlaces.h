@@ -18,9 +18,9 @@ struct DicomFramePlace
   itk::Offset<3> alongColumn; ///< to the next row
 };
 
-/** The place of each frame. Frames may be smaller than the slices, mirrored, transposed, or cross the slices of a regular
- * series, but each pixel must be a voxel. Throws InputError with the difference from the slices, or if two frames of a
- * segment are in one plane. */
+/** The place of each frame. Frames may be smaller than the slices, mirrored, transposed, or cross the slices of a
+ * regular series, but each pixel must be a voxel. Throws InputError with the difference from the slices, or if two
+ * frames of a segment are in one plane. */
 std::vector<DicomFramePlace>
 PlacesOfFrames(const DicomSegmentationFile & file, const DicomSource & source);
 } // namespace shapeton

@@ -299,13 +299,13 @@ TEST(DicomSegmentation, SaysHowItDiffersFromTheSlices)
     change(other.series);
     return Refuses([&] { ReadDicomSegments(file, { 1 }, other); }, reason);
   };
-  EXPECT_TRUE(refuses([](DicomSeries & series) { series.size[0] = 6; }, "15 of its 15 frames extend beyond the slices"));
+  EXPECT_TRUE(
+    refuses([](DicomSeries & series) { series.size[0] = 6; }, "15 of its 15 frames extend beyond the slices"));
   EXPECT_TRUE(refuses([](DicomSeries & series) { series.spacing[0] = 1.5; },
                       "pixels have 0.75 x 1.25 mm, those of the slices 1.5 x 1.25 mm"));
   const double degree = Pi / 180.0;
-  EXPECT_TRUE(
-    refuses([&](DicomSeries & series) { series.direction *= basetest::Rotation(1, 30.0 * degree); },
-            "frames are inclined to them by 30 degrees"));
+  EXPECT_TRUE(refuses([&](DicomSeries & series) { series.direction *= basetest::Rotation(1, 30.0 * degree); },
+                      "frames are inclined to them by 30 degrees"));
   EXPECT_TRUE(refuses([&](DicomSeries & series) { series.direction *= basetest::Rotation(2, 45.0 * degree); },
                       "rows and columns of its frames have other directions"));
   EXPECT_TRUE(

@@ -14,7 +14,7 @@ struct SurfaceOfScene
 {
   std::string name;
   /** Red, green and blue (sRGB), each in [0, 1]. */
-  std::array<double, 3> color{ { 0.8, 0.8, 0.8 } };
+  std::array<double, 3> color{ { 1.0, 1.0, 1.0 } };
   SurfaceMesh           mesh; ///< LPS, mm
 };
 

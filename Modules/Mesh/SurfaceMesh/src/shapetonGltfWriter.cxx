@@ -24,7 +24,7 @@ enum GltfConstant : unsigned int
   Float = 5126,
 };
 
-/** Of the material, in [0, 1]; chosen for a soft highlight that shows the shape. */
+/** Roughness of the material, in [0, 1]; chosen for a soft highlight that shows the shape. */
 constexpr double Roughness = 0.6;
 
 /** Decodes a component of an sRGB color (IEC 61966-2-1), as glTF requires. */

@@ -43,8 +43,9 @@ WriteSegmentation(const itk::Image<TPixel, 3> * labels,
 std::string
 FileNameOf(unsigned int label, const std::string & extension)
 {
+  constexpr int      digits = 5; // of labels up to 65535
   std::ostringstream name;
-  name << "segment-" << std::setw(5) << std::setfill('0') << label << '.' << extension;
+  name << "segment-" << std::setw(digits) << std::setfill('0') << label << '.' << extension;
   return name.str();
 }
 } // namespace
@@ -75,7 +76,7 @@ SegmentFiles::SegmentFiles(CommandLine & commandLine, const std::string & labels
   RequireVolumeName(commandLine.GetString(labelsParameter));
   RequireParameter(commandLine.IsGiven("dicom") || !commandLine.GetFlag("labelMap"), "--labelMap requires --dicom");
   RequireParameter(commandLine.IsGiven("surfaces") || !commandLine.IsGiven("surfaceFormat"),
-                   "--surfaceFormat requires --surfaces");
+                   "--surfaceFormat: give the folder of the surfaces by --surfaces");
   ReadOptions(commandLine, m_Options);
   for (const std::string name : { "labelMap", "surfaces", "surfaceFormat" })
   {
