@@ -22,6 +22,7 @@ PLACE_TOLERANCE = 0.02  # voxels; rounding of decimal strings and single precisi
 VALUE_TOLERANCE = 0.01  # intensities are multiples of 1/8
 CENTER_TOLERANCE = 0.75  # mm; a resampled box of 9 to 13 mm; slices at wrong places move it by 2 mm or more
 EXTENT_TOLERANCE = 0.15  # of the standard deviation
+LONGEST_LINE = 200  # characters of the log
 
 
 def has_voxels(case, expected, pieces):
@@ -68,7 +69,7 @@ def judge(case, cases, reader):
         command = [sys.executable, HERE / "readers.py", reader, cases / "cases" / case["name"], result]
         done = subprocess.run(list(map(str, command)), capture_output=True, text=True, errors="replace")
         output = (done.stdout + done.stderr).strip()
-        last = output.splitlines()[-1] if output else ""
+        last = output.splitlines()[-1][:LONGEST_LINE] if output else ""
         if done.returncode != 0:
             return ("right" if case["expectation"] == "refusal" else "refused"), last
         data = np.load(result)
