@@ -213,6 +213,12 @@ def _add_truth(page, series, errors):
             [[threshold, round(share, 3), round(false, 2)] for threshold, share, false in rows],
             f"A candidate is correct within {REACH:g} mm of a polyp. Polyps in collapsed segments count as missed.",
         )
+    chances = [chance for one in series for chance in one.chances]
+    if chances:
+        page.paragraph(
+            f"Of {len(chances)} polyps, the spreadsheet states the slice only, so a candidate anywhere in these slices counts as "
+            f"correct. If the candidates had random places along the body, {sum(chances):.1f} of these polyps would be found."
+        )
     if series:
         _add_accuracy(page, series)
     diameters = [abs(error) for one in series for error in one.diameter_errors]

@@ -19,7 +19,8 @@ THRESHOLDS = [0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.25]
 @dataclasses.dataclass
 class SeriesTruth:
     """A series with ground truth: the maximum score at each polyp, 0 if it was missed, the ids and diameters of the
-    polyps, the diameter errors, scores and diameters of false candidates (NaN if not measured)."""
+    polyps, the diameter errors, scores and diameters of false candidates (NaN if not measured). For polyps whose slice alone
+    is known, the probability that one of the candidates is there by chance."""
 
     subject: str
     polyps: list
@@ -28,6 +29,7 @@ class SeriesTruth:
     diameter_errors: list
     false_scores: list
     false_diameters: list
+    chances: list = dataclasses.field(default_factory=list)
 
 
 def read_series(subject, exam, truth):
@@ -47,6 +49,7 @@ def read_series(subject, exam, truth):
         ],
         false_scores=[_score(one) for one in false],
         false_diameters=[float(one["diameter"] or "nan") for one in false],
+        chances=[_chance(candidates, polyp) for polyp in polyps if not polyp["x"]],
     )
 
 
@@ -114,10 +117,28 @@ def _score(candidate):
 
 
 def _is_at(candidate, polyp):
-    """Whether a candidate is within REACH of the polyp's head or base."""
-    place = [float(candidate[name]) for name in "xyz"]
-    ends = [[float(polyp[name]) for name in names] for names in (("x", "y", "z"), ("baseX", "baseY", "baseZ"))]
-    return min(math.dist(place, end) for end in ends) <= 0.5 * float(polyp["diameter"]) + REACH
+    """Whether a candidate is within REACH of the polyp's head or base, along the axes that the truth states."""
+    return any(_distance(candidate, polyp, names) <= _reach(polyp) for names in (("x", "y", "z"), ("baseX", "baseY", "baseZ")))
+
+
+def _distance(candidate, polyp, names):
+    known = [(float(candidate[axis]), float(polyp[name])) for axis, name in zip("xyz", names) if polyp[name]]
+    return math.dist(*zip(*known)) if known else math.inf
+
+
+def _reach(polyp):
+    return 0.5 * float(polyp["diameter"]) + REACH
+
+
+def _chance(candidates, polyp):
+    """The fraction of the scan, along the body, that is within reach of a candidate."""
+    low, high = float(polyp["low"]), float(polyp["high"])
+    covered, end = 0.0, low
+    for place in sorted(float(one["z"]) for one in candidates):
+        begin = max(end, place - _reach(polyp))
+        end = max(end, min(high, place + _reach(polyp)))
+        covered += max(0.0, end - begin)
+    return covered / (high - low)
 
 
 def _rows(path):

@@ -1,0 +1,1 @@
+"""Benchmarks on public collections of CT colonography; see ../README.md."""
