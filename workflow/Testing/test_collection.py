@@ -158,7 +158,7 @@ class TruthBySlices(Case):
     def test_a_slice_of_another_series_is_a_fault(self):
         truth = self.truth("p1,10,401,\n")
         self.assertEqual(truth.write(self.folder, "p1", series("s")), "")
-        self.assertIn("line 2: slice 401 is none of its 400 slices", truth.faults[0])
+        self.assertIn("line 2: slice 401 is missing in the selected supine series", truth.faults[0])
 
     def test_candidates_in_the_slices_count_and_the_chance_is_known(self):
         place = self.truth("p1,10,51,\n").write(self.folder, "p1", series("s"))

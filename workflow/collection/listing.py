@@ -35,7 +35,7 @@ class Series:
         return self.slices * self.spacing
 
     def point(self, instance):
-        """Returns the position (LPS, mm) of the first pixel of a slice, or None if there is no such slice."""
+        """Returns the position (LPS, mm) of the first pixel of a slice, or None if the series lacks it."""
         if instance not in self.places:
             return None
         return [start + self.places[instance] * step for start, step in zip(self.origin, self.normal)]

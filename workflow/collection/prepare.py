@@ -111,7 +111,7 @@ class Truth:
         instance = polyp.slices.get(series.position)
         point = series.point(instance) if instance is not None else None
         if point is None:
-            reason = "no slice" if instance is None else f"slice {instance} is none of its {series.slices} slices"
+            reason = "no slice" if instance is None else f"slice {instance} is missing"
             self.faults.append(f"{polyp.source}: {reason} in the selected {series.position} series; it has no truth")
             return None
         ends = [series.point(end)[2] for end in series.places]
